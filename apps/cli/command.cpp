@@ -35,9 +35,8 @@ Pose read_place(const std::string& text, bool with_heading) {
                           : std::string();
     return UsageError(fmt::format("error: '{}' is not a position; write X,Y (such as 0,0){}", text, form));
   };
-  double x = 0.0, y = 0.0;
   if (parts.size() < 2 || parts.size() > (with_heading ? 3U : 2U)) throw bad();
-  if (!parse_number(parts[0], x) || !parse_number(parts[1], y)) throw bad();
+  const double x = parse_plain_number(parts[0]).value_or(-1.0), y = parse_plain_number(parts[1]).value_or(-1.0);
   if (x < 0 || y < 0 || x >= max_side || y >= max_side || x != static_cast<int>(x) || y != static_cast<int>(y))
     throw bad();
   Pose pose{{static_cast<int>(x), static_cast<int>(y)}, Heading::north};

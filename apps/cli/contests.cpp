@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <string_view>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/text/counted.hpp"
-#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/text/time_left.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
@@ -199,7 +199,7 @@ std::vector<double> numbers_of(std::string_view option, const std::string& text,
   for (std::string_view rest = text;;) {
     const auto comma = rest.find(',');
     const std::string_view word = rest.substr(0, comma);
-    const std::optional<double> number = number_in(word, 0.0, most);
+    const std::optional<double> number = parse_number(word, 0.0, most);
     if (!number)
       throw UsageError(fmt::format("error: {}: '{}' is not a number from 0 to {:g}", option, shown(word), most));
     numbers.push_back(*number);

@@ -49,11 +49,10 @@ struct MakeOptions {
 
 Size read_size(const std::string& text) {
   const auto cross = text.find('x');
-  double width = 0.0, height = 0.0;
-  const bool good = parse_number(text.substr(0, cross), width) &&
-                    parse_number(cross == std::string::npos ? text : text.substr(cross + 1), height) && width >= 1 &&
-                    height >= 1 && width <= max_side && height <= max_side;
-  const Size size{static_cast<int>(width), static_cast<int>(height)};
+  const double width = parse_plain_number(text.substr(0, cross)).value_or(0.0);
+  const double height = parse_plain_number(text.substr(cross == std::string::npos ? 0 : cross + 1)).value_or(0.0);
+  const bool good = width >= 1 && height >= 1 && width <= max_side && height <= max_side;
+  const Size size = good ? Size{static_cast<int>(width), static_cast<int>(height)} : Size{};
   if (good && size.width == width && size.height == height) return size;
   throw UsageError(fmt::format("error: '{}' is not a size; write WIDTHxHEIGHT with sides from 1 to {}, such as 16x16",
                                text, max_side));

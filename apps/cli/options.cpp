@@ -4,12 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <optional>
-#include <system_error>
 
 #include "command.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -59,16 +58,17 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
 
 /// Reads the number of an option, in digits; returns what is wrong with it, or nothing.
 std::string read_number(const std::string& text, double& number) {
-  const std::optional<double> read = number_in(text);
-  number = read.value_or(0.0);
-  return read ? "" : fmt::format("'{}' {}", text, why_no_number(text));
+  const std::string_view problem = why_no_number(text);
+  number = parse_number(text).value_or(0.0);
+  return problem.empty() ? "" : fmt::format("'{}' {}", text, problem);
 }
 template <class Whole>
 std::string read_number(const std::string& text, Whole& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc() && end == text.data() + text.size()) return "";
+  std::string_view rest = text;
+  const NumberProblem problem = take_whole(rest, number);
+  if (problem == NumberProblem::none && rest.empty()) return "";
   return fmt::format("'{}' is not a whole number{}", text,
-                     error == std::errc::result_out_of_range ? " of the size that is possible here" : "");
+                     problem == NumberProblem::too_large ? " of the size that is possible here" : "");
 }
 
 template <class Number>

@@ -204,10 +204,9 @@ std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entr
 std::optional<Shard> shard_of(const std::string& text) {
   Shard shard;
   const auto slash = text.find('/');
-  double number = 0.0, of = 0.0;
-  if (slash == std::string::npos || !parse_number(text.substr(0, slash), number) ||
-      !parse_number(text.substr(slash + 1), of))
-    return std::nullopt;
+  if (slash == std::string::npos) return std::nullopt;
+  const double number = parse_plain_number(text.substr(0, slash)).value_or(0.0);
+  const double of = parse_plain_number(text.substr(slash + 1)).value_or(0.0);
   constexpr double most = 1e6;
   if (number != std::floor(number) || of != std::floor(of) || number < 1 || number > of || of > most)
     return std::nullopt;

@@ -29,9 +29,9 @@ void require_good_settings(const WorldSettings& settings) {
         if (setting.name == name) found = &setting;
     if (found == nullptr) throw UserError(fmt::format("no world has the setting '{}'", name));
     if (found->kind != WorldSetting::Kind::whole) continue;
-    double number = 0.0;
-    if (!parse_number(value, number) || number < static_cast<double>(found->low) ||
-        number > static_cast<double>(found->high) || number != static_cast<double>(static_cast<std::int64_t>(number)))
+    const std::optional<double> number = parse_plain_number(value);
+    if (!number || *number < static_cast<double>(found->low) || *number > static_cast<double>(found->high) ||
+        *number != static_cast<double>(static_cast<std::int64_t>(*number)))
       throw UserError(fmt::format("{} is a whole number from {} to {}, not {}", name, found->low, found->high, value));
   }
 }

@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/guests/sandbox.hpp"
 #include "labmouse/guests/survey.hpp"
 
@@ -52,11 +52,10 @@ rlim_t most_tasks() {
   const ssize_t size = file < 0 ? 0 : read(file, text.data(), text.size());
   if (file >= 0) close(file);
   // "0.20 0.18 0.12 1/80 11206": behind the stroke are all tasks of the system.
-  const char *begin = text.data(), *end = begin + std::max<ssize_t>(size, 0);
-  const char* stroke = std::find(begin, end, '/');
-  rlim_t tasks = 0;
-  if (stroke == end || std::from_chars(stroke + 1, end, tasks).ec != std::errc()) return RLIM_INFINITY;
-  return tasks + room;
+  std::string_view rest(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  rest.remove_prefix(std::min(rest.find('/'), rest.size() - 1) + 1);
+  const auto tasks = take_whole<rlim_t>(rest);
+  return tasks ? *tasks + room : RLIM_INFINITY;
 }
 
 void limit_all(const GuestLimits& limits) {

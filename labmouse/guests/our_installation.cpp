@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <fstream>
 #include <string_view>
 #include <utility>
+
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {
@@ -32,13 +33,12 @@ std::string file_of_this_code() {
   const auto here = reinterpret_cast<std::uintptr_t>(&file_of_this_code);
   std::ifstream maps("/proc/self/maps");
   for (std::string line; std::getline(maps, line);) {
-    std::uintptr_t begin = 0, end = 0;
-    const char* text = line.data();
-    const auto first = std::from_chars(text, text + line.size(), begin, 16);
-    if (first.ec != std::errc() || std::from_chars(first.ptr + 1, text + line.size(), end, 16).ec != std::errc())
-      continue;
+    std::string_view text = line;
+    const auto begin = take_whole<std::uintptr_t>(text, 16);
+    text.remove_prefix(text.starts_with('-') ? 1 : 0);
+    const auto end = take_whole<std::uintptr_t>(text, 16);
     const auto path = line.find('/');
-    if (here >= begin && here < end && path != std::string::npos) return line.substr(path);
+    if (begin && end && here >= *begin && here < *end && path != std::string::npos) return line.substr(path);
   }
   return "";
 }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/guests/quoted_line.hpp"
 
 namespace labmouse {
@@ -21,12 +21,11 @@ constexpr std::array<std::pair<std::string_view, PilotWord>, 5> words = {{{"driv
 
 /// Takes one blank and a duty from the front of the text; false where there is none.
 bool take_duty(std::string_view& text, std::int16_t& duty) {
-  int number = 0;
   if (!text.starts_with(' ')) return false;
-  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
-  if (error != std::errc() || number < -PilotTick::full || number > PilotTick::full) return false;
-  duty = static_cast<std::int16_t>(number);
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  text.remove_prefix(1);
+  const auto number = take_whole<int>(text);
+  if (!number || *number < -PilotTick::full || *number > PilotTick::full) return false;
+  duty = static_cast<std::int16_t>(*number);
   return true;
 }
 

@@ -17,6 +17,7 @@
 #include <thread>
 #include <utility>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/guests/command_line.hpp"
 #include "labmouse/guests/keeper.hpp"
 #include "labmouse/guests/sandbox.hpp"
@@ -106,8 +107,10 @@ class SandboxPlan {
 
 /// The child of the first process of a sandbox; -1 where there is none yet.
 pid_t only_child(pid_t parent) {
-  pid_t child = -1;
-  std::ifstream(fmt::format("/proc/{0}/task/{0}/children", parent)) >> child;
+  std::string children;
+  std::getline(std::ifstream(fmt::format("/proc/{0}/task/{0}/children", parent)), children);
+  std::string_view rest = children;
+  const pid_t child = take_whole<pid_t>(rest).value_or(-1);
   return child > 0 ? child : -1;
 }
 

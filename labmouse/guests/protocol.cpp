@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {
@@ -13,10 +13,9 @@ constexpr int farthest = 1'000'000;
 /// Takes one blank and a whole number from the front of the text; false where there is none.
 bool take_number(std::string_view& text, int& number) {
   if (!text.starts_with(' ')) return false;
-  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
-  if (error != std::errc() || number < -farthest || number > farthest) return false;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return true;
+  text.remove_prefix(1);
+  number = take_whole<int>(text).value_or(farthest + 1);
+  return number >= -farthest && number <= farthest;
 }
 
 }  // namespace

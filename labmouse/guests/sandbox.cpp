@@ -15,12 +15,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/guests/short_text.hpp"
 
 namespace labmouse {
@@ -83,9 +83,7 @@ std::uintptr_t number_of_stat(std::string_view text, int before) {
   text.remove_prefix(std::min(text.rfind(')') + 2, text.size()));
   constexpr int behind_name = 2;
   for (int i = behind_name; i < before; ++i) text.remove_prefix(std::min(text.find(' '), text.size() - 1) + 1);
-  std::uintptr_t number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
+  return take_whole<std::uintptr_t>(text).value_or(0);
 }
 
 }  // namespace

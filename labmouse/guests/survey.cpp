@@ -12,6 +12,7 @@
 #include <limits>
 #include <string_view>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/guests/short_text.hpp"
 
 namespace labmouse {
@@ -60,10 +61,8 @@ class Facts {
     return text;
   }
   static std::uint64_t number(std::string_view text) {
-    std::uint64_t value = 0;
     text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
+    return take_whole<std::uint64_t>(text).value_or(0);
   }
 
   std::array<char, portion> text_{};

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "labmouse/strategies/decimal_number.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {
@@ -43,15 +43,22 @@ std::string plain(std::string_view number) {
   return negative && whole != "0" ? "-" + whole : whole;
 }
 
-std::string plain(double number) { return plain(std::to_string(number)); }
+/// With six decimals at most, and the same in every locale.
+std::string plain(double number) {
+  constexpr long long one = 1'000'000;
+  const long long millionths = std::llround(std::abs(number) * static_cast<double>(one));
+  std::string fraction = std::to_string(millionths % one + one);
+  fraction.front() = '.';
+  return plain((number < 0 ? "-" : "") + std::to_string(millionths / one) + fraction);
+}
 
 std::string check_number(const Parameter& parameter, std::string_view value) {
-  double number = 0.0;
-  if (!parse_number(value, number)) return "is not a number";
-  if (parameter.type == ParameterType::whole && number != std::floor(number)) return "is not a whole number";
-  if (number < parameter.low || number > parameter.high)
+  const std::optional<double> number = parse_plain_number(value);
+  if (!number) return "is not a number";
+  if (parameter.type == ParameterType::whole && *number != std::floor(*number)) return "is not a whole number";
+  if (*number < parameter.low || *number > parameter.high)
     return "is outside the range " + plain(parameter.low) + " to " + plain(parameter.high) + "; the nearest value is " +
-           plain(number < parameter.low ? parameter.low : parameter.high);
+           plain(*number < parameter.low ? parameter.low : parameter.high);
   return "";
 }
 
@@ -122,10 +129,9 @@ std::string_view Settings::choice(std::string_view name) const {
 }
 
 double Settings::real(std::string_view name) const {
-  double number = 0.0;
-  [[maybe_unused]] const bool parsed = parse_number(choice(name), number);
-  assert(parsed);
-  return number;
+  const std::optional<double> number = parse_plain_number(choice(name));
+  assert(number);
+  return number.value_or(0.0);
 }
 
 int Settings::whole(std::string_view name) const { return static_cast<int>(real(name)); }
@@ -134,7 +140,7 @@ bool Settings::flag(std::string_view name) const { return is_one_of(choice(name)
 
 std::vector<double> Settings::list(std::string_view name) const {
   std::vector<double> numbers;
-  for (const auto part : split(choice(name), '/')) parse_number(part, numbers.emplace_back());
+  for (const auto part : split(choice(name), '/')) numbers.push_back(parse_plain_number(part).value_or(0.0));
   return numbers;
 }
 
@@ -185,9 +191,8 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
   return nearest;
 }
 
-bool parse_number(std::string_view text, double& number) {
-  if (text.find_first_of("eE") != std::string_view::npos) return false;  // a parameter is written plainly
-  return read_decimal(text, number) == NumberProblem::none;
+std::optional<double> parse_plain_number(std::string_view text) {
+  return text.find_first_of("eE") == std::string_view::npos ? parse_number(text) : std::nullopt;
 }
 
 }  // namespace labmouse

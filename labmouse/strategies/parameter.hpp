@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -112,8 +113,8 @@ std::string canonical_value(const Parameter& parameter, std::string_view value);
 /// The candidate that is spelled most like a word, for "did you mean"; empty where none is near.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> candidates);
 
-/// Reads a decimal number such as `-12` or `0.25`, all of it or nothing; the same on every platform. Numbers that a
-/// double cannot hold are none.
-bool parse_number(std::string_view text, double& number);
+/// A decimal number such as `-12` or `0.25`, all of the text, without a power of ten; nothing where it is none, or a
+/// double cannot hold it.
+std::optional<double> parse_plain_number(std::string_view text);
 
 }  // namespace labmouse

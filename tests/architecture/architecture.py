@@ -39,6 +39,14 @@ SYSTEM_HEADER = re.compile(r"(sys|linux|net|netinet|arpa)/|(unistd|fcntl|poll|si
                            r"|grp|glob|io|process|windows)\.h$")
 SYSTEM_FILES = ("labmouse/lab/system/calls.cpp", "apps/cli/terminal.cpp")
 
+# Numbers are read in one file. The readers of the standard library differ by platform and by locale, and so do printf and
+# streams where they write numbers with a point; {fmt} does not.
+NUMBER_FILE = "labmouse/functions/parse_number.hpp"
+NUMBER_READER = re.compile(r"\b(strto[dflu]\w*|sto(?:[dfil]|l[dl]|ull?)|ato(?:[fil]|ll)|from_chars|v?[fs]?w?scanf)\b\s*[(<]")
+NUMBER_WRITER = re.compile(r"(\w*printf)\s*\(.*%[-+ #0-9.*']*L?[aefgAEFG]")
+NUMBER_STREAM = re.compile(r"\b(\w*stream)\b[^;]*[)}]\s*>>")
+STREAM_HEADERS = ("iomanip", "iostream", "istream", "locale", "ostream", "sstream")
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -199,6 +207,21 @@ def system_violations(root):
                 yield path, number, f"<{match[2]}> is of one system; {SYSTEM_FILES[0]} is for such calls"
 
 
+def number_violations(root):
+    """One file reads numbers, and no number is written or read as the locale has it."""
+    for path in sources(root / "labmouse") + sources(root / "apps"):
+        if path.relative_to(root).as_posix() == NUMBER_FILE:
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            code, include = line.split("//")[0], INCLUDE.match(line)
+            if include and include[2] in STREAM_HEADERS:
+                yield path, number, f"<{include[2]}> writes numbers as the locale has them; fmt::format does not"
+            elif match := NUMBER_WRITER.search(code):
+                yield path, number, f"{match[1]} writes numbers as the locale has them; fmt::format does not"
+            elif match := NUMBER_READER.search(code) or NUMBER_STREAM.search(code):
+                yield path, number, f"{match[1]} reads a number; {NUMBER_FILE} is for that"
+
+
 def static_violations(root):
     """The portable rooms have no variables outside of functions and objects but those that the compiler has fixed."""
     for room in PORTABLE_ROOMS:
@@ -255,7 +278,7 @@ def violations(root):
     page = (root / "ARCHITECTURE.md").read_text(encoding="utf-8")
     rooms, wings = rooms_of(page), wings_of(page)
     found = [*include_violations(root, rooms), *wing_violations(root, wings), *world_violations(root),
-             *cycle_violations(root), *static_violations(root), *system_violations(root), *link_violations(root, rooms),
+             *cycle_violations(root), *static_violations(root), *system_violations(root), *number_violations(root), *link_violations(root, rooms),
              *roster_violations(root), *public_header_violations(root)]
     return [f"{path.relative_to(root)}:{number}: error: {reason}" for path, number, reason in found]
 

@@ -49,7 +49,7 @@ class Architecture(unittest.TestCase):
             "labmouse/maze/maze.hpp": '#include <vector>\n#include "labmouse/grid/cell.hpp"\n',
             "labmouse/maze/maze.cpp": '#include "labmouse/maze/maze.hpp"\n',
             "labmouse/lab/race.cpp": '#include <thread>\n#include "labmouse/mouse/strategy.hpp"\n',
-            "apps/cli/main.cpp": '#include <iostream>\n#include "command.hpp"\n#include "labmouse/lab/race.hpp"\n',
+            "apps/cli/main.cpp": '#include <fstream>\n#include "command.hpp"\n#include "labmouse/lab/race.hpp"\n',
             "CMakeLists.txt": "labmouse_room(maze grid)\n",
         }), [])
 
@@ -149,6 +149,31 @@ class Architecture(unittest.TestCase):
         self.assertEqual(violations_of(files), [f"labmouse/lab/race.cpp:1: error: <sys/stat.h> {reason}"])
         files["labmouse/lab/race.cpp"] = '#include "labmouse/maze/keeper.hpp"\n'
         self.assertEqual(violations_of(files), [f"labmouse/maze/keeper.hpp:1: error: <unistd.h> {reason}"])
+
+    def test_numbers_that_are_read_elsewhere(self):
+        for line, reader in (("const double x = std::strtod(text, &end);", "strtod"), ("int x = std::stoi(text);", "stoi"),
+                             ("auto x = std::stoull(text);", "stoull"), ("x = atof(text);", "atof"),
+                             ("std::from_chars(begin, end, x);", "from_chars"), ("sscanf(text, \"%d\", &x);", "sscanf"),
+                             ('std::ifstream("/proc/loadavg") >> load;', "ifstream")):
+            for path in ("labmouse/maze/a.cpp", "apps/cli/a.cpp"):
+                with self.subTest(line, path=path):
+                    self.assertEqual(violations_of({path: f"\n  {line}\n"}), [
+                        f"{path}:2: error: {reader} reads a number; labmouse/functions/parse_number.hpp is for that"])
+
+    def test_numbers_that_are_written_as_the_locale_has_them(self):
+        for line, writer in (('std::snprintf(text, 9, "%-4.2f", x);', "snprintf"), ('std::printf("%s %g", name, x);', "printf"),
+                             ("#include <sstream>", "<sstream>"), ("#include <iomanip>", "<iomanip>")):
+            with self.subTest(line):
+                self.assertEqual(violations_of({"apps/cli/a.cpp": f"\n{line}\n"}), [
+                    f"apps/cli/a.cpp:2: error: {writer} writes numbers as the locale has them; fmt::format does not"])
+
+    def test_what_reads_and_writes_no_such_numbers(self):
+        for line in ("// std::stoi would take +1", 'store(text);', 'std::printf("%d%%", x);', "std::getline(stream, text);",
+                     'std::fputs("%f", stdout);', "const auto restored = world.stored(x >> 3);"):
+            with self.subTest(line):
+                self.assertEqual(violations_of({"labmouse/lab/a.cpp": f"\n{line}\n"}), [])
+        self.assertEqual(violations_of({"labmouse/functions/parse_number.hpp": "std::from_chars(begin, end, x);\n"},
+                                       PAGE + "| functions | numbers | nothing | heap |\n"), [])
 
     def test_variables_that_last(self):
         for line in ("static int calls = 0;", "  static const std::vector<int> table = [] {", "  static Knowledge known;",

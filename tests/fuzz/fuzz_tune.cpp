@@ -16,10 +16,9 @@ void check_range(std::string_view mouse, const ParameterRange& range) {
   require(range.low < range.high);
   for (const double share : {0.0, 0.001, 0.3, 0.5, 0.999, 1.0}) {
     const Setting setting = {std::string(range.parameter.name), value_at(range, share)};
-    double value = 0.0;
-    require(parse_number(setting.value, value));
-    require(value >= range.low && value <= range.high);
-    const double back = share_of(range, value);
+    const std::optional<double> value = parse_plain_number(setting.value);
+    require(value && *value >= range.low && *value <= range.high);
+    const double back = share_of(range, *value);
     require(back >= 0.0 && back <= 1.0);
     require(read_variant(mouse, {&setting, 1}).error.empty());
   }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <span>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/guests/mms/canvas.hpp"
 #include "labmouse/guests/mms/statistics.hpp"
 
@@ -104,10 +104,7 @@ std::optional<int> whole_number(std::string_view word) {
   word.remove_prefix(std::min(word.find_first_not_of(blanks), word.size()));
   word.remove_suffix(word.size() - (word.find_last_not_of(blanks) + 1));
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  int number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return number;
+  return parse_whole<int>(word);
 }
 
 char lower(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; }

@@ -33,9 +33,9 @@ Row row_of(const Plot& plot) {
   Row row;
   std::vector<std::pair<double, const PlotPoint*>> pairs;
   for (const PlotPoint& point : plot.points) {
-    double number = 0.0;
-    row.numbers = parse_number(point.x, number) && row.numbers;
-    pairs.emplace_back(number, &point);
+    const std::optional<double> number = parse_plain_number(point.x);
+    row.numbers = number && row.numbers;
+    pairs.emplace_back(number.value_or(0.0), &point);
   }
   if (row.numbers)
     std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "labmouse/contest/physical.hpp"
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/hazards/builtin_hazards.hpp"
@@ -17,7 +18,6 @@
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/text/json.hpp"
-#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -96,7 +96,7 @@ constexpr std::array fallible_settings = {
 std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& chosen, std::string_view name,
                                 double high, std::string& error) {
   const std::string text = value_of(entry, chosen, name);
-  if (const std::optional<double> number = labmouse::number_in(text, 0.0, high)) return number;
+  if (const std::optional<double> number = parse_number(text, 0.0, high)) return number;
   if (error.empty()) error = fmt::format("error: --{}: '{}' is not a number from 0 to {:g}", name, shown(text), high);
   return std::nullopt;
 }

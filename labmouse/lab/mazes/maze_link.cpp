@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <utility>
+
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {
@@ -140,12 +141,10 @@ std::optional<std::string> read_name(std::string_view text) {
 
 /// The size of `16x16`; not valid where it is none.
 Size read_size(std::string_view text) {
-  Size size;
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.width);
-  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return {};
-  const auto height = std::from_chars(width.ptr + 1, end, size.height);
-  return height.ec == std::errc() && height.ptr == end ? size : Size{};
+  const auto width = take_whole<int>(text);
+  if (!width || !text.starts_with('x')) return {};
+  const auto height = parse_whole<int>(text.substr(1));
+  return height ? Size{*width, *height} : Size{};
 }
 
 /// The parts between the points, as many as a link has; the last one takes what is left.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "labmouse/lab/text/numbers.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 
@@ -16,7 +16,7 @@ std::string value_of(const WorldEntry& entry, const WorldSettings& settings, std
 
 int whole_of(const WorldEntry& entry, const WorldSettings& settings, std::string_view name) {
   constexpr double most = std::numeric_limits<int>::max();
-  return static_cast<int>(number_in(value_of(entry, settings, name), 0.0, most).value_or(0.0));
+  return static_cast<int>(parse_number(value_of(entry, settings, name), 0.0, most).value_or(0.0));
 }
 
 }  // namespace labmouse

@@ -1,7 +1,8 @@
 #include "labmouse/lab/records/drive_record_fields.hpp"
 
-#include <charconv>
 #include <cmath>
+
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {
@@ -21,7 +22,7 @@ CellSet rows_in(JsonFields& fields, const char* key, Size size) {
   if (rows.size() != static_cast<std::size_t>(size.height))
     fields.fail(fmt::format("has {} rows, but the maze has {}", rows.size(), size.height));
   for (std::size_t y = 0; y < rows.size() && fields.error().empty(); ++y) {
-    const auto bits = rows[y].is_string() ? hexadecimal(rows[y].get<std::string>()) : std::nullopt;
+    const auto bits = rows[y].is_string() ? parse_whole<std::uint64_t>(rows[y].get<std::string>(), 16) : std::nullopt;
     if (!bits) return fields.fail("has a row that is not a hexadecimal number"), cells;
     cells.set_row(static_cast<int>(y), *bits);
   }
@@ -43,13 +44,6 @@ std::optional<std::uint16_t> find_turn(const DriveTables& tables, const std::str
 }
 
 }  // namespace
-
-std::optional<std::uint64_t> hexadecimal(const std::string& text) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, 16);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
 
 WallSet walls_in(const ReadJson& json, const char* key, Size size, JsonFields& outer) {
   if (!outer.has(key)) return outer.reject(fmt::format("'{}' is missing", key)), WallSet();
@@ -89,9 +83,9 @@ DriveNode node_in(JsonFields& fields, const char* key, Size size) {
 void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tables, DriveSegment& segment) {
   const std::string piece = fields.text("piece");
   if (piece.starts_with('S') || piece.starts_with('D')) {
-    const auto [end, error] = std::from_chars(piece.data() + 1, piece.data() + piece.size(), segment.units);
-    const bool good = error == std::errc() && end == piece.data() + piece.size() && segment.units >= 0 &&
-                      segment.units <= StraightTimes::longest && segment.from.diagonal() == piece.starts_with('D');
+    segment.units = parse_whole<int>(std::string_view(piece).substr(1)).value_or(-1);
+    const bool good = segment.units >= 0 && segment.units <= StraightTimes::longest &&
+                      segment.from.diagonal() == piece.starts_with('D');
     if (!good) fields.fail("has a piece that is not a valid straight there");
     return;
   }

@@ -15,9 +15,6 @@ namespace labmouse {
 /// Microseconds that a record can hold.
 inline constexpr std::int64_t longest_time = std::int64_t{1} << 50U;
 
-/// The number of a text of hexadecimal digits; nothing where it is none, or more than 64 bits.
-std::optional<std::uint64_t> hexadecimal(const std::string& text);
-
 // All of these give the fields, or the outer ones, what is wrong; `size` is that of the maze.
 
 /// [x, y, heading] and [x, y, heading, place].

@@ -1,3 +1,4 @@
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/records/physical_lines.hpp"
@@ -84,7 +85,7 @@ std::string Reading::read_header(const ReadJson& json) {
   file_.mouse = mouse.text("name");
   if (mouse.has("spec")) file_.spec = mouse.text("spec");
   fields.reject(mouse.error());
-  const auto hash = hexadecimal(fields.text("tables"));
+  const auto hash = parse_whole<std::uint64_t>(fields.text("tables"), 16);
   if (!hash) fields.reject("'tables' is not a hexadecimal number");
   file_.tables_hash = hash.value_or(0);
   read_drive_rules_json(json["rules"], file_.rules, fields);

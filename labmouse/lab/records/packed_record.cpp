@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/records/record_parts.hpp"
 #include "labmouse/lab/text/json_fields.hpp"
-#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
 namespace {
@@ -37,13 +35,12 @@ Action usual_step(char letter) {
 }
 
 std::optional<Action> read_unusual_step(std::string_view text) {
-  Action step;
-  const char* const end = text.data() + text.size();
-  const auto rotation = std::from_chars(text.data() + 1, end, step.rotation);
-  if (rotation.ec != std::errc() || rotation.ptr == end || *rotation.ptr != ',') return std::nullopt;
-  const auto movement = std::from_chars(rotation.ptr + 1, end, step.movement);
-  if (movement.ec != std::errc()) return std::nullopt;
-  return step;
+  text.remove_prefix(1);
+  const auto rotation = take_whole<int>(text);
+  if (!rotation || !text.starts_with(',')) return std::nullopt;
+  text.remove_prefix(1);
+  const auto movement = take_whole<int>(text);
+  return movement ? std::optional(Action::step(*rotation, *movement)) : std::nullopt;
 }
 
 std::optional<Action> read_forfeit(std::string_view text) {
@@ -80,7 +77,7 @@ void read_actions(std::string_view text, JsonFields& fields, RunRecord& run) {
 
 std::uint64_t read_seed(const ReadJson& seed, JsonFields& fields) {
   if (seed.is_number_unsigned()) return seed.get<std::uint64_t>();
-  const auto number = whole_in<std::uint64_t>(seed.is_string() ? seed.get<std::string>() : "");
+  const auto number = parse_whole<std::uint64_t>(seed.is_string() ? seed.get<std::string>() : "");
   if (!number) fields.fail("has a seed that is not a number from 0 to 2^64 - 1");
   return number.value_or(0);
 }

@@ -10,13 +10,13 @@ namespace labmouse {
 inline Json settings_json(const Settings& settings) {
   auto json = Json::object();
   for (const Setting& setting : settings.all()) {
-    double number = 0.0;
-    if (!parse_number(setting.value, number))
+    const std::optional<double> number = parse_plain_number(setting.value);
+    if (!number)
       json[setting.name] = setting.value;
-    else if (number == static_cast<double>(static_cast<long>(number)))
-      json[setting.name] = static_cast<long>(number);
+    else if (*number == static_cast<double>(static_cast<long>(*number)))
+      json[setting.name] = static_cast<long>(*number);
     else
-      json[setting.name] = number;
+      json[setting.name] = *number;
   }
   return json;
 }

@@ -1,9 +1,9 @@
 // Apart from the rest: only the command line reads such texts.
 #include <optional>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/robots/robot_family.hpp"
 #include "labmouse/lab/routes/varied_number.hpp"
-#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
 
@@ -15,7 +15,8 @@ VariedNumberResult read_varied_number(std::string_view text) {
     return refused("write KEY=FROM:TO, such as curve.lateral_acceleration=5000:40000");
   const std::string_view key = text.substr(0, equals);
   if (std::string why = why_not_varied(key); !why.empty()) return refused(std::move(why));
-  const auto from = number_in(text.substr(equals + 1, colon - equals - 1)), to = number_in(text.substr(colon + 1));
+  const auto from = parse_number(text.substr(equals + 1, colon - equals - 1)),
+             to = parse_number(text.substr(colon + 1));
   if (!from || !to || !(*from < *to)) return refused("FROM and TO must be numbers, and FROM the smaller one");
   return {{std::string(key), *from, *to}, ""};
 }

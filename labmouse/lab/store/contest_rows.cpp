@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <ctime>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/figures.hpp"
 #include "labmouse/lab/text/json.hpp"
-#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
 namespace {
@@ -126,7 +126,7 @@ ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const 
 
 bool fill_in(const Statement& row, const World& world, ContestResult& result) {
   auto figures = read_figures(row.text("figures"));
-  const auto race_seed = whole_in<std::uint64_t>(row.text("race_seed"));
+  const auto race_seed = parse_whole<std::uint64_t>(row.text("race_seed"));
   if (!figures || !race_seed) return false;
   const auto timings = row.is_null("timings") ? std::nullopt : read_figures(row.text("timings"));
   for (std::size_t i = 0; i < world.timings().size(); ++i) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/contest_rows.hpp"
@@ -13,7 +14,6 @@
 #include "labmouse/lab/store/told_apart.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/text/json.hpp"
-#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "labmouse/strategies/roster.hpp"
@@ -242,7 +242,7 @@ StoredRaces read_races(const std::string& path, StoreFilter filter, bool one_rac
     auto race = Reader(database, condition).read(id, std::move(world));
     if (!race || race->results.empty()) continue;
     // fill_in has read it in each row.
-    race->order.seed = one_race ? *whole_in<std::uint64_t>(seed) : 0;
+    race->order.seed = one_race ? *parse_whole<std::uint64_t>(seed) : 0;
     found.races.push_back(std::move(*race));
   }
   found.error = error_line(path, database.error());

@@ -12,7 +12,7 @@ namespace labmouse {
 namespace {
 
 /// Decimals that show four significant digits: 3 for 2.345, 0 for 2345 and for more. At most 9, so that with the digits
-/// before the point a value is never longer than parse_number reads.
+/// before the point a value is never longer than parse_plain_number reads.
 int decimals_of(double value) {
   int decimals = 3;
   const double size = std::abs(value);
@@ -41,7 +41,7 @@ std::string no_number(const RosterEntry& mouse, const Parameter& parameter) {
 std::string read_end(std::string_view spec, const Parameter& parameter, std::string_view text, double& end) {
   const Setting setting = {std::string(parameter.name), std::string(text)};
   if (const SpecResult variant = read_variant(spec, {&setting, 1}); !variant.error.empty()) return variant.error;
-  parse_number(text, end);
+  end = parse_plain_number(text).value_or(0.0);
   return "";
 }
 
@@ -49,8 +49,7 @@ std::string read_end(std::string_view spec, const Parameter& parameter, std::str
 std::string read_ends(std::string_view spec, std::string_view text, ParameterRange& range) {
   const auto colon = text.find(':');
   const auto low = text.substr(0, colon), high = colon == std::string_view::npos ? "" : text.substr(colon + 1);
-  double number = 0.0;
-  if (!parse_number(low, number) || !parse_number(high, number) || !has_few_decimals(low) || !has_few_decimals(high))
+  if (!parse_plain_number(low) || !parse_plain_number(high) || !has_few_decimals(low) || !has_few_decimals(high))
     return fmt::format("'{}' is not a range; write LOW:HIGH with at most {} decimals, such as 0.2:0.8", text,
                        most_decimals);
   if (auto error = read_end(spec, range.parameter, low, range.low); !error.empty()) return error;
@@ -89,8 +88,7 @@ std::string written_value(const ParameterRange& range, double value) {
   // A value near an end may be rounded beyond it; its ends have few decimals, so some more keep it inside.
   for (int decimals = whole ? 0 : decimals_of(value);; ++decimals) {
     std::string text = canonical_value(range.parameter, fmt::format("{:.{}f}", value, decimals));
-    double number = 0.0;
-    parse_number(text, number);
+    const double number = parse_plain_number(text).value_or(0.0);
     if ((number >= range.low && number <= range.high) || decimals > 9) return text;
   }
 }

@@ -25,9 +25,9 @@ std::vector<std::string> split(std::string_view text, char separator) {
 }
 
 std::optional<long long> millionths(std::string_view text) {
-  double number = 0.0;
-  if (!has_few_decimals(text) || !parse_number(text, number) || std::abs(number) > largest) return std::nullopt;
-  return std::llround(number * static_cast<double>(one));
+  const std::optional<double> number = parse_plain_number(text);
+  if (!has_few_decimals(text) || !number || std::abs(*number) > largest) return std::nullopt;
+  return std::llround(*number * static_cast<double>(one));
 }
 
 std::string decimal(long long count) {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/system/calls.hpp"
-#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 std::optional<int> numbered(std::string_view path) {
   for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
     if (!path.starts_with(folder)) continue;
-    const std::optional<int> number = whole_in<int>(path.substr(folder.size()));
+    const std::optional<int> number = parse_whole<int>(path.substr(folder.size()));
     if (number && *number >= 0) return number;
   }
   return std::nullopt;

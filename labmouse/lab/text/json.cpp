@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "labmouse/strategies/decimal_number.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 
@@ -35,7 +35,7 @@ std::string_view bad_json_number(std::string_view text) {
     const auto end = std::min(text.find_first_not_of("0123456789+-.eE", i), text.size());
     const std::string_view number = text.substr(i, end - i);
     double value = 0.0;
-    const NumberProblem problem = may_be_bad(number) ? read_decimal(number, value) : NumberProblem::none;
+    const NumberProblem problem = may_be_bad(number) ? parse_number(number, value) : NumberProblem::none;
     // What is no number at all the parser tells.
     if (problem != NumberProblem::none && problem != NumberProblem::no_number) return number;
     i = end - 1;

@@ -1,7 +1,8 @@
 #include "labmouse/maze/formats/text.hpp"
 
 #include <algorithm>
-#include <charconv>
+
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse::formats {
 namespace {
@@ -76,12 +77,9 @@ std::vector<Word> words_between_commas(std::string_view text, std::size_t most) 
 }
 
 std::optional<int> number_of(std::string_view digits, int least, int most) {
-  if (digits.starts_with('-')) return std::nullopt;  // from_chars would take -0
-  int number = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [behind, error] = std::from_chars(digits.data(), end, number);
-  if (error != std::errc{} || behind != end || number < least || number > most) return std::nullopt;
-  return number;
+  if (digits.starts_with('-')) return std::nullopt;  // -0 would be a number
+  const auto number = parse_whole<int>(digits);
+  return number && *number >= least && *number <= most ? number : std::nullopt;
 }
 
 }  // namespace labmouse::formats

@@ -1,5 +1,5 @@
 // Not the standard library's reader: compilers of some of our platforms have none that is exact and knows no locale.
-#include "labmouse/strategies/decimal_number.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -177,7 +177,7 @@ bool take_power(std::string_view text, int& power) {
 
 }  // namespace
 
-NumberProblem read_decimal(std::string_view text, double& number) {
+NumberProblem parse_number(std::string_view text, double& number) {
   const bool negative = !text.empty() && text.front() == '-';
   if (negative) text.remove_prefix(1);
   Decimal decimal;
@@ -188,6 +188,17 @@ NumberProblem read_decimal(std::string_view text, double& number) {
   if (const NumberProblem problem = value_of(decimal, size); problem != NumberProblem::none) return problem;
   number = negative ? -size : size;
   return NumberProblem::none;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double number = 0.0;
+  if (parse_number(text, number) != NumberProblem::none) return std::nullopt;
+  return number + 0.0;  // of -0, too, 0
+}
+
+std::optional<double> parse_number(std::string_view text, double low, double high) {
+  const std::optional<double> number = parse_number(text);
+  return number && *number >= low && *number <= high ? number : std::nullopt;
 }
 
 }  // namespace labmouse
