@@ -77,10 +77,10 @@ void append(std::string& bytes, const Field& field) {
   bytes.append(reinterpret_cast<const char*>(&field), sizeof field);
 }
 
-/// The steps of a contest in steps, packed as labmouse._records.STEP has them; None in other worlds.
+/// The steps of a contest in steps, packed as labmouse._records.STEP has them; None in worlds without steps.
 nb::object steps_of(const HeldContest& held) {
-  const auto* record = std::any_cast<RunRecord>(&held.held.run);
-  if (record == nullptr) return nb::none();
+  const std::optional<RunRecord>& record = held.held.run;
+  if (!record) return nb::none();
   std::string bytes;
   for (const StepRecord& step : record->steps) {
     append(bytes, std::int32_t{step.step});

@@ -38,7 +38,7 @@ void expect_equal_records(const std::vector<NamedMaze>& mazes, const std::string
   std::map<std::size_t, std::map<std::size_t, RunRecord>> records;  // by maze and mouse
   RaceHooks hooks;
   hooks.finished = [&](const Race&, const ContestResult& contest, const Held& held) {
-    records[contest.maze][contest.mouse] = std::any_cast<const RunRecord&>(held.run);
+    records[contest.maze][contest.mouse] = held.run.value();
   };
   RaceOrder order;
   order.world = steps_world();

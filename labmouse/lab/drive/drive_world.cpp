@@ -1,8 +1,8 @@
 #include "labmouse/lab/drive/drive_world.hpp"
 
-#include <any>
 #include <utility>
 
+#include "labmouse/lab/drive/drive_figures.hpp"
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
@@ -12,11 +12,15 @@
 namespace labmouse {
 namespace {
 
-/// What is found out about a maze once.
-struct Prepared {
+DriveBound bound_in(const MazeFacts& facts) {
+  const auto time = [&](DriveMazeFigure figure) {
+    return std::get_if<std::int64_t>(&facts.figures[static_cast<std::size_t>(figure)]);
+  };
   DriveBound bound;
-  CellSet reachable;
-};
+  if (const auto* fastest = time(DriveMazeFigure::fastest)) bound.fastest = static_cast<DriveTime>(*fastest);
+  if (const auto* score = time(DriveMazeFigure::bound)) bound.score = *score;
+  return bound;
+}
 
 }  // namespace
 
@@ -33,21 +37,22 @@ MazeFacts DriveWorld::facts(const Maze& maze) const {
   const DriveBound bound = drive_bound_of(maze, rules_, *model_);
   return {bound.score ? std::optional(in_seconds(*bound.score)) : std::nullopt,
           {or_none(bound.fastest), or_none(bound.score)},
-          Prepared{bound, reachable_cells(maze)}};
+          reachable_cells(maze)};
 }
 
 Held DriveWorld::hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const {
   const Contestant& mouse = race.mice[result.mouse];
   const NamedMaze& maze = race.mazes[result.maze];
-  const auto& prepared = std::any_cast<const Prepared&>(race.facts[result.maze].prepared);
-  DrivenContest driven = drive(mouse, maze.maze, result, prepared.reachable, keep.record || keep.picture, stop);
+  const MazeFacts& facts = race.facts[result.maze];
+  DrivenContest driven = drive(mouse, maze.maze, result, facts.reachable, keep.record || keep.picture, stop);
   const bool interrupted = driven.record.reason == ForfeitReason::interrupted;
   if (interrupted && !keep.record && !keep.picture) return {};
   const DriveScore score = labmouse::score(driven.record, rules_);
+  const DriveBound bound = bound_in(facts);
   result.outcome = outcome_of(driven.record, score);
-  result.figures = figures(driven, score, prepared.bound);
+  result.figures = figures(driven, score, bound);
   if (!driven.started) result.never_started = driven.words.substr(0, driven.words.find('\n'));
-  if (score.value()) add_score(*score.value(), prepared.bound, rules_, result);
+  if (score.value()) add_score(*score.value(), bound, rules_, result);
   if (driven.record.reason == ForfeitReason::not_judged) leave_unjudged(result);
   result.done = !interrupted;
   return kept(mouse, maze, result.seed, std::move(driven), keep);
@@ -71,14 +76,13 @@ Held DriveWorld::kept(const Contestant& mouse, const NamedMaze& maze, std::uint6
     file.tables_hash = model_->tables.hash;
     file.model = model_;
     file.rules = rules_;
-    file.record = driven.record;
+    file.record = std::move(driven.record);
     const DriveScore scored = score(file.record, rules_);
     if (scored.best) file.recorded_score = scored.runs[*scored.best];
     file.physical = std::move(driven.physical);
     if (keep.record) held.record = write_drive_record(file);
     if (keep.picture) held.picture = draw_contest(file);
   }
-  held.run = std::move(driven.record);
   return held;
 }
 

@@ -114,7 +114,7 @@ void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, cons
     RaceHooks race_hooks;
     race_hooks.stop = hooks.stop;
     race_hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
-      collector.note_stop(race, contest, std::any_cast<const RunRecord&>(held.run));
+      collector.note_stop(race, contest, *held.run);
       if (hooks.finished) hooks.finished(all);
     };
     const Race race = hold_race(mice, {*maze}, order, race_hooks);

@@ -20,21 +20,13 @@
 namespace labmouse {
 namespace {
 
-/// What is found out about a maze once.
-struct Prepared {
-  MmsBound bound;
-  CellSet reachable;
-};
+/// How many sentences of a run's log a race keeps: the first ones.
+constexpr std::size_t kept_log = 3;
 
-/// Takes away what a race does not keep of a run.
-void trim(MmsRun& run) {
-  run.canvas = {};
-  run.log.resize(std::min(run.log.size(), kept_log));
-  for (std::string& sentence : run.log) sentence.resize(std::min(sentence.size(), kept_text));
-  run.log.shrink_to_fit();
-  std::string errors;
-  for (const std::string& line : last_lines(run.errors)) errors += line + '\n';
-  run.errors = std::move(errors);
+std::vector<std::string> kept_sentences(std::vector<std::string> log) {
+  log.resize(std::min(log.size(), kept_log));
+  for (std::string& sentence : log) sentence.resize(std::min(sentence.size(), kept_text));
+  return log;
 }
 
 /// The value over the best possible one. In a maze that starts in its goal that is 0, and so is the value of a mouse
@@ -54,7 +46,7 @@ Value list_of(const std::vector<std::string>& lines) {
 }
 
 /// In the order of MmsFigure.
-std::vector<Value> figures_of(const MmsRun& run, const MmsBound& bound, double visited) {
+std::vector<Value> figures_of(const MmsRun& run, const MazeFacts& facts, double visited) {
   const MmsStatistics& statistics = run.statistics;
   const auto best = is_cut_short(run.outcome) ? std::nullopt : best_run(statistics);
   return {std::string(name_of(run.outcome)),
@@ -62,12 +54,12 @@ std::vector<Value> figures_of(const MmsRun& run, const MmsBound& bound, double v
           is_scored(run),
           JsonText{is_cut_short(run.outcome) ? "null" : short_json(statistics.score).dump()},
           or_none(best),
-          or_none(ratio(best, bound.run)),
+          or_none(ratio(best, number_of(facts.figures[static_cast<std::size_t>(MmsMazeFigure::run)]))),
           JsonText{statistics_json(statistics).dump()},
           total(statistics),
           run.lines,
           run.invalid_lines,
-          list_of(run.log),
+          list_of(kept_sentences(run.log)),
           list_of(last_lines(run.errors)),
           run.clock,
           run.seconds,
@@ -101,7 +93,7 @@ class MmsWorld final : public World {
 
   MazeFacts facts(const Maze& maze) const override {
     const MmsBound bound = mms_bound_of(maze);
-    return {bound.score, {or_none(bound.run), or_none(bound.score)}, Prepared{bound, reachable_cells(as_in_mms(maze))}};
+    return {bound.score, {or_none(bound.run), or_none(bound.score)}, reachable_cells(as_in_mms(maze))};
   }
 
   Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
@@ -119,9 +111,7 @@ class MmsWorld final : public World {
     Held held;
     if (recorder) held.record = recorder->finish(run);
     if (keep.picture) held.picture = draw_mms_run(mouse.name, maze, run, walk);
-    trim(run);
     sum_up(run, walk.visited(), race.facts[result.maze], result);
-    held.run = std::move(run);
     return held;
   }
 
@@ -141,7 +131,6 @@ class MmsWorld final : public World {
 }  // namespace
 
 void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, ContestResult& result) {
-  const auto& prepared = std::any_cast<const Prepared&>(facts.prepared);
   const MmsStatistics& statistics = run.statistics;
   const bool scored = is_scored(run);
   result.outcome = scored              ? "solved"
@@ -152,9 +141,9 @@ void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, C
   result.counted = decimal(scored ? statistics.score : MmsStatistics().score);
   if (scored) {
     result.score = result.counted;
-    result.ratio = ratio(result.score, prepared.bound.score);
+    result.ratio = ratio(result.score, facts.bound);
   }
-  result.figures = figures_of(run, prepared.bound, visited_share_of(visited, prepared.reachable));
+  result.figures = figures_of(run, facts, visited_share_of(visited, facts.reachable));
   if (run.outcome == MmsOutcome::not_judged) leave_unjudged(result);
   result.done = run.outcome != MmsOutcome::interrupted;
 }

@@ -14,11 +14,8 @@ inline constexpr const char* mms_formula =
     "best-run-effective-distance + best-run-turns + 0.1 * (total-effective-distance + total-turns); 2000 while "
     "unsolved";
 
-/// How many sentences of a run's log a race keeps: the first ones.
-inline constexpr std::size_t kept_log = 3;
-
-/// Hosts each program once in each maze. Of what it holds, Held::run is a MmsRun without its canvas, and with the ends
-/// of its log and its errors only: many runs have to fit into memory.
+/// Hosts each program once in each maze. Of log and errors the figures have the ends only: many runs have to fit into
+/// memory.
 std::shared_ptr<const World> mms_world(const MmsOptions& options = {});
 
 /// Fills in what is left of the result of a contest that went so: a run that visited those cells, in a maze with the

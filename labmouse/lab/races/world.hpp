@@ -3,7 +3,6 @@
 // docs/adding-a-world.md builds one.
 #pragma once
 
-#include <any>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -13,7 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
+#include "labmouse/grid/cell_set.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/mice/contestant.hpp"
 #include "labmouse/lab/races/value.hpp"
@@ -36,8 +37,8 @@ struct MazeFacts {
   std::optional<double> bound;
   /// By the world's own list.
   std::vector<Value> figures;
-  /// For the world alone: what it would otherwise find out again for each contest.
-  std::any prepared;
+  /// The cells that a mouse can reach: shares of discovered and visited cells are of these.
+  CellSet reachable;
   /// False where a race was stopped before it asked; then nothing is known.
   bool found = true;
 };
@@ -50,9 +51,9 @@ struct Keep {
 
 /// A contest that was held, for those who look closer than its result.
 struct Held {
-  std::any run;         ///< the world's own record of it
-  std::string record;   ///< the text of its file, where it was to be kept
-  std::string picture;  ///< SVG, where it was to be kept
+  std::optional<RunRecord> run;  ///< step by step, in worlds of steps
+  std::string record;            ///< the text of its file, where it was to be kept
+  std::string picture;           ///< SVG, where it was to be kept
 };
 
 /// A field of JSON or CSV: its name, and what stands there.

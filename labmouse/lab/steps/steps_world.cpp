@@ -137,7 +137,6 @@ class StepsWorld final : public World {
     const bool interrupted = reason_of(record) == ForfeitReason::interrupted;
     if (interrupted && !keep.record && !keep.picture) return {};
     const Score score = labmouse::score(record, rules_);
-    const auto& reachable = std::any_cast<const CellSet&>(facts.prepared);
     result.outcome = outcome_of(record);
     result.outcome_order = static_cast<int>(record.outcome) * 100 + static_cast<int>(reason_of(record));
     if (!started) result.never_started = record.last_words.substr(0, record.last_words.find('\n'));
@@ -145,7 +144,7 @@ class StepsWorld final : public World {
     result.score = score.value;
     result.counted = score.value.value_or(rules_.failure_score);
     if (score.value && facts.bound) result.ratio = *score.value / *facts.bound;
-    result.figures = figures_of(record, score, coverage_of(record, maze.maze.size(), reachable),
+    result.figures = figures_of(record, score, coverage_of(record, maze.maze.size(), facts.reachable),
                                 missteps_of(record, rules_), microseconds);
     if (reason_of(record) == ForfeitReason::not_judged) leave_unjudged(result);
     result.done = !interrupted;

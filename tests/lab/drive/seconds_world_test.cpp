@@ -171,7 +171,7 @@ TEST(SecondsWorld, HandsOverRecordsThatCanBePlayedAgain) {
     ++told;
     const auto read = read_drive_record(held.record);
     ASSERT_TRUE(read.file);
-    EXPECT_EQ(read.file->record, std::any_cast<const DriveRecord&>(held.run));
+    EXPECT_FALSE(held.run);
     EXPECT_EQ(replay(*read.file), "") << race.mice[result.mouse].name << " in " << race.mazes[result.maze].name;
   };
   const RaceOrder ordered = order(rules_called("thirtieth"));

@@ -54,17 +54,6 @@ Contestant witness_of(const Maze& maze) {
   return mms_mouse("witness", words);
 }
 
-/// The runs of a race.
-std::vector<MmsRun> runs_of(const Contestant& mouse, const std::vector<NamedMaze>& mazes, const RaceOrder& order) {
-  std::vector<MmsRun> runs;
-  RaceHooks hooks;
-  hooks.finished = [&](const Race&, const ContestResult&, const Held& held) {
-    runs.push_back(std::any_cast<const MmsRun&>(held.run));
-  };
-  hold_race({mouse}, mazes, order, hooks);
-  return runs;
-}
-
 TEST(MmsWorld, HoldsOneRunInAMaze) {
   const Race race =
       hold_race({mms_mouse("b", {"ask:mazeWidth"}), mms_mouse("a", {"exit:2"})}, {plank(), loop()}, in_mms());
@@ -95,15 +84,14 @@ TEST(MmsWorld, TheShareIsOfTheCellsThatItDroveThrough) {
 }
 
 TEST(MmsWorld, KeepsLittleOfLongTexts) {
-  const MmsRun run =
-      runs_of(mms_mouse("chatter", {"burst:50:what?", "errors:one", "errors:two", "errors:three", "errors:four",
-                                    "errors:five", "errors:" + std::string(1000, 'x'), "say:setColor 0 0 G"}),
-              {plank()}, in_mms())
-          .front();
-  EXPECT_EQ(run.invalid_lines, 50);
-  EXPECT_EQ(run.log.size(), kept_log);
-  EXPECT_EQ(run.errors, "two\nthree\nfour\nfive\n" + std::string(kept_text, 'x') + "\n");
-  EXPECT_EQ(run.canvas, MmsCanvas());
+  const Race race =
+      hold_race({mms_mouse("chatter", {"burst:50:what?", "errors:one", "errors:two", "errors:three", "errors:four",
+                                       "errors:five", "errors:" + std::string(1000, 'x'), "say:setColor 0 0 G"})},
+                {plank()}, in_mms());
+  const auto said = [&](std::string_view key) { return Json::parse(text_of(figure_of(race, race.results[0], key))); };
+  EXPECT_EQ(said("invalid_lines"), 50);
+  EXPECT_EQ(said("log").size(), 3U);
+  EXPECT_EQ(said("errors"), Json({"two", "three", "four", "five", std::string(kept_text, 'x')}));
 }
 
 TEST(MmsWorld, ARunThatWasUnderWayIsEndedAndLeftOut) {
@@ -124,8 +112,8 @@ TEST(MmsWorld, ARunThatWasUnderWayIsEndedAndLeftOut) {
 TEST(MmsWorld, HandsItsOptionsOn) {
   MmsOptions options;
   options.strict = true;
-  EXPECT_EQ(runs_of(mms_mouse("a", {"say:what?", "hang"}), {plank()}, in_mms(options)).front().outcome,
-            MmsOutcome::invalid);
+  const Race race = hold_race({mms_mouse("a", {"say:what?", "hang"})}, {plank()}, in_mms(options));
+  EXPECT_EQ(figure_of(race, race.results[0], "outcome"), Value(std::string(name_of(MmsOutcome::invalid))));
 }
 
 TEST(LastLines, AreTheLastFiveThatSaySomething) {
