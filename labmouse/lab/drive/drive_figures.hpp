@@ -5,6 +5,8 @@
 
 namespace labmouse {
 
+// Both lists of contests begin and end with the same figures.
+
 /// The figures of a contest without errors, by their places in ContestResult::figures. Times are whole microseconds.
 enum class SecondsFigure : std::uint8_t {
   score,   ///< an object of its parts; null where no run counts

@@ -6,6 +6,7 @@
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/maze/routes.hpp"
 
@@ -20,6 +21,20 @@ DriveBound bound_in(const MazeFacts& facts) {
   if (const auto* fastest = time(DriveMazeFigure::fastest)) bound.fastest = static_cast<DriveTime>(*fastest);
   if (const auto* score = time(DriveMazeFigure::bound)) bound.score = *score;
   return bound;
+}
+
+/// In the order of the world's list; `own` are those between `excess` and `words`.
+std::vector<Value> figures_of(const DrivenContest& driven, const DriveScore& score, const DriveBound& bound,
+                              const std::vector<Value>& own) {
+  const auto best = best_of(score);
+  const DriveRunScore counting = score.best ? score.runs[*score.best] : DriveRunScore();
+  std::vector<Value> all = {score.best ? Value(JsonText{score_json(score).dump()}) : Value(nullptr),
+                            std::int64_t{search_time_of(driven.record)}, or_none(best),
+                            or_none(excess_of(best, bound))};
+  all.insert(all.end(), own.begin(), own.end());
+  all.insert(all.end(), {driven.words.empty() ? Value() : Value(driven.words), or_none(score.value()),
+                         or_none(counting.gate_to_gate), or_none(counting.rest_to_centre)});
+  return all;
 }
 
 }  // namespace
@@ -50,7 +65,7 @@ Held DriveWorld::hold(const Race& race, ContestResult& result, Keep keep, const 
   const DriveScore score = labmouse::score(driven.record, rules_);
   const DriveBound bound = bound_in(facts);
   result.outcome = outcome_of(driven.record, score);
-  result.figures = figures(driven, score, bound);
+  result.figures = figures_of(driven, score, bound, own_figures(driven, score));
   if (!driven.started) result.never_started = driven.words.substr(0, driven.words.find('\n'));
   if (score.value()) add_score(*score.value(), bound, rules_, result);
   if (driven.record.reason == ForfeitReason::not_judged) leave_unjudged(result);

@@ -52,9 +52,9 @@ class DriveWorld : public World {
   /// was between its moves, for a record or a picture.
   virtual DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest,
                               const CellSet& reachable, bool traced, const std::atomic<bool>* stop) const = 0;
-  /// The figures of a contest, in the order of the world's own list.
-  virtual std::vector<Value> figures(const DrivenContest& driven, const DriveScore& score,
-                                     const DriveBound& bound) const = 0;
+  /// The figures of a contest from `excess` to `words` in the world's list, both left out: before and behind them all
+  /// worlds have the same.
+  virtual std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& score) const = 0;
 
  private:
   Held kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven, Keep keep) const;

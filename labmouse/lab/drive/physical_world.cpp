@@ -7,10 +7,10 @@
 #include "labmouse/contest/drive_coverage.hpp"
 #include "labmouse/contest/fallible.hpp"
 #include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/drive/drive_fields.hpp"
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/drive/drive_world.hpp"
 #include "labmouse/lab/drive/drive_worlds.hpp"
-#include "labmouse/lab/drive/world_fields.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/mice/stoppable.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
@@ -136,23 +136,15 @@ class PhysicalWorld : public DriveWorld {
     return driven;
   }
 
-  /// In the order of PhysicalFigure. Of a mouse that does not tell what it knows there is no coverage, and nobody can
-  /// say what it takes walls for.
-  std::vector<Value> figures(const DrivenContest& driven, const DriveScore& score,
-                             const DriveBound& bound) const override {
+  /// Of a mouse that does not tell what it knows there is no coverage, and nobody can say what it takes walls for.
+  std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& score) const override {
     const DriveRecord& record = driven.record;
     const PhysicalNotes& notes = driven.physical->notes;
     const auto& coverage = driven.coverage;
     const auto if_told = [&](std::int64_t count) { return coverage ? Value(count) : Value(nullptr); };
-    const auto best = best_of(score);
-    const DriveRunScore* counting = score.best ? &score.runs[*score.best] : nullptr;
     const auto grazes =
         std::count_if(notes.touches.begin(), notes.touches.end(), [](const WallTouch& touch) { return !touch.crash; });
-    return {score.best ? Value(JsonText{score_json(score).dump()}) : Value(nullptr),
-            std::int64_t{search_time_of(record)},
-            or_none(best),
-            or_none(excess_of(best, bound)),
-            std::int64_t{starts_of(record)},
+    return {std::int64_t{starts_of(record)},
             done_runs(record, notes),
             ends_of(notes, RunEnd::slid),
             ends_of(notes, RunEnd::strayed),
@@ -169,11 +161,7 @@ class PhysicalWorld : public DriveWorld {
             std::int64_t{record.replanned},
             coverage ? Value(coverage->discovered) : Value(nullptr),
             coverage ? Value(coverage->visited) : Value(nullptr),
-            score.best ? Value(nullptr) : Value(std::string(name_of(end_of(record, notes)))),
-            driven.words.empty() ? Value() : Value(driven.words),
-            or_none(score.value()),
-            counting != nullptr ? or_none(counting->gate_to_gate) : Value(nullptr),
-            counting != nullptr ? or_none(counting->rest_to_centre) : Value(nullptr)};
+            score.best ? Value(nullptr) : Value(std::string(name_of(end_of(record, notes))))};
   }
 
   PhysicalConditions conditions_;

@@ -2,10 +2,10 @@
 
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_coverage.hpp"
+#include "labmouse/lab/drive/drive_fields.hpp"
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/drive/drive_world.hpp"
 #include "labmouse/lab/drive/drive_worlds.hpp"
-#include "labmouse/lab/drive/world_fields.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/mice/stoppable.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
@@ -54,29 +54,17 @@ class SecondsWorld final : public DriveWorld {
     return driven;
   }
 
-  /// In the order of SecondsFigure.
-  std::vector<Value> figures(const DrivenContest& driven, const DriveScore& score,
-                             const DriveBound& bound) const override {
+  std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& /*score*/) const override {
     const DriveRecord& record = driven.record;
     bool proven = false;
     for (const DriveRun& run : record.runs)
       if (run.kind == DriveRun::Kind::fast) proven = run.known == run.hoped;
-    const auto best = best_of(score);
-    const DriveRunScore* counting = score.best ? &score.runs[*score.best] : nullptr;
-    return {score.best ? Value(JsonText{score_json(score).dump()}) : Value(nullptr),
-            std::int64_t{search_time_of(record)},
-            or_none(best),
-            or_none(excess_of(best, bound)),
-            proven,
+    return {proven,
             std::int64_t{starts_of(record)},
             std::int64_t{record.decisions},
             std::int64_t{record.replanned},
             driven.coverage->discovered,
-            driven.coverage->visited,
-            driven.words.empty() ? Value() : Value(driven.words),
-            or_none(score.value()),
-            counting != nullptr ? or_none(counting->gate_to_gate) : Value(nullptr),
-            counting != nullptr ? or_none(counting->rest_to_centre) : Value(nullptr)};
+            driven.coverage->visited};
   }
 };
 

@@ -1,0 +1,264 @@
+#include "labmouse/lab/drive/drive_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "labmouse/lab/drive/drive_figures.hpp"
+#include "labmouse/lab/numbers/interval.hpp"
+#include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/standings/mouse_figures.hpp"
+
+namespace labmouse {
+namespace {
+
+using S = SecondsFigure;
+using P = PhysicalFigure;
+using M = DriveMazeFigure;
+using fields::figure;
+
+/// Lists, one behind the other.
+template <class Item, std::size_t... Sizes>
+constexpr auto joined(const std::array<Item, Sizes>&... lists) {
+  std::array<Item, (Sizes + ...)> all = {};
+  auto end = all.begin();
+  ((end = std::copy(lists.begin(), lists.end(), end)), ...);
+  return all;
+}
+
+// What the worlds share, F being the list of the world's figures.
+
+template <class F>
+constexpr std::array<ContestField, 7> result_fields = {{{"maze", fields::maze_name},
+                                                        {"seed", fields::seed},
+                                                        {"outcome", fields::outcome},
+                                                        {"score", figure<F::score>},
+                                                        {"search_us", figure<F::search>},
+                                                        {"best_us", figure<F::best>},
+                                                        {"excess", figure<F::excess>}}};
+
+template <class F>
+constexpr std::array<ContestField, 4> search_fields = {{{"decisions", figure<F::decisions>},
+                                                        {"replanned", figure<F::replanned>},
+                                                        {discovered_share, figure<F::discovered>},
+                                                        {visited_share, figure<F::visited>}}};
+
+template <class F>
+constexpr std::array<ContestField, 11> time_fields = {{{"mouse", fields::mouse_name},
+                                                       {"maze", fields::maze_name},
+                                                       {"seed", fields::seed},
+                                                       {"outcome", fields::outcome},
+                                                       {"score_us", figure<F::score_us>},
+                                                       {"gate_to_gate_us", figure<F::gate_to_gate>},
+                                                       {"rest_to_centre_us", figure<F::rest_to_centre>},
+                                                       {"search_us", figure<F::search>},
+                                                       {"best_us", figure<F::best>},
+                                                       {"fastest_us", fields::of_maze<M::fastest>},
+                                                       {"bound_us", fields::of_maze<M::bound>}}};
+
+constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
+                                                   {"width", fields::width},
+                                                   {"height", fields::height},
+                                                   {"fastest_us", fields::maze_figure<M::fastest>},
+                                                   {"bound_us", fields::maze_figure<M::bound>}}};
+
+/// The mean over the contests with a score, a time of it in seconds.
+template <auto Figure>
+std::optional<double> mean_seconds(const Race& race, const Standing& standing) {
+  std::vector<double> values;
+  for_each_solved(race, standing, [&](const ContestResult& contest) {
+    if (const auto time = number_of(figure<Figure>(race, contest))) values.push_back(*time / 1e6);
+  });
+  return mean_if_any(values);
+}
+template <auto Figure>
+Value mean_time(const Race& race, const Standing& standing) {
+  return or_none(mean_seconds<Figure>(race, standing));
+}
+
+/// Over all contests; nothing where it is unknown of all of them.
+template <auto Figure>
+std::optional<double> sum(const Race& race, const Standing& standing) {
+  double all = 0.0;
+  bool known = standing.runs == 0;
+  for_each_counted(race, standing, [&](const ContestResult& contest) {
+    const auto number = number_of(figure<Figure>(race, contest));
+    known = known || number;
+    all += number.value_or(0.0);
+  });
+  return known ? std::optional(all) : std::nullopt;
+}
+template <auto Figure>
+Value count(const Race& race, const Standing& standing) {
+  const auto all = sum<Figure>(race, standing);
+  return all ? Value(static_cast<std::int64_t>(*all)) : Value(nullptr);
+}
+template <auto Figure>
+std::string count_text(const Race& race, const Standing& standing) {
+  return columns::number(sum<Figure>(race, standing), 0);
+}
+
+constexpr std::array<MouseField, 4> mouse_fields = {
+    {{"name", fields::name}, {"parameters", fields::parameters}, {"scored", fields::solved}, {"runs", fields::runs}}};
+constexpr std::array<MouseField, 3> score_means = {
+    {{"mean_score", fields::mean_all}, {"interval", fields::interval}, {"mean_ratio", fields::mean_ratio}}};
+template <class F>
+constexpr std::array<MouseField, 3> time_means = {
+    {{"mean_search", mean_time<F::search>},
+     {"mean_best", mean_time<F::best>},
+     {"mean_excess", [](const Race& r, const Standing& s) { return or_none(mean_solved(r, s, "excess")); }}}};
+constexpr std::array<MouseField, 2> share_means = {
+    {{"mean_discovered_share",
+      [](const Race& r, const Standing& s) { return or_none(mean_of_all(r, s, discovered_share)); }},
+     {"mean_visited_share",
+      [](const Race& r, const Standing& s) { return or_none(mean_of_all(r, s, visited_share)); }}}};
+
+constexpr Column scored_column = {"", "scored", 8, columns::solved};
+constexpr Column score_column = {"score", "s", 7, columns::mean_all};
+template <class F>
+constexpr std::array<Column, 2> time_columns = {
+    {{"search", "s", 7,
+      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::search>(r, s), 1); }},
+     {"best", "run s", 7,
+      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::best>(r, s), 3); }}}};
+
+// The world without errors.
+
+/// Contests whose best run is a fastest possible one.
+std::int64_t optimal(const Race& race, const Standing& standing) {
+  std::int64_t count = 0;
+  for_each_solved(race, standing, [&](const ContestResult& contest) {
+    const auto fastest = number_of(fields::of_maze<M::fastest>(race, contest));
+    const auto best = number_of(figure<S::best>(race, contest));
+    if (fastest && best && *best <= *fastest) ++count;
+  });
+  return count;
+}
+
+/// Contests in which the mouse knew that no faster route could exist.
+std::int64_t proven(const Race& race, const Standing& standing) {
+  std::int64_t count = 0;
+  for_each_solved(race, standing, [&](const ContestResult& contest) {
+    if (number_of(figure<S::proven>(race, contest)) == 1.0) ++count;
+  });
+  return count;
+}
+
+std::string above_best(const Race& race, const Standing& standing) {
+  const auto excess = mean_solved(race, standing, "excess");
+  return columns::number(excess ? std::optional(100.0 * *excess) : std::nullopt, 2);
+}
+
+constexpr auto seconds_contest = joined(
+    result_fields<S>, std::array<ContestField, 2>{{{"proven", figure<S::proven>}, {"starts", figure<S::starts>}}},
+    search_fields<S>, std::array<ContestField, 1>{{{said_last, figure<S::words>}}});
+constexpr auto seconds_csv = joined(time_fields<S>, std::array<ContestField, 3>{{{"proven", figure<S::proven>},
+                                                                                 {"starts", figure<S::starts>},
+                                                                                 {"decisions", figure<S::decisions>}}});
+constexpr auto seconds_mouse =
+    joined(mouse_fields, score_means, time_means<S>,
+           std::array<MouseField, 5>{
+               {{"mean_starts", [](const Race& r, const Standing& s) { return or_none(mean_solved(r, s, "starts")); }},
+                {"optimal", [](const Race& r, const Standing& s) -> Value { return optimal(r, s); }},
+                {"proven", [](const Race& r, const Standing& s) -> Value { return proven(r, s); }},
+                {"decisions", count<S::decisions>},
+                {"replanned", count<S::replanned>}}},
+           share_means);
+constexpr auto seconds_table = joined(
+    std::array<Column, 4>{
+        {scored_column,
+         score_column,
+         {"95 %", "interval", 13, [](const Race&, const Standing& s) { return columns::interval(s, 2); }},
+         {"score", "/bound", 6, columns::mean_ratio}}},
+    time_columns<S>,
+    std::array<Column, 4>{
+        {{"above", "best%", 6, above_best},
+         {"best", "runs", 5, [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); }},
+         {"", "proven", 6, [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); }},
+         {"runs", "each", 4,
+          [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "starts"), 1); }}}});
+constexpr std::array<ComparedFigure, 2> seconds_compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
+
+// Those in which things go wrong.
+
+std::optional<double> penalised(const Race& race, const Standing& standing) {
+  const auto all = sum<P::penalised>(race, standing);
+  return standing.runs == 0 || !all ? std::nullopt : std::optional(*all / standing.runs);
+}
+
+Value finished(const Race&, const Standing& standing) {
+  return JsonText{fmt::format("[{},{}]", standing.finished.low, standing.finished.high)};
+}
+
+std::string finished_text(const Race&, const Standing& standing) {
+  const Interval& interval = standing.finished;
+  return standing.runs == 0 ? "-" : fmt::format("{:.0f}-{:.0f}", 100.0 * interval.low, 100.0 * interval.high);
+}
+
+constexpr std::array<ContestField, 8> run_fields = {{{"starts", figure<P::starts>},
+                                                     {"done", figure<P::done>},
+                                                     {"slid", figure<P::slid>},
+                                                     {"strayed", figure<P::strayed>},
+                                                     {"misread", figure<P::misread>},
+                                                     {"walled_in", figure<P::walled_in>},
+                                                     {"late", figure<P::late>},
+                                                     {"carried", figure<P::carried>}}};
+constexpr auto physical_contest = joined(
+    result_fields<P>, run_fields,
+    std::array<ContestField, 5>{{{"grazes", figure<P::grazes>},
+                                 {"misreads", figure<P::misreads>},
+                                 {"contradictions", figure<P::contradictions>},
+                                 {"frailty", figure<P::frailty>},
+                                 {"penalised", figure<P::penalised>}}},
+    search_fields<P>, std::array<ContestField, 2>{{{"ended_by", figure<P::ended_by>}, {said_last, figure<P::words>}}});
+constexpr auto physical_csv = joined(time_fields<P>, run_fields,
+                                     std::array<ContestField, 4>{{{"misreads", figure<P::misreads>},
+                                                                  {"frailty", figure<P::frailty>},
+                                                                  {"penalised", figure<P::penalised>},
+                                                                  {"ended_by", figure<P::ended_by>}}});
+constexpr auto physical_mouse =
+    joined(mouse_fields, std::array<MouseField, 1>{{{"finished_interval", finished}}}, score_means,
+           std::array<MouseField, 1>{
+               {{"penalised", [](const Race& r, const Standing& s) { return or_none(penalised(r, s)); }}}},
+           time_means<P>,
+           std::array<MouseField, 10>{{{"starts", count<P::starts>},
+                                       {"done", count<P::done>},
+                                       {"slid", count<P::slid>},
+                                       {"strayed", count<P::strayed>},
+                                       {"misread", count<P::misread>},
+                                       {"walled_in", count<P::walled_in>},
+                                       {"late", count<P::late>},
+                                       {"carried", count<P::carried>},
+                                       {"misreads", count<P::misreads>},
+                                       {"contradictions", count<P::contradictions>}}},
+           share_means);
+constexpr auto physical_table = joined(
+    std::array<Column, 4>{
+        {scored_column,
+         {"95 %", "of 100", 7, finished_text},
+         score_column,
+         {"penal-", "ised", 7, [](const Race& r, const Standing& s) { return columns::number(penalised(r, s), 3); }}}},
+    time_columns<P>,
+    std::array<Column, 7>{{{"", "runs", 5, count_text<P::starts>},
+                           {"", "slid", 5, count_text<P::slid>},
+                           {"", "strayed", 8, count_text<P::strayed>},
+                           {"mis-", "read", 5, count_text<P::misread>},
+                           {"walled", "in", 6, count_text<P::walled_in>},
+                           {"", "late", 5, count_text<P::late>},
+                           {"misread", "walls", 7, count_text<P::misreads>}}});
+
+}  // namespace
+
+const WorldFields& seconds_fields() {
+  static constexpr WorldFields all = {seconds_contest, seconds_csv,   seconds_mouse,
+                                      maze_fields,     seconds_table, seconds_compared};
+  return all;
+}
+
+const WorldFields& physical_fields() {
+  static constexpr WorldFields all = {physical_contest, physical_csv, physical_mouse, maze_fields, physical_table};
+  return all;
+}
+
+}  // namespace labmouse
