@@ -90,7 +90,7 @@ std::string memory_table(const std::vector<RobotMemory>& robots, Parts parts_of)
 }
 
 std::string memory_text(const std::vector<RobotMemory>& robots) {
-  return "a mind in the world of seconds, KiB\n" + memory_table(robots, whole_minds) +
+  return "a mouse that drives, KiB\n" + memory_table(robots, whole_minds) +
          "\nits fields among that, and the tables that all minds share, KiB\n" + memory_table(robots, fields_of);
 }
 
@@ -117,8 +117,8 @@ void add_bench(Command& app, int& exit) {
   Command* command = app.add_subcommand("bench", "Print the behaviour signature and measure speeds");
   command->add_option("--format", *format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->add_flag("--signature", *signature_only, "Print only the behaviour signature");
-  const Option* asks_memory = command->add_flag(
-      "--memory", *memory, "Print only what minds take in the world of seconds, by mouse, size and robot");
+  const Option* asks_memory =
+      command->add_flag("--memory", *memory, "Print only the memory of mice that drive, by mouse, size and robot");
   command->add_option("--robot", *robots, "Robots for --memory: built-in ones or files; default: all built-in ones")
       ->type_name("ROBOT")
       ->needs(asks_memory);

@@ -1,7 +1,6 @@
 #include "explain.hpp"
 
 #include "command.hpp"
-#include "labmouse/lab/records/explanation.hpp"
 
 namespace labmouse::cli {
 
@@ -13,12 +12,6 @@ void add_explain(Command& command, ExplainOptions& options) {
       ->needs(flag)
       ->check(in_range(1, 10'000))
       ->capture_default_str();
-}
-
-void explain(const RecordFile& file, const ExplainOptions& options, const std::string& none) {
-  if (!options.wanted) return;
-  const std::string text = explanation_of(file, options.candidates);
-  print("\n" + (text.empty() ? none + "\n" : text));
 }
 
 }  // namespace labmouse::cli

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "labmouse/lab/records/record_file.hpp"
 #include "options.hpp"
 
 namespace labmouse::cli {
@@ -14,8 +13,5 @@ struct ExplainOptions {
 };
 /// Adds --explain and --candidates.
 void add_explain(Command& command, ExplainOptions& options);
-
-/// Prints the reasons of the record where they are wanted; where it has none, the line `none` in their place.
-void explain(const RecordFile& file, const ExplainOptions& options, const std::string& none);
 
 }  // namespace labmouse::cli

@@ -11,11 +11,10 @@
 #include "frames.hpp"
 #include "guests.hpp"
 #include "labmouse/guests/mms/run.hpp"
-#include "labmouse/lab/mms/mms_summary.hpp"
-#include "labmouse/lab/pictures/mms_picture.hpp"
+#include "labmouse/lab/plays/mms_drawing.hpp"
+#include "labmouse/lab/plays/mms_summary.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "records.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -38,9 +37,7 @@ class Watching {
     // What is only drawn takes no time; it shows with the next move.
     if (event.pose == pose_) return;
     pose_ = event.pose;
-    const std::string reply = event.reply.empty() ? "" : fmt::format(" -> {}", event.reply);
-    frames_.show(fmt::format("{}{:>7.2f} s  {}  {}{}\n", mms_drawing_of(maze_, host.canvas(), event.pose), event.clock,
-                             place_text(event.pose), shown(event.line), reply));
+    frames_.show(mms_frame(maze_, event, host, colours()));
     if (frames_.moving()) pause(event.clock - clock_);
     clock_ = event.clock;
   }
@@ -84,7 +81,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
     };
   MmsRun run = run_mms(*mouse.program, maze.maze, options.mms, listener);
   if (recorder) save(options.record, recorder->finish(run));
-  const std::string drawing = mms_drawing_of(maze.maze, run.canvas, run.pose);
+  const std::string drawing = mms_drawing_of(maze.maze, run.canvas, run.pose, colours());
   if (watching)
     watching->show_end(drawing);
   else

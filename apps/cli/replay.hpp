@@ -9,9 +9,10 @@
 namespace labmouse::cli {
 
 struct ReplayOptions {
-  const Command* command = nullptr;
   std::string file, maze, svg;
   ExplainOptions explain;
+  /// What is printed for --explain of a record without reasons.
+  std::string no_reasons = "The record has no reasons; to keep them, use `labmouse run` with --explain and --record.";
   bool watch = false;
   int delay = 60;
 };
@@ -20,6 +21,6 @@ struct ReplayOptions {
 void add_watch(Command& command, bool& watch, int& delay);
 
 /// Plays a record again, whose text is given, and shows it; returns the exit code.
-int replay_text(const ReplayOptions& options, const std::string& text);
+int show_replay(const ReplayOptions& options, const std::string& text);
 
 }  // namespace labmouse::cli

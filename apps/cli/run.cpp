@@ -6,20 +6,15 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "guests.hpp"
-#include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "records.hpp"
 #include "replay.hpp"
-#include "walk.hpp"
 #include "worlds.hpp"
 
 namespace labmouse::cli {
 namespace {
 
 struct RunOptions {
-  const Command* command = nullptr;
   std::string mouse, maze, svg, record;
   Places places;
   WorldChoice world;
@@ -30,26 +25,10 @@ struct RunOptions {
   int delay = 60;
 };
 
-/// A contest in steps, whose mouse is asked for its reasons.
-void run_in_steps(const RunOptions& options, const Rules& rules, const Contestant& mouse, const NamedMaze& maze) {
-  const auto mind = mouse.make(maze.maze, rules, options.seed);
-  if (options.explain.wanted) mind->keep_reasons();
-  const RecordFile file = record_file_of(mouse, maze, rules, options.seed, labmouse::run(maze.maze, rules, *mind));
-  if (options.watch)
-    watch(file, options.delay);
-  else
-    print(summary_of(file));
-  print(freedom_note({mouse}));
-  explain(file, options.explain, mouse.name + " kept no reasons.");
-  if (!options.record.empty()) save(options.record, write_record(file));
-  if (!options.svg.empty()) save(options.svg, picture_of(file));
-}
-
-/// A contest of any other world, which is shown as its record is.
+/// Holds the contest, and shows it as its record is.
 int run_in(std::shared_ptr<const World> world, const RunOptions& options, const Contestant& mouse,
            const NamedMaze& maze) {
-  refuse_options(*options.command, {"--watch", "--delay", "--candidates"}, fmt::format("the world {}", world->name()));
-  Interruptible interruptible;
+  const Interruptible interruptible;
   Race race;
   race.order.world = std::move(world);
   race.mice = {mouse};
@@ -57,15 +36,18 @@ int run_in(std::shared_ptr<const World> world, const RunOptions& options, const 
   race.facts = {race.world().facts(maze.maze)};
   ContestResult result;
   result.seed = result.told = options.seed;
-  const Held held = race.world().hold(race, result, {true, false}, &interruptible.stopped());
+  const Keep keep = {.record = true, .reasons = options.explain.wanted};
+  const Held held = race.world().hold(race, result, keep, &interruptible.stopped());
   if (!result.done) return exit_interrupted();
   if (!options.record.empty()) save(options.record, held.record);
   ReplayOptions shown_as;
-  shown_as.command = options.command;
   shown_as.file = "the record of this run";
   shown_as.svg = options.svg;
   shown_as.explain = options.explain;
-  const int exit = replay_text(shown_as, held.record);
+  shown_as.no_reasons = mouse.name + " kept no reasons.";
+  shown_as.watch = options.watch;
+  shown_as.delay = options.delay;
+  const int exit = show_replay(shown_as, held.record);
   print(freedom_note(race.mice));
   return exit;
 }
@@ -79,9 +61,7 @@ int run_contest(const RunOptions& options) {
   for (const std::string& file : {options.maze, options.record, options.svg}) options.guests.hidden->add(file);
   if (const std::string reason = world->refuse(maze.maze); !reason.empty())
     throw UsageError(fmt::format("error: {} {}", shown(maze.name), reason));
-  if (!world->is_home()) return run_in(world, options, mice.front(), maze);
-  run_in_steps(options, world->lesson_rules(), mice.front(), maze);
-  return exit_good;
+  return run_in(world, options, mice.front(), maze);
 }
 
 }  // namespace
@@ -89,7 +69,6 @@ int run_contest(const RunOptions& options) {
 void add_run(Command& app, int& exit) {
   auto options = std::make_shared<RunOptions>();
   Command* command = app.add_subcommand("run", "Run one mouse in one maze");
-  options->command = command;
   command
       ->add_option("mouse", options->mouse,
                    "Mouse: name[:key=value]..., capstone:FILE, guest:COMMAND, mms:COMMAND or pilot:COMMAND")

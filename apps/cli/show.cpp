@@ -7,12 +7,8 @@
 #include "command.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/drawing/drawing.hpp"
-#include "labmouse/lab/mms/mms_drawing.hpp"
-#include "labmouse/lab/mms/mms_summary.hpp"
-#include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
-#include "labmouse/lab/steps/steps_files.hpp"
-#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "records.hpp"
 
 namespace labmouse::cli {
@@ -78,70 +74,36 @@ void show_maze(const ShowOptions& options) {
   draw(options, maze.maze, chosen, layers);
 }
 
-/// Cuts the record after the step asked for. Returns how far that is, as a title.
-std::string cut_at(RecordFile& file, int step) {
-  const auto steps = file.run.steps.size();
-  if (step > static_cast<int>(steps))
-    throw UsageError(fmt::format("error: the record has only {} steps; there is no step {}", steps, step));
-  file = as_of(std::move(file), step);
-  return fmt::format("{} in {}: step {} of {}", file.mouse, file.maze_name, step, steps);
-}
-
 /// Takes the layers away for which the record has nothing, and tells of those asked for by name.
-void drop_missing(const ShowOptions& options, const DrawingLayers& layers, LayerSet& chosen) {
-  const auto drop = [&](Layer layer, bool there, const char* why) {
-    if (there || chosen.erase(layer) == 0 || options.layers.empty()) return;
-    tell(fmt::format("not drawn: layer {}, because the record has {}\n", name_of(layer), why));
-  };
-  drop(Layer::path, !layers.route.empty(), "no speed run");
-  drop(Layer::candidates, layers.candidates.has_value(),
-       options.step > 0 ? "no reasons up to that step"
-                        : "no reasons; to keep them, use `labmouse run` with --explain and --record");
+void drop_missing(const ShowOptions& options, const RecordDrawing& drawing, LayerSet& chosen) {
+  for (const auto& [layer, why] : drawing.missing)
+    if (chosen.erase(layer) > 0 && !options.layers.empty())
+      tell(fmt::format("not drawn: layer {}, because the record has {}\n", name_of(layer), why));
 }
 
-/// What only mazes and records in steps have.
-std::vector<std::string> options_in_steps() {
-  return {"--maze", "--layer", "--step", "--distances", "--no-route", "--no-coordinates"};
-}
-
-int show_in_mms(const ShowOptions& options, const std::string& text) {
-  refuse_options(*options.command, options_in_steps(), "a record of mms");
-  const auto record = load_mms_record(options.record, text);
-  if (!record) return exit_finding;
-  const MmsRun& run = record->replay.run;
-  if (!options.svg.empty()) {
-    save(options.svg, draw_mms_run(record->file.mouse, record->maze(), run, record->replay.walk));
-    return exit_good;
-  }
-  print(mms_drawing_of(*record->file.maze, run.canvas, run.pose));
-  print(mms_score_line(record->file.mouse, record->maze(), run));
-  return exit_good;
-}
-
-int show_in_seconds(const ShowOptions& options, const std::string& text) {
-  refuse_options(*options.command, options_in_steps(), "a record in seconds");
-  const auto file = load_drive_record(options.record, text);
-  if (!file) return exit_finding;
-  if (options.svg.empty())
-    throw UsageError("error: a record in seconds can only be drawn as a picture; add --svg FILE");
-  save(options.svg, draw_contest(*file));
-  return exit_good;
+/// Throws UsageError where an option chooses among layers that such a record does not have.
+void refuse_layers(const Command& command, const RecordKind& kind) {
+  for (const char* option : {"--layer", "--step", "--distances", "--no-route", "--no-coordinates"})
+    if (command.count(option) > 0) throw UsageError(fmt::format("error: {} cannot be used with {}", option, kind.name));
 }
 
 int show_record(const ShowOptions& options) {
   const std::string text = load_record_text(options.record);
-  if (is_drive_record(text)) return show_in_seconds(options, text);
-  if (is_mms_record(text)) return show_in_mms(options, text);
   LayerSet chosen = chosen_layers(options, contest_layers());
-  RecordFile file = load_record(options.record, text, options.record_maze);
-  if (!re_enact(options.record, file)) return exit_finding;
-  const std::string cut = options.step > 0 ? cut_at(file, options.step) : "";
-  DrawingLayers layers = layers_of(file, chosen);
-  drop_missing(options, layers, chosen);
+  const auto replay = open_record(options.record, text, options.record_maze);
+  if (!replay) return exit_finding;
+  if (replay->layers().empty()) refuse_layers(*options.command, kind_of_record(text));
+  if (replay->layers().empty() && !options.svg.empty()) {
+    save(options.svg, replay->picture());
+    return exit_good;
+  }
+  RecordDrawing drawing = replay->drawing(chosen, options.step);
+  if (!drawing.error.empty()) throw UsageError("error: " + drawing.error);
+  drop_missing(options, drawing, chosen);
   // On the terminal the result stands below, as it does after `run` and `replay`.
-  if (!options.svg.empty()) layers.title = cut.empty() ? title_of(file) : cut;
-  draw(options, *file.maze, chosen, layers);
-  if (options.svg.empty()) print((cut.empty() ? result_line(file) : shown(cut)) + "\n");
+  if (options.svg.empty()) drawing.layers.title.clear();
+  draw(options, drawing.maze, chosen, drawing.layers);
+  if (options.svg.empty()) print(drawing.line);
   return exit_good;
 }
 

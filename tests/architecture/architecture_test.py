@@ -122,13 +122,21 @@ class Architecture(unittest.TestCase):
         self.assertEqual(violations_of({
             "labmouse/lab/races/race.cpp": 'if (world.name() == "mms") return;\n',
             "labmouse/lab/store/store.cpp": 'if (world.name() == "fallible") return;\n',
+            "labmouse/lab/page/race.cpp": 'if (world.name() == "fallible") return;\n',
+            "labmouse/lab/page/open.cpp": 'return "only in the physical world";\n',
             "apps/cli/race.cpp": '#include "labmouse/lab/drive/seconds_world.hpp"\n',
+            "apps/cli/sweep.cpp": 'fail("name the world mms");\n',
+            "apps/python/race.cpp": 'held("waited for some seconds", "world seconds");\n',
             "labmouse/lab/worlds/list.cpp": '#include "labmouse/lab/steps/steps_entry.hpp"\n',
-            "apps/cli/bound.cpp": '#include "labmouse/lab/steps/steps_world.hpp"\n',
-        }), ["labmouse/lab/races/race.cpp:1: error: what serves all worlds must not name that of mms",
+            "apps/cli/robot.cpp": '#include "labmouse/lab/steps/steps_world.hpp"\n',
+            "apps/cli/tune.cpp": 'footer("Example: labmouse tune festina --world fallible");  // the fallible world\n',
+        }), ["labmouse/lab/page/open.cpp:1: error: what serves all worlds must not name that of physical",
+             "labmouse/lab/races/race.cpp:1: error: what serves all worlds must not name that of mms",
              "labmouse/lab/store/store.cpp:1: error: what serves all worlds must not name that of fallible",
              "apps/cli/race.cpp:1: error: what serves all worlds must not include "
-             "labmouse/lab/drive/seconds_world.hpp"])
+             "labmouse/lab/drive/seconds_world.hpp",
+             "apps/cli/sweep.cpp:1: error: what serves all worlds must not name that of mms",
+             "apps/python/race.cpp:1: error: what serves all worlds must not name that of seconds"])
 
     def test_files_that_need_each_other(self):
         self.assertEqual(violations_of({

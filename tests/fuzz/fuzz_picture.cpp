@@ -1,12 +1,9 @@
 // Any bytes as a record or a robot, drawn as the commands draw them: the picture is XML, and all of its numbers are
 // finite.
 #include "labmouse/lab/drawing/drawing.hpp"
-#include "labmouse/lab/pictures/drive_picture.hpp"
-#include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/pictures/robot_picture.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
-#include "labmouse/lab/steps/steps_files.hpp"
-#include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/fuzz/fuzzer.hpp"
 #include "tests/lab/xml_scanner.hpp"
 
@@ -37,21 +34,14 @@ void check(const std::string& svg) {
   require(!has_strange_number(svg));
 }
 
-void draw_steps(std::string_view text) {
-  ReadRecordResult read = read_record(text);
-  if (!read.file || !read.file->maze) return;
-  ReplayResult played = replay(*read.file, *read.file->maze);
-  if (!played.disagreement.empty()) return;
-  read.file->run = std::move(played.run);
-  check(picture_of(*read.file));
-  LayerSet layers = all_layers();
+void draw_a_record(std::string_view text) {
+  const OpenedRecord opened = kind_of_record(text).open(text, nullptr);
+  if (!opened.replay) return;
+  check(opened.replay->picture());
+  LayerSet layers = opened.replay->layers();
   layers.erase(Layer::cells);
-  check(draw_svg(*read.file->maze, layers_of(*read.file, layers)));
-}
-
-void draw_seconds(std::string_view text) {
-  const ReadDriveRecordResult read = read_drive_record(text);
-  if (read.file && replay(*read.file).empty()) check(draw_contest(*read.file));
+  const RecordDrawing drawing = opened.replay->drawing(layers, 0);
+  check(draw_svg(drawing.maze, drawing.layers));
 }
 
 void draw_a_robot(std::string_view text) {
@@ -63,12 +53,10 @@ void draw_a_robot(std::string_view text) {
 
 LABMOUSE_FUZZER(picture) {
   const std::string_view text(reinterpret_cast<const char*>(bytes), size);
-  if (!text.starts_with('{'))
-    draw_a_robot(text);
-  else if (is_drive_record(text))
-    draw_seconds(text);
+  if (text.starts_with('{'))
+    draw_a_record(text);
   else
-    draw_steps(text);
+    draw_a_robot(text);
   return 0;
 }
 

@@ -10,10 +10,10 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/plays/replay.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
-#include "labmouse/lab/steps/steps_entry.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "tests/toy/toy_entry.hpp"
 
@@ -108,10 +108,8 @@ WorldResult make(const WorldSettings& chosen) {
   return {std::make_shared<ToyWorld>(std::stoi(value_of(toy_entry, chosen, "clumsiness"))), ""};
 }
 
-PackedFile pack(std::string_view text, const RecordOwner& owner) { return steps_entry.pack(text, owner); }
-
 }  // namespace
 
-const WorldEntry toy_entry = {"toy", "mice that stumble", settings, make, pack};
+const WorldEntry toy_entry = {"toy", "mice that stumble", settings, make, &steps_records};
 
 }  // namespace labmouse

@@ -11,6 +11,7 @@
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/hazards/builtin_hazards.hpp"
+#include "labmouse/lab/plays/replay.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/physical_lines.hpp"
@@ -262,7 +263,7 @@ const WorldEntry seconds_entry = {.name = "seconds",
                                   .summary = "a robot that drives curves and diagonals, by the rules of real contests",
                                   .settings = seconds_settings,
                                   .make = make_seconds,
-                                  .pack = pack_drive_record,
+                                  .records = &drive_records,
                                   .restore = restore_seconds,
                                   .call = "drive"};
 
@@ -271,7 +272,7 @@ const WorldEntry physical_entry = {
     .summary = "the same robot with its errors: it slips, reads walls wrongly and crashes",
     .settings = physical_settings,
     .make = make_physical,
-    .pack = pack_drive_record,
+    .records = &drive_records,
     .restore = restore_physical,
     .call = "contest",
     .usual_runs = 3};
@@ -281,7 +282,7 @@ const WorldEntry fallible_entry = {
     .summary = "the world in seconds with what goes wrong in the physical one, by dice: fast",
     .settings = fallible_settings,
     .make = make_fallible,
-    .pack = pack_drive_record,
+    .records = &drive_records,
     .restore = restore_fallible,
     .call = "contest"};
 

@@ -71,28 +71,6 @@ std::shared_ptr<const DriveModel> sharing_tables(std::shared_ptr<const DriveMode
   return sharing;
 }
 
-PackedFile pack_drive_record(std::string_view text, const RecordOwner& owner) {
-  ReadDriveRecordResult read = read_drive_record(text);
-  const auto failed = [](Problem problem) { return PackedFile{"", std::nullopt, std::move(problem)}; };
-  if (!read.file) return failed(read.problems.front());
-  DriveRecordFile& file = *read.file;
-  if (file.mouse != owner.mouse || file.maze_name != owner.maze || !owner.seeds.contains(file.seed))
-    return failed({0, 0,
-                   fmt::format("does not belong to this race: it is of {} in {} with seed {}", file.mouse,
-                               file.maze_name, file.seed)});
-  if (const std::string wrong = replay(file); !wrong.empty())
-    return failed({0, 0, "the record does not match its maze: " + wrong});
-  std::string kept(text);
-  if (file.physical && !file.physical->notes.trace.empty()) {
-    // Driving it again brings the trace back.
-    file.physical->notes.trace.clear();
-    file.physical->conditions.trace_every = 0;
-    kept = write_drive_record(file);
-  }
-  const Json json = {{"mouse", file.mouse}, {"maze", file.maze_name}, {"seed", file.seed}, {"drive", kept}};
-  return {json.dump(-1, ' ', false, Json::error_handler_t::replace), file.maze, std::nullopt};
-}
-
 std::optional<double> mean_bound(const Race& race) {
   std::vector<double> bounds;
   for (const MazeFacts& facts : race.facts)

@@ -32,9 +32,6 @@ std::string refuse_to_drive_in(const Maze& maze);
 /// A model that shares what all of its contests need.
 std::shared_ptr<const DriveModel> sharing_tables(std::shared_ptr<const DriveModel> model);
 
-/// A record for a report, which goes in as it is, but for what driving it again brings back.
-PackedFile pack_drive_record(std::string_view text, const RecordOwner& owner);
-
 /// The mean of the bounds.
 std::optional<double> mean_bound(const Race& race);
 /// How rules score, in words.

@@ -79,7 +79,7 @@ NamedText mouse_sheet(const std::string& name) {
   return {fmt::format("{}: {}\n\nMethod\n{}\nParameters\n{}\nSource\n{}", mouse->name, summary_of(*mouse),
                       in_lines(mouse->method, "    "), parameters.empty() ? "    none\n" : parameters,
                       in_lines(mouse->source, "    ")) +
-              (mouse->drives ? "\nIt can also drive in the world in seconds.\n" : ""),
+              (mouse->drives ? "\nIt also drives, in seconds.\n" : ""),
           ""};
 }
 

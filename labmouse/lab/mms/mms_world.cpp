@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
-#include "labmouse/lab/mms/mms_drawing.hpp"
 #include "labmouse/lab/mms/mms_fields.hpp"
 #include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/mms/mms_notes.hpp"
-#include "labmouse/lab/mms/mms_walk.hpp"
+#include "labmouse/lab/plays/mms_drawing.hpp"
+#include "labmouse/lab/plays/mms_walk.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/text/last_lines.hpp"

@@ -1,4 +1,4 @@
-// One contest in any world whose records are those of mice that drive, with all of its play.
+// One contest in any world, with all of its play.
 #include <fmt/format.h>
 
 #include "labmouse/lab/page/answers.hpp"
@@ -6,9 +6,7 @@
 #include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/plays/fields.hpp"
-#include "labmouse/lab/plays/play_seconds.hpp"
 #include "labmouse/lab/races/race.hpp"
-#include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {
@@ -38,7 +36,6 @@ PageReply answer_contest(const ReadJson& json, std::string_view) {
   NamedMaze maze = request.maze();
   const std::uint64_t seed = request.seed();
   if (!request.error().empty()) return failed(request.error());
-  if (world->is_home()) return failed(fmt::format("the call 'run' holds contests in the world {}", world->name()));
   SpecResult mice = read_page_mice({&spec, 1});
   if (!mice.error.empty()) return failed(mice.error);
   if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; name exactly one", spec));
@@ -52,11 +49,14 @@ PageReply answer_contest(const ReadJson& json, std::string_view) {
   race.mazes.push_back(std::move(maze));
   ContestResult result;
   result.seed = seed;
-  Held held = world->hold(race, result, {.record = true}, nullptr);
-  const ReadDriveRecordResult read = read_drive_record(held.record);
-  if (!read.file) return failed(fmt::format("the page plays no single contests in the world {}", world->name()));
-  Json play = play_json(*read.file);
-  play["again"] = again_json("contest", conditions_of(json), [&](const RosterEntry& mouse) { return mouse.drives; });
+  Held held = world->hold(race, result, {.record = true, .reasons = true}, nullptr);
+  const OpenedRecord opened = find_world(world->name())->records->open(held.record, nullptr);
+  if (!opened.replay) return failed(fmt::format("the page plays no single contests in the world {}", world->name()));
+  Json play = opened.replay->play();
+  play["again"] = again_json("contest", conditions_of(json), [&](const RosterEntry& mouse) {
+    const std::string name(mouse.name);
+    return world->refuse(read_page_mice({&name, 1}).contestants.front()).empty();
+  });
   return answered({{"play", std::move(play)}, {"record", std::move(held.record)}});
 }
 

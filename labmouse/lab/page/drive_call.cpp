@@ -19,7 +19,7 @@ namespace {
 std::string too_large(const NamedMaze& maze) {
   const Size size = maze.maze.size();
   if (std::max(size.width, size.height) <= max_drive_side) return "";
-  return fmt::format("{} is {}x{}; the world in seconds takes mazes up to {}x{}", maze.name, size.width, size.height,
+  return fmt::format("{} is {}x{}; robots drive in mazes up to {}x{}", maze.name, size.width, size.height,
                      max_drive_side, max_drive_side);
 }
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "labmouse/lab/mice/named_spec.hpp"
-#include "labmouse/lab/page/played_record.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/roster.hpp"
 
@@ -40,14 +40,17 @@ void read_contest(PageRequest& request, const ReadJson& json, const Contestant& 
   const std::string text = fields.text("record");
   request.reject(fields.error());
   if (!request.error().empty()) return;
-  PlayedRecord read = read_played(fmt::format("a record of {}", mouse.name), text);
-  if (!read.file) return request.reject(read.failure.error);
+  ReadRecordResult read = read_record(text);
+  if (!read.file || !read.file->maze) return request.reject(fmt::format("a record of {} is not readable", mouse.name));
+  ReplayResult replayed = replay(*read.file, *read.file->maze);
+  if (!replayed.disagreement.empty())
+    return request.reject(fmt::format("a record of {} does not match its maze", mouse.name));
   const auto conditions = order.world->conditions();
   const bool same_rules =
       conditions.size() == 1 && conditions.front().value == Value(std::int64_t{read.file->rules.budget});
   if (read.file->mouse != mouse.name || !same_rules)
     return request.reject(fmt::format("a record of {} is not of this race", mouse.name));
-  contest.record = std::move(read.file->run);
+  contest.record = std::move(replayed.run);
   contests[{read.file->maze_name, read.file->seed}] = std::move(contest);
 }
 

@@ -9,7 +9,7 @@
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/steps/lost_steps.hpp"
+#include "labmouse/lab/plays/lost_steps.hpp"
 
 namespace labmouse {
 namespace {

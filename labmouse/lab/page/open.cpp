@@ -9,13 +9,12 @@
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/results.hpp"
 #include "labmouse/lab/plays/maze_data.hpp"
-#include "labmouse/lab/plays/play.hpp"
-#include "labmouse/lab/plays/play_seconds.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/encoding.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/json_problem.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {
 namespace {
@@ -38,15 +37,11 @@ std::string gist(std::string_view text) {
   return gist;
 }
 
-/// What stands in the field `labmouse` of a record's first line, or of the JSON as a whole where it is one line.
-std::string kind_of_first_line(std::string_view text) {
+/// Whether the text is meant to be a record: its first line says so, or begins as if it would.
+bool is_record(std::string_view text) {
   const ReadJson json = read_json(text.substr(0, text.find('\n')));
-  if (json.is_object() && json.contains("labmouse") && json["labmouse"].is_string())
-    return json["labmouse"].get<std::string>();
-  const std::string begin = gist(text);
-  for (const char* kind : {"record", "mms record", "drive record", "report"})
-    if (begin.starts_with(fmt::format("{{\"labmouse\":\"{}\"", gist(kind)))) return kind;
-  return "";
+  if (json.is_object() && json.contains("labmouse")) return json["labmouse"] == kind_of_record(text).header;
+  return gist(text).starts_with("{\"labmouse\":\"") && gist(text).find("record\"") != std::string::npos;
 }
 
 bool is_markup(std::string_view text) {
@@ -62,26 +57,12 @@ PageReply open_markup(const std::string& name, std::string_view text) {
                      : fmt::format("{} is a web page or a picture; open mazes, records or race results here", name));
 }
 
-PageReply open_record(const std::string& name, std::string_view text, std::optional<NamedMaze> maze) {
-  PlayedRecord played = read_played(name, text, std::move(maze));
-  if (!played.file) return {nullptr, "", std::move(played.failure)};
-  return answered({{"kind", "record"}, {"play", play_json(*played.file)}});
-}
-
-PageReply open_mms_record(const std::string& name, std::string_view text) {
-  ReadMmsRecordResult read = read_mms_record(text);
-  if (!read.file) return failed(fmt::format("{} is not a readable record", name), std::move(read.problems));
-  PlayResult result = play_json(*read.file);
-  if (!result.disagreement.empty()) return disagreed(name, std::move(result.disagreement));
-  return answered({{"kind", "record"}, {"play", std::move(result.play)}});
-}
-
-PageReply open_drive_record(const std::string& name, std::string_view text) {
-  ReadDriveRecordResult read = read_drive_record(text);
-  if (!read.file) return failed(fmt::format("{} is not a readable record", name), std::move(read.problems));
-  if (std::string disagreement = replay(*read.file); !disagreement.empty())
-    return disagreed(name, std::move(disagreement));
-  return answered({{"kind", "record"}, {"play", play_json(*read.file)}});
+PageReply open_record(const std::string& name, std::string_view text, const std::optional<NamedMaze>& maze) {
+  const RecordKind& kind = kind_of_record(text);
+  OpenedRecord opened = kind.open(text, nullptr);
+  if (opened.lacks_maze && maze) opened = kind.open(text, &*maze);
+  if (PageFailure failure = failure_of(name, opened); !failure.error.empty()) return {nullptr, "", std::move(failure)};
+  return answered({{"kind", "record"}, {"play", opened.replay->play()}});
 }
 
 /// Who wrote results that this version cannot read, where they say so.
@@ -132,10 +113,7 @@ PageReply answer_open(const ReadJson& json, std::string_view bytes) {
   if (text.front() != '{' && text.front() != '[') return open_maze(name, bytes);
   if (is_too_deep(text))
     return failed(fmt::format("{} is JSON, but its lists and objects are nested too deeply", name));
-  const std::string kind = kind_of_first_line(text);
-  if (kind == "record") return open_record(name, bytes, std::move(maze));
-  if (kind == "mms record") return open_mms_record(name, bytes);
-  if (kind == "drive record") return open_drive_record(name, bytes);
+  if (is_record(text)) return open_record(name, bytes, maze);
   return open_results(name, bytes);
 }
 

@@ -6,11 +6,11 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/plays/fields.hpp"
+#include "labmouse/lab/plays/lost_steps.hpp"
 #include "labmouse/lab/plays/maze_data.hpp"
 #include "labmouse/lab/plays/play_frames.hpp"
+#include "labmouse/lab/plays/steps_text.hpp"
 #include "labmouse/lab/records/explanation.hpp"
-#include "labmouse/lab/steps/lost_steps.hpp"
-#include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 
 namespace labmouse {

@@ -1,8 +1,6 @@
 // One contest, frame by frame: `Play` in apps/web/page/src/core/types.ts.
 #pragma once
 
-#include <string>
-
 #include "labmouse/lab/records/mms_record_file.hpp"
 #include "labmouse/lab/records/record_file.hpp"
 #include "labmouse/lab/text/json.hpp"
@@ -12,13 +10,7 @@ namespace labmouse {
 /// Of a record that has a maze and agrees with it. Costs of candidates become steps, grounds become words.
 Json play_json(const RecordFile& file);
 
-/// A play, or where the record disagrees with its maze: exactly one of the two is there.
-struct PlayResult {
-  Json play;
-  std::string disagreement;
-};
-
-/// Of a record of mms, which is given to the simulator again.
-PlayResult play_json(const MmsRecordFile& file);
+/// Of a record of mms that agrees with its maze.
+Json play_json(const MmsRecordFile& file);
 
 }  // namespace labmouse

@@ -47,6 +47,7 @@ struct MazeFacts {
 struct Keep {
   bool record = false;
   bool picture = false;
+  bool reasons = false;  ///< in the record, those of a mouse that has some
 };
 
 /// A contest that was held, for those who look closer than its result.

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,20 +41,7 @@ struct WorldResult {
   std::vector<std::string> remarks = {};  ///< on settings that are likely to be mistakes, a line each
 };
 
-/// A record as reports have it, or why it cannot be had: JSON and the maze, or the error with its place.
-struct PackedFile {
-  std::string json;
-  std::optional<Maze> maze;
-  std::optional<Problem> problem;
-  /// Whether the maze starts and ends where its file says; some worlds have places of their own.
-  bool own_places = true;
-};
-
-/// Whose record a file has to be: no seeds where the world has none.
-struct RecordOwner {
-  std::string mouse, maze;
-  std::set<std::uint64_t> seeds;
-};
+struct RecordKind;
 
 /// What is known of a world before its settings are.
 struct WorldEntry {
@@ -64,8 +49,7 @@ struct WorldEntry {
   std::string_view summary;
   std::span<const WorldSetting> settings;
   WorldResult (*make)(const WorldSettings& settings);
-  /// Checks a record's text and packs it for a report.
-  PackedFile (*pack)(std::string_view text, const RecordOwner& owner);
+  const RecordKind* records = nullptr;  ///< the kind of the records of its contests
   bool is_home = false;
   /// Makes the world again from an object of its conditions, of which nothing is sure; null where they are none.
   /// Without it each setting is a condition, with `_` in place of `-`.

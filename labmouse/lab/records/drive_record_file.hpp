@@ -61,9 +61,6 @@ struct ReadDriveRecordResult {
 
 ReadDriveRecordResult read_drive_record(std::string_view text);
 
-/// Whether a text is meant to be such a record: its first line says so.
-bool is_drive_record(std::string_view text);
-
 /// Plays a record again in its maze and compares all of it: places, times, walls, what was known and hoped for, gates,
 /// and the score. Who drove, and how often it decided and planned, is taken over unchecked. Returns where the record
 /// first disagrees, or nothing.

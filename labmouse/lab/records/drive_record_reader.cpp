@@ -260,9 +260,4 @@ ReadDriveRecordResult read_drive_record(std::string_view text) {
   return {reading.take(), {}};
 }
 
-bool is_drive_record(std::string_view text) {
-  const ReadJson header = read_json(text.substr(0, text.find('\n')));
-  return header.is_object() && header.contains("labmouse") && header["labmouse"] == "drive record";
-}
-
 }  // namespace labmouse

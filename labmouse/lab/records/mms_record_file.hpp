@@ -52,9 +52,6 @@ struct ReadMmsRecordResult {
 /// Reads what MmsRecorder wrote.
 ReadMmsRecordResult read_mms_record(std::string_view text);
 
-/// Whether a text is meant to be such a record: its first line says so.
-bool is_mms_record(std::string_view text);
-
 /// Gives a record's lines to the simulator again, and compares replies and places, and the statistics at the end where
 /// no event was left out. Calls `after(i, host)` after event i. Returns where the record first disagrees, or nothing.
 std::string replay(const MmsRecordFile& file, const std::function<void(std::size_t event, const MmsHost&)>& after);

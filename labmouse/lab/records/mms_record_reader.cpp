@@ -126,9 +126,4 @@ ReadMmsRecordResult read_mms_record(std::string_view text) {
   return {std::move(file), {}};
 }
 
-bool is_mms_record(std::string_view text) {
-  const ReadJson header = read_json(text.substr(0, text.find('\n')));
-  return header.is_object() && header.contains("labmouse") && header["labmouse"] == "mms record";
-}
-
 }  // namespace labmouse

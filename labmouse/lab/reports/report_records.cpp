@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/plays/replay.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
-#include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -34,7 +34,8 @@ struct Found {
   std::string packed;
   std::optional<Maze> maze;
   std::string note;
-  bool own_places = true;  ///< as PackedFile has it
+  /// Whether the maze starts and ends where its file says; some worlds have places of their own.
+  bool own_places = true;
 };
 
 Found failed(const RecordPlace& place, std::string_view reason) {
@@ -48,9 +49,16 @@ Found failed(const RecordPlace& place, const Problem& problem) {
 Found read_place(const RecordPlace& place) {
   const FileContent file = read_found_file(place.path, longest_file);
   if (!file.error.empty()) return failed(place, file.error);
-  PackedFile packed = place.world->entry->pack(file.content, {place.mouse->name, *place.maze, *place.seeds});
-  if (packed.problem) return failed(place, *packed.problem);
-  return {std::move(packed.json), packed.maze, "", packed.own_places};
+  const WorldEntry& world = *place.world->entry;
+  const OpenedRecord opened = world.records->open(file.content, nullptr);
+  if (!opened.problems.empty()) return failed(place, opened.problems.front());
+  if (!opened.disagreement.empty()) return failed(place, "the record does not match its maze: " + opened.disagreement);
+  const RecordSubject of = opened.replay->subject();
+  if (of.mouse != place.mouse->name || of.maze.name != *place.maze || (of.seed && !place.seeds->contains(*of.seed)))
+    return failed(place, fmt::format("does not belong to this race: it is of {} in {}{}", of.mouse, of.maze.name,
+                                     of.seed ? fmt::format(" with seed {}", *of.seed) : ""));
+  return {opened.replay->packed().dump(-1, ' ', false, Json::error_handler_t::replace), of.maze.maze, "",
+          world.make({}).world->fixed_places().empty()};
 }
 
 /// Where a record lies: its file has the number of the run, or none in a world where each mouse has one run in a maze.

@@ -42,9 +42,10 @@ class Timed final : public ForwardingStrategy {
 
 /// Holds a contest, or takes one that is held elsewhere.
 ContestElsewhere contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
-                            const std::atomic<bool>* stop) {
+                            bool reasons, const std::atomic<bool>* stop) {
   if (mouse.elsewhere) return mouse.elsewhere(maze.name, maze.maze, rules, seed);
   const auto mind = mouse.make(maze.maze, rules, seed);
+  if (reasons) mind->keep_reasons();
   Stoppable stoppable(*mind, stop);
   Timed timed(stoppable);
   RunRecord record = run(maze.maze, rules, timed);
@@ -133,7 +134,7 @@ class StepsWorld final : public World {
     const Contestant& mouse = race.mice[result.mouse];
     const NamedMaze& maze = race.mazes[result.maze];
     const MazeFacts& facts = race.facts[result.maze];
-    auto [record, started, microseconds] = contest_of(mouse, maze, rules_, result.seed, stop);
+    auto [record, started, microseconds] = contest_of(mouse, maze, rules_, result.seed, keep.reasons, stop);
     const bool interrupted = reason_of(record) == ForfeitReason::interrupted;
     if (interrupted && !keep.record && !keep.picture) return {};
     const Score score = labmouse::score(record, rules_);

@@ -21,6 +21,14 @@ std::optional<std::string> text_of_setting(const WorldSetting& setting, const Re
   return std::nullopt;
 }
 
+/// The kind of record that is meant, or that of the first world.
+template <class IsMeant>
+const RecordKind& kind_where(IsMeant is_meant) {
+  for (const WorldEntry* entry : all_worlds())
+    if (is_meant(*entry->records)) return *entry->records;
+  return *all_worlds().front()->records;
+}
+
 }  // namespace
 
 const WorldEntry* find_world(std::string_view name) {
@@ -46,6 +54,17 @@ std::shared_ptr<const World> restore_world(std::string_view name, std::string_vi
     settings.emplace(setting.name, *text);
   }
   return entry->make(settings).world;
+}
+
+const RecordKind& kind_of_record(std::string_view text) {
+  const ReadJson json = read_json(text.substr(0, text.find('\n')));
+  return kind_where([&](const RecordKind& kind) {
+    return json.is_object() && json.contains("labmouse") && json["labmouse"] == kind.header;
+  });
+}
+
+const RecordKind& kind_of_packed(const ReadJson& packed) {
+  return kind_where([&](const RecordKind& kind) { return packed.is_object() && packed.contains(kind.packed); });
 }
 
 std::shared_ptr<const World> home_world() { return all_worlds().front()->make({}).world; }

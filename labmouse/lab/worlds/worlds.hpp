@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "labmouse/lab/plays/replay.hpp"
 #include "labmouse/lab/races/world_entry.hpp"
 
 namespace labmouse {
@@ -18,7 +19,12 @@ std::shared_ptr<const World> default_world(std::string_view name);
 /// The world of that name under these conditions, an object of JSON as World::conditions has them; null where there is
 /// no such world, or no such conditions.
 std::shared_ptr<const World> restore_world(std::string_view name, std::string_view conditions);
-/// The home world with its defaults.
+/// The first world with its defaults.
 std::shared_ptr<const World> home_world();
+
+/// The kind of record that a text is meant to be, by its first line; that of the first world where it names none.
+const RecordKind& kind_of_record(std::string_view text);
+/// The kind of a record that a report carries.
+const RecordKind& kind_of_packed(const ReadJson& packed);
 
 }  // namespace labmouse

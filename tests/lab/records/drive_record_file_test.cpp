@@ -116,12 +116,6 @@ TEST(DriveRecordFile, HoldsDashes) {
   EXPECT_GT(dashes, 0U);
 }
 
-TEST(DriveRecordFile, SaysOnItsFirstLineWhatItIs) {
-  EXPECT_TRUE(is_drive_record(good()));
-  EXPECT_FALSE(is_drive_record("{\"labmouse\":\"record\"}\n"));
-  EXPECT_FALSE(is_drive_record("no JSON"));
-}
-
 TEST(DriveRecordFile, MayBreakOff) {
   const std::string whole = good();
   for (std::size_t end = whole.find('\n') + 1; end < whole.rfind("{\"outcome"); end += 97) {

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/mms/mms_replay.hpp"
+#include "labmouse/lab/plays/mms_replay.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "tests/lab/records/mms_record_fixture.hpp"
 #include "tests/lab/records/record_fixture.hpp"

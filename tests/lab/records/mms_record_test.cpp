@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
-#include "labmouse/lab/mms/mms_summary.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
+#include "labmouse/lab/plays/mms_summary.hpp"
 #include "tests/lab/mms/mms_fixture.hpp"
 #include "tests/says.hpp"
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/plays/steps_text.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 

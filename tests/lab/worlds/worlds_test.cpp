@@ -247,6 +247,51 @@ TEST_P(AWorld, LeavesRecordsAndPicturesForAReport) {
   EXPECT_THAT(test::block_of(report.page, "labmouse-records")["records"], SizeIs(2 * mazes().size()));
 }
 
+TEST_P(AWorld, HasRecordsThatAreOpenedAndShown) {
+  RaceHooks hooks;
+  hooks.keep = [](const ContestResult&) { return Keep{.record = true, .picture = true}; };
+  hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
+    const RecordKind& kind = kind_of_record(held.record);
+    EXPECT_EQ(&kind, GetParam()->records);
+    const OpenedRecord opened = kind.open(held.record, nullptr);
+    ASSERT_NE(opened.replay, nullptr) << opened.disagreement;
+    const Replay& replay = *opened.replay;
+    const NamedMaze& maze = race.mazes[contest.maze];
+    EXPECT_EQ(replay.subject().mouse, race.mice[contest.mouse].name);
+    EXPECT_EQ(replay.subject().maze.maze, maze.maze);
+    EXPECT_EQ(replay.picture(), held.picture);
+    EXPECT_THAT(replay.summary(false), testing::EndsWith(replay.result()));
+    int drawings = 0;
+    replay.animate(false, [&](const std::string& drawing) { drawings += drawing.empty() ? 0 : 1; });
+    EXPECT_GT(drawings, 0);
+    const RecordDrawing drawing = replay.drawing(replay.layers(), 0);
+    EXPECT_EQ(drawing.error, "");
+    EXPECT_EQ(drawing.line, replay.result());
+    // A report carries it in another form, of which the same is shown.
+    const ReadJson packed = ReadJson::parse(replay.packed().dump());
+    EXPECT_EQ(&kind_of_packed(packed), &kind);
+    const OpenedRecord unpacked = kind.unpack(packed, maze);
+    ASSERT_NE(unpacked.replay, nullptr) << unpacked.disagreement;
+    EXPECT_EQ(unpacked.replay->result(), replay.result());
+    EXPECT_EQ(unpacked.replay->play()["x"], replay.play()["x"]);
+  };
+  hold_race(mice(), mazes(), order(), hooks);
+}
+
+TEST_P(AWorld, HasRecordsThatDoNotFitEveryMaze) {
+  RaceHooks hooks;
+  hooks.keep = [](const ContestResult&) { return Keep{.record = true}; };
+  hooks.finished = [&](const Race&, const ContestResult&, const Held& held) {
+    const RecordKind& kind = *GetParam()->records;
+    const NamedMaze other = test::hook();
+    const OpenedRecord opened = kind.open(held.record, &other);
+    EXPECT_EQ(opened.replay, nullptr);
+    EXPECT_NE(opened.disagreement, "");
+    EXPECT_FALSE(kind.open("{\"labmouse\":\"" + std::string(kind.header) + "\"}", nullptr).problems.empty());
+  };
+  hold_race(mice(), {test::loop()}, order(), hooks);
+}
+
 TEST_P(AWorld, IsOpenedByThePage) {
   const std::string text = json_of(race(), {});
   const Json reply = Json::parse(answer_page("open", R"({"name": "race.json"})", text).json);

@@ -1,9 +1,10 @@
-#include "labmouse/lab/mms/mms_drawing.hpp"
+#include "labmouse/lab/plays/mms_drawing.hpp"
 
 #include <fmt/format.h>
 
 #include "labmouse/lab/pictures/mms_picture.hpp"
 #include "labmouse/lab/records/mms_statistics_json.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 
@@ -14,6 +15,16 @@ std::string draw_mms_run(const std::string& mouse, const NamedMaze& maze, const 
                                 : fmt::format("{} in {}: {}{}", mouse, maze.name,
                                               run.statistics.solved ? "" : "unsolved, ", run.end);
   return draw_svg(as_in_mms(maze.maze), layers);
+}
+
+std::string mms_drawing_of(const Maze& maze, const MmsCanvas& canvas, const HalfPose& pose, bool colours) {
+  return draw_text(as_in_mms(maze), mms_layers(canvas, pose), colours);
+}
+
+std::string mms_frame(const Maze& maze, const MmsEvent& event, const MmsHost& host, bool colours) {
+  return fmt::format("{}{:>7.2f} s  {}  {}{}\n", mms_drawing_of(maze, host.canvas(), event.pose, colours), event.clock,
+                     place_text(event.pose), shown(event.line),
+                     event.reply.empty() ? "" : fmt::format(" -> {}", event.reply));
 }
 
 }  // namespace labmouse

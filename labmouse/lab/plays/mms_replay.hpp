@@ -4,7 +4,7 @@
 #include <string>
 
 #include "labmouse/guests/mms/run.hpp"
-#include "labmouse/lab/mms/mms_walk.hpp"
+#include "labmouse/lab/plays/mms_walk.hpp"
 #include "labmouse/lab/records/mms_record_file.hpp"
 
 namespace labmouse {

@@ -1,4 +1,4 @@
-#include "labmouse/lab/mms/mms_summary.hpp"
+#include "labmouse/lab/plays/mms_summary.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/mms/mms_walk.hpp"
+#include "labmouse/lab/plays/mms_walk.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "labmouse/lab/mms/mms_replay.hpp"
+#include "labmouse/lab/plays/mms_replay.hpp"
 
 namespace labmouse {
 namespace {

@@ -1,4 +1,4 @@
-#include "labmouse/lab/steps/lost_steps.hpp"
+#include "labmouse/lab/plays/lost_steps.hpp"
 
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/mouse/distance.hpp"

@@ -1,5 +1,5 @@
 // Where contests lose their steps: what is lost in the cells adds up to what the score is above the bound.
-#include "labmouse/lab/steps/lost_steps.hpp"
+#include "labmouse/lab/plays/lost_steps.hpp"
 
 #include <gmock/gmock.h>
 
