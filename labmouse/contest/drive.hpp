@@ -1,9 +1,5 @@
-// One contest in seconds: a mouse searches, drives home and runs, on one clock.
-//
-//   search ──reset──► home ──► fast run ──► asked again: search on, run again, or done
-//
-// While it searches the mind decides at every edge, and may reset wherever it is. Then the mouse is driven: home over
-// what is known to be open, looking about on the way, and from the start along the fastest route that is known.
+// One contest in seconds in which nothing goes wrong: a mouse searches, drives home and runs, on one clock. The
+// protocol is that of contest/drive_contest, for all worlds in seconds.
 #pragma once
 
 #include "labmouse/contest/drive_record.hpp"
@@ -18,10 +14,10 @@ namespace labmouse {
 /// What a mouse is told before a contest in seconds. The model must outlive the mouse, and have no error.
 Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& model, std::uint64_t seed);
 
-/// Holds the contest, in a maze up to 32×32. The strategy must be new and briefed as above. A move through a wall that
+/// Runs the contest, in a maze up to 32×32. The strategy must be new and briefed as above. A move through a wall that
 /// it has not seen to be open, a reset before a goal was entered, and an action that is none of a search end the
-/// contest as a forfeit, lost. After a run a mind that has no more to do forfeits as finished: that ends the contest
-/// and is none.
+/// contest as a forfeit, lost. After a run a strategy that has no more to do forfeits as finished: that ends the
+/// contest and is none.
 DriveRecord drive(const Maze& maze, const DriveRules& rules, const DriveModel& model, Strategy& mouse);
 
 }  // namespace labmouse

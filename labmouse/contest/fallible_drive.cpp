@@ -15,10 +15,9 @@ MazeTime part_of(MazeTime time, double part) { return static_cast<MazeTime>(stat
 
 FallibleDriver::FallibleDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
                                const Hazards& hazards, std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record)
-    : maze_(maze),
-      model_(model),
-      time_limit_(time_limit),
-      record_(record),
+    : TimedDriver(maze, model, time_limit, record.drive),
+      handling_(conditions.handling),
+      usual_pace_(conditions.pilot.pace),
       walls_(maze, conditions.map, record),
       dice_(seed_for(seed, "hazards")),
       hazards_(hazards),
@@ -28,14 +27,14 @@ FallibleDriver::FallibleDriver(const Maze& maze, const DriveModel& model, const 
   const Specimen mouse(*model.robot.hardware, conditions.noise, maze.size(), seed);
   record.frailty = mouse.frailty();
   luck_ = luck_of(mouse);
-  set_pace(conditions.pilot.pace);
+  set_pace(1.0);
 }
 
 /// A contest between two noises that were counted is held under one of them, the likelier the nearer it is; and so a
 /// run between two paces.
 void FallibleDriver::set_pace(double pace) {
-  pace_ = pace;
-  const auto paces = between(hazards_.paces, pace, [](const HazardsAtPace& at) { return at.pace; });
+  pace_ = usual_pace_ * pace;
+  const auto paces = between(hazards_.paces, pace_, [](const HazardsAtPace& at) { return at.pace; });
   const HazardsAtPace& at_pace = hazards_.paces[dice_.unit() < paces.part ? paces.above : paces.below];
   const auto noises = between(at_pace.noises, noise_, [](const HazardsAtNoise& at) { return at.noise; });
   const HazardsAtNoise& at = at_pace.noises[noise_share_ < noises.part ? noises.above : noises.below];
@@ -52,10 +51,15 @@ std::size_t FallibleDriver::one_of(std::span<const double> shares) {
 }
 
 void FallibleDriver::put_at_start() {
-  place_ = {{maze_.start(), maze_.start_heading()}, true};
+  TimedDriver::put_at_start();
   astray_ = one_of(odds_->put);
-  crashed_ = false;
+  crash_.reset();
   walls_.put_down();
+}
+
+void FallibleDriver::carry_to_start() {
+  clock_ += handling_;
+  put_at_start();
 }
 
 void FallibleDriver::look_about() {
@@ -87,17 +91,14 @@ Evidence FallibleDriver::read_wall(Heading side, bool ahead, double clear) {
 
 FallibleDriver::Went FallibleDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
   const ManoeuvreHazard& hazard = odds_->manoeuvres[static_cast<std::size_t>(manoeuvre)][astray_];
-  if (!way_is_open) return {true, RunEnd::misread, 0.5};
-  if (dice_.unit() < hazard.crash)
-    return {true, dice_.unit() < hazard.slid ? RunEnd::slid : RunEnd::strayed, dice_.unit()};
+  if (!way_is_open) return {RunEnd::misread, 0.5};
+  if (dice_.unit() < hazard.crash) return {dice_.unit() < hazard.slid ? RunEnd::slid : RunEnd::strayed, dice_.unit()};
   astray_ = one_of(hazard.after);
   return {};
 }
 
-bool FallibleDriver::crash(RunEnd cause, MazeTime time) {
-  if (!reach(time)) return false;
-  crashed_ = true;
-  cause_ = cause;
+bool FallibleDriver::crash_at(MazeTime time, RunEnd cause) {
+  if (reach(time)) crash_ = cause;
   return false;
 }
 
@@ -114,41 +115,19 @@ bool FallibleDriver::is_open(const Action& part) const {
 }
 
 bool FallibleDriver::make(const Action& part, bool replanned) {
-  const SearchPlace from = place_;
-  const MazeTime begin = clock_;
-  const MazeTime time =
-      slowed(part.movement > 1 ? model_.search.dash(part.movement) : search_time(model_.search, place_, part));
+  const Cell from = place_.pose.cell;
+  const MazeTime begin = clock_, time = time_of(part);
   const Went went = drive(manoeuvre_of(maze_, place_, part), is_open(part));
-  if (went.crashed) return crash(went.cause, begin + part_of(time, went.part));
+  if (went.crash) return crash_at(begin + part_of(time, went.part), *went.crash);
   if (!reach(begin + time)) return false;
-  advance(part, begin, clock_);
-  DriveRun& run = record_.drive.runs.back();
-  run.moves.push_back({begin, clock_, from.pose, part, place_.pose, replanned});
-  run.end = clock_;
-  if (walls_.weighs()) walls_.pass(clock_, from.pose.cell, place_.pose);
+  advance(part, begin, replanned);
+  if (walls_.weighs()) walls_.pass(clock_, from, place_.pose);
   look_about();
   return true;
 }
 
-/// Goes on edge by edge. A search that has ended at the edge of a goal comes to its middle on the way home.
-void FallibleDriver::advance(const Action& part, MazeTime begin, MazeTime end) {
-  auto& runs = record_.drive.runs;
-  const bool home = runs.back().kind == DriveRun::Kind::home;
-  if (home && runs.size() > 1 && runs.back().moves.empty())
-    note_stop(runs[runs.size() - 2], maze_, slowed(model_.search.half_cell), place_, begin);
-  MazeTime from = begin;
-  for (int edge = 1; edge <= std::max(1, part.movement); ++edge) {
-    const bool last = edge >= part.movement;
-    const Action step = part.movement > 1 ? Action::step(0, 1) : part;
-    const MazeTime arrival = last ? end : begin + slowed(model_.search.dash_part(part.movement, edge));
-    if (!home) note_gates(runs.back(), maze_, slowed(model_.search.half_cell), place_, step, from, arrival);
-    from = arrival;
-    place_ = after_search(place_, step);
-  }
-}
-
 bool FallibleDriver::run(const DriveRoute& route) {
-  DriveRun& run = record_.drive.runs.back();
+  DriveRun& run = record_.runs.back();
   const MazeTime begin = run.begin = clock_;
   set_gates(run, maze_, model_);
   const auto happen = [&](std::optional<MazeTime>& gate) {
@@ -163,14 +142,14 @@ bool FallibleDriver::run(const DriveRoute& route) {
     bool open = true;
     needed.for_each([&](Wall wall) { open = open && maze_.is_open(wall.cell, wall.side); });
     const Went went = drive(manoeuvre_of(segment), open);
-    stands = went.crashed
-                 ? crash(went.cause, begin + slowed(segment.begin + part_of(segment.end - segment.begin, went.part)))
-                 : reach(begin + slowed(segment.end));
+    const MazeTime length = segment.end - segment.begin;
+    stands = went.crash ? crash_at(begin + slowed(segment.begin + part_of(length, went.part)), *went.crash)
+                        : reach(begin + slowed(segment.end));
     if (!stands) break;
   }
   for (auto* gate : {&run.gate_out, &run.gate_in, &run.centre}) happen(*gate);
   run.end = clock_;
-  if (!route.segments.empty()) place_ = {{route.segments.back().to.cell, route.segments.back().to.heading}, true};
+  stand_behind(route);
   return stands;
 }
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "labmouse/body/body.hpp"
-#include "labmouse/contest/drive_search.hpp"
 #include "labmouse/functions/whole.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/mouse/drive/search_field.hpp"
@@ -32,10 +31,7 @@ std::vector<Action> search_moves(const Maze& maze, const SearchDrive& search) {
 /// All walls of a maze.
 Knowledge knowledge_of(const Maze& maze) {
   Knowledge known(maze.size());
-  CellSet::all(maze.size()).for_each([&](Cell cell) {
-    for (const Heading heading : all_headings)
-      static_cast<void>(known.learn({cell, heading}, look(maze, {cell, heading}, max_side)));
-  });
+  WallSet::all(maze.size()).for_each([&](Wall wall) { known.learn(wall, maze.open_walls().contains(wall)); });
   return known;
 }
 

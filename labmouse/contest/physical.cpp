@@ -1,18 +1,37 @@
 #include "labmouse/contest/physical.hpp"
 
-#include "labmouse/contest/fallible_contest.hpp"
+#include "labmouse/contest/drive_contest.hpp"
+#include "labmouse/contest/fallible_drive.hpp"
 #include "labmouse/contest/physical_drive.hpp"
 
 namespace labmouse {
+namespace {
+
+/// With the map that the mouse wants.
+PhysicalConditions conditions_for(const Strategy& mouse, PhysicalConditions conditions) {
+  conditions.map = mouse.map_kind().value_or(conditions.map);
+  return conditions;
+}
+
+}  // namespace
 
 PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                 const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse,
                                 const PilotParts& parts) {
   PhysicalRecord record;
-  PhysicalConditions held = conditions;
-  held.map = mouse.map_kind().value_or(conditions.map);
+  const PhysicalConditions held = conditions_for(mouse, conditions);
   PhysicalDriver driver(maze, model, held, seed, rules.time_limit, record, parts);
-  hold_contest(maze, rules, model, held, mouse, driver, record);
+  run_contest(maze, rules, model, mouse, driver, record);
+  return record;
+}
+
+PhysicalRecord drive_fallibly(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+                              const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
+                              Strategy& mouse) {
+  PhysicalRecord record;
+  const PhysicalConditions held = conditions_for(mouse, conditions);
+  FallibleDriver driver(maze, model, held, hazards, seed, rules.time_limit, record);
+  run_contest(maze, rules, model, mouse, driver, record);
   return record;
 }
 

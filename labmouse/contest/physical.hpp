@@ -1,14 +1,13 @@
-// One contest in the physical world: a mind decides, a pilot drives, a body slips, misreads and crashes, and an
-// operator carries it back to the start.
+// One contest of a mouse that may err: in the physical world, in which a pilot drives and a body slips, misreads and
+// crashes; or in the fallible world, by dice. The protocol is that of contest/drive_contest.
 //
-//   search ──reset──► home ──► fast run ──► asked again        crash ──► carried to the start ──► asked again
-//
-// A mind sees corridors of one cell, made of what the pilot's evidence is rather for. By the map of the conditions the
-// first reading of a wall stays for ever, as in most mice, and what speaks against it later is counted; or readings are
-// weighed, walls turn over, and a mind that sees no way any more looks again.
+// A strategy sees corridors of one cell, made of what the pilot's evidence is rather for. By the map of the conditions
+// the first reading of a wall stays for ever, as in most mice, and what speaks against it later is counted; or readings
+// are weighed, walls turn over, and a strategy that sees no way any more looks again.
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
@@ -19,16 +18,26 @@
 
 namespace labmouse {
 
-/// Raised where the same contest comes to another end: records of other editions can be shown, but not driven again.
-inline constexpr int physical_edition = 2;
+struct Hazards;
 
-/// Holds the contest, in a maze up to 32×32, with a robot that has limits and hardware. The strategy must be new and
+/// Raised where the same contest comes to another end: records of other editions can be shown, but not driven again.
+inline constexpr int physical_edition = 2, fallible_edition = 1;
+
+/// Runs the contest, in a maze up to 32×32, with a robot that has limits and hardware. The strategy must be new and
 /// briefed as by brief(), with a sight of one cell. All chance comes from the seed. Parts of the pilot that are
 /// somebody else's must be new, too; what they say is not part of the record, which can be shown and not be driven
 /// again.
 PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                 const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse,
                                 const PilotParts& parts = {});
+
+/// The same in the fallible world, and fast: the mouse strays, misreads walls and crashes by dice whose chances were
+/// counted in the physical world, with the draws that the seed has there. How far astray it is goes on from manoeuvre
+/// to manoeuvre, and how unlucky its draws are is the same all through a contest: a bad mouse fails again. Of the
+/// conditions it takes noise, pace, map and handling.
+PhysicalRecord drive_fallibly(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+                              const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
+                              Strategy& mouse);
 
 /// Whether the robot can drive there: why not, in a sentence about it; empty where it can.
 std::string why_not_physical(const DriveModel& model);

@@ -34,6 +34,8 @@ PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const 
                                std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record, const PilotParts& parts)
     : record_(record),
       start_{maze.start(), maze.start_heading()},
+      handling_(conditions.handling),
+      usual_pace_(conditions.pilot.pace),
       walls_(maze, conditions.map, record),
       told_(told_of(model, conditions)),
       body_(maze, model, conditions, seed, time_limit, record),
@@ -47,6 +49,11 @@ void PhysicalDriver::put_at_start() {
   pilot_.put(start_);
   pending_ = false;
   walls_.put_down();
+}
+
+void PhysicalDriver::carry_to_start() {
+  body_.wait(handling_);
+  put_at_start();
 }
 
 void PhysicalDriver::look_about() {
@@ -115,7 +122,8 @@ void PhysicalDriver::note_gates() {
 }
 
 /// A mouse whose way leads through a wall has misread it, whatever it touches first: the wall, or a post beside it.
-RunEnd PhysicalDriver::cause() const {
+std::optional<RunEnd> PhysicalDriver::crash() const {
+  if (!body_.crashed()) return std::nullopt;
   const Cell cell = body_.cell();
   const auto stands = [&](Heading side) { return in_its_way_.contains(wall_at(cell, side)); };
   const bool inside = walls_.size().contains(cell);

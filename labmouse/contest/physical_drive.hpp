@@ -17,19 +17,21 @@ class PhysicalDriver final : public ContestDriver {
   PhysicalDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, std::uint64_t seed,
                  MazeTime time_limit, PhysicalRecord& record, const PilotParts& parts);
 
+  bool errs() const override { return true; }
   void put_at_start() override;
+  void carry_to_start() override;
   void look_about() override;
   bool make(const Action& part, bool replanned) override;
   bool run(const DriveRoute& route) override;
-  void wait(MazeTime time) override { body_.wait(time); }
-  void set_pace(double pace) override { pilot_.set_pace(pace); }
+  void set_pace(double pace) override { pilot_.set_pace(usual_pace_ * pace); }
 
   const SearchPlace& place() const override { return pilot_.place(); }
-  BelievedWalls& walls() override { return walls_; }
+  const Knowledge& known() const override { return walls_.known(); }
+  Sighting seen(const Pose& pose) const override { return walls_.sighting(pose); }
+  BelievedWalls* weighed() override { return walls_.weighs() ? &walls_ : nullptr; }
   MazeTime clock() const override { return body_.clock(); }
   bool out_of_time() const override { return body_.out_of_time(); }
-  bool crashed() const override { return body_.crashed(); }
-  RunEnd cause() const override;
+  std::optional<RunEnd> crash() const override;
 
  private:
   /// Until the pilot has arrived; false where a crash or the end of the time came before.
@@ -40,6 +42,8 @@ class PhysicalDriver final : public ContestDriver {
 
   PhysicalRecord& record_;
   Pose start_;
+  MazeTime handling_;
+  double usual_pace_;
   BelievedWalls walls_;
   Hardware told_;  ///< what the pilot takes itself for
   ClockedBody body_;

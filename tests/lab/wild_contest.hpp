@@ -7,7 +7,8 @@
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/drive.hpp"
-#include "labmouse/contest/fallible.hpp"
+#include "labmouse/contest/hazards.hpp"
+#include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/maze/generators/generator.hpp"

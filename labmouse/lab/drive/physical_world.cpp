@@ -5,7 +5,6 @@
 #include "labmouse/contest/code_contest.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_coverage.hpp"
-#include "labmouse/contest/fallible.hpp"
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/drive/drive_fields.hpp"
 #include "labmouse/lab/drive/drive_results.hpp"

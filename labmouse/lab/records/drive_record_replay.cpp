@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "labmouse/contest/drive_gates.hpp"
-#include "labmouse/contest/drive_search.hpp"
+#include "labmouse/contest/ideal_drive.hpp"
+#include "labmouse/contest/search_parts.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/records/drive_route_check.hpp"
@@ -24,8 +27,12 @@ class Replay {
  public:
   explicit Replay(const DriveRecordFile& file)
       : file_(file),
-        driver_(*file.maze, *file.model, played_),
-        routes_(file.maze->size(), route_tables_of(*file.model)) {}
+        start_{{file.maze->start(), file.maze->start_heading()}, true},
+        driver_(*file.maze, *file.model, file.rules.time_limit, played_),
+        routes_(file.maze->size(), route_tables_of(*file.model)) {
+    driver_.put_at_start();
+    driver_.look_about();
+  }
 
   std::string disagreement() {
     if (file_.tables_hash != file_.model->tables.hash)
@@ -52,13 +59,12 @@ class Replay {
     played.begin = played.end = run.begin;
     if (std::string wrong = run.kind == DriveRun::Kind::fast ? play_route(run, whole) : play_moves(run); !wrong.empty())
       return wrong;
-    if (run.kind == DriveRun::Kind::home && whole && driver_.place() != driver_.start() &&
-        driver_.clock() < file_.rules.time_limit)
+    if (run.kind == DriveRun::Kind::home && whole && driver_.place() != start_ && !driver_.out_of_time())
       return "it does not end at rest at the start";
     // Unless it is given up or the time is over, a search ends in the middle of the goal.
-    const bool cut_short =
-        last && (file_.record.outcome == DriveOutcome::forfeit || driver_.clock() >= file_.rules.time_limit);
-    if (run.kind == DriveRun::Kind::search && whole && !cut_short && driver_.goal_entered()) driver_.stop_search();
+    const bool cut_short = last && (file_.record.outcome == DriveOutcome::forfeit || driver_.out_of_time());
+    if (run.kind == DriveRun::Kind::search && whole && !cut_short && goal_entered())
+      note_stop(played, *file_.maze, file_.model->search.half_cell, driver_.place(), driver_.clock());
     return whole ? compare_gates(run) : "";
   }
 
@@ -68,10 +74,9 @@ class Replay {
     if (played_.runs.empty() && !search) return "the first run of a contest must be a search";
     // Between two fast runs the mouse is carried; else only a way home goes on from where it is not at rest at the
     // start.
-    if (fast && played_.runs.back().kind == DriveRun::Kind::fast) driver_.put(driver_.start(), driver_.clock());
-    if ((search || fast) && driver_.place() != driver_.start())
-      return "it begins at the start, but the mouse is elsewhere";
-    if (!search && !driver_.goal_entered()) return "it begins before a goal was entered";
+    if (fast && played_.runs.back().kind == DriveRun::Kind::fast) driver_.carry_to_start();
+    if ((search || fast) && driver_.place() != start_) return "it begins at the start, but the mouse is elsewhere";
+    if (!search && !goal_entered()) return "it begins before a goal was entered";
     if (run.begin != driver_.clock())
       return fmt::format("recorded as beginning at {}; replayed, it begins at {}", seconds(run.begin),
                          seconds(driver_.clock()));
@@ -81,6 +86,11 @@ class Replay {
     if (starts_ <= file_.rules.most_runs) return "";
     return fmt::format("the rules allow only {} run{} from the start", file_.rules.most_runs,
                        file_.rules.most_runs == 1 ? "" : "s");
+  }
+
+  bool goal_entered() const {
+    const auto entered = [](const DriveRun& run) { return run.gate_in.has_value(); };
+    return file_.maze->is_goal(start_.pose.cell) || std::any_of(played_.runs.begin(), played_.runs.end(), entered);
   }
 
   std::string compare_knowledge(const DriveRun& run) {
@@ -100,16 +110,16 @@ class Replay {
   }
 
   DriveTime time_over(const WallSet& passages) {
-    routes_.fill_for(driver_.start().pose, passages, file_.maze->goals());
-    return routes_.time_from(driver_.start().pose);
+    routes_.fill_for(start_.pose, passages, file_.maze->goals());
+    return routes_.time_from(start_.pose);
   }
 
   std::string play_moves(const DriveRun& run) {
     for (std::size_t i = 0; i < run.moves.size(); ++i) {
       const SearchMove& move = run.moves[i];
-      if (driver_.clock() >= file_.rules.time_limit)
+      if (driver_.out_of_time())
         return fmt::format("move {}: it begins after the time limit of {}", i + 1, seconds(file_.rules.time_limit));
-      if (!driver_.move(move.action, move.replanned, [](const Pose&, const Sighting&) {}))
+      if (!make(move))
         return fmt::format("move {}: it is not a valid move, or passes a wall that was not seen to be open", i + 1);
       const SearchMove& made = played_.runs.back().moves.back();
       if (made == move) continue;
@@ -120,24 +130,32 @@ class Replay {
     return "";
   }
 
+  /// False, with the parts before it made, where a part of it is no move or leads through a wall not known to be open.
+  bool make(const SearchMove& move) {
+    if (!is_search_step(driver_.place(), move.action)) return false;
+    Action left = move.action;
+    do {
+      const Action part = first_part(file_.model->search, driver_.place(), left, driver_.known());
+      if (wall_not_open(driver_.place(), part, driver_.known())) return false;
+      driver_.make(part, move.replanned && left.movement == move.action.movement);
+      left = Action::step(0, left.movement - part.movement);
+    } while (left.movement > 0);
+    return true;
+  }
+
   std::string play_route(const DriveRun& run, bool whole) {
     if (!whole) return "";
     const Maze& maze = *file_.maze;
     if (run.route.time != run.known)
       return fmt::format("its route takes {}, but the fastest known one takes {}", route_time(run.route.time),
                          route_time(run.known));
-    if (std::string wrong = check_route(run.route, driver_.start().pose, maze.size(), driver_.known().open(),
-                                        maze.goals(), *file_.model);
+    if (std::string wrong =
+            check_route(run.route, start_.pose, maze.size(), driver_.known().open(), maze.goals(), *file_.model);
         !wrong.empty())
       return wrong;
     DriveRun& played = played_.runs.back();
     played.route = run.route;
-    set_gates(played, maze, *file_.model);
-    played.end = played.begin + run.route.time;
-    const auto& segments = run.route.segments;
-    const Pose goal =
-        segments.empty() ? driver_.start().pose : Pose{segments.back().to.cell, segments.back().to.heading};
-    driver_.put({goal, true}, played.end);
+    driver_.run(run.route);
     return "";
   }
 
@@ -186,7 +204,8 @@ class Replay {
 
   const DriveRecordFile& file_;
   DriveRecord played_;
-  SearchDriver driver_;
+  SearchPlace start_;
+  IdealDriver driver_;
   FastestRoutes routes_;
   int starts_ = 0;
 };

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "labmouse/contest/code_contest.hpp"
-#include "labmouse/contest/fallible.hpp"
+#include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/taped_code.hpp"
 #include "labmouse/lab/hazards/hazard_file.hpp"

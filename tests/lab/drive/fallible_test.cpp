@@ -1,5 +1,3 @@
-#include "labmouse/contest/fallible.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/curves/noise_curves.hpp"
 #include "labmouse/lab/drive/drive_entries.hpp"
 #include "labmouse/lab/drive/fidelity.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "labmouse/contest/fallible.hpp"
 #include "labmouse/contest/hazards.hpp"
+#include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/plays/play_seconds.hpp"
 #include "labmouse/strategies/roster.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"

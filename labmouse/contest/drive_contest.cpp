@@ -1,0 +1,350 @@
+#include "labmouse/contest/drive_contest.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/contest/physical_conditions.hpp"
+#include "labmouse/contest/plans.hpp"
+#include "labmouse/contest/search_parts.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/mouse/drive/search_field.hpp"
+
+namespace labmouse {
+namespace {
+
+double pace_of(Strategy& mouse, DriveRun::Kind kind) {
+  return std::clamp(mouse.pace(kind == DriveRun::Kind::fast), least_pace, 1.0);
+}
+
+class DriveContest {
+ public:
+  DriveContest(const Maze& maze, const DriveRules& rules, const DriveModel& model, Strategy& mouse,
+               ContestDriver& driver, PhysicalRecord& record)
+      : maze_(maze),
+        rules_(rules),
+        model_(model),
+        mouse_(mouse),
+        record_(record),
+        start_{maze.start(), maze.start_heading()},
+        driver_(driver),
+        errs_(driver.errs()),
+        weighed_(driver.weighed()),
+        routes_(maze.size(), route_tables_of(model)),
+        home_(maze.size(), model.search),
+        goal_entered_(!errs_ && maze.is_goal(maze.start())) {}
+
+  void run() {
+    driver_.put_at_start();
+    make_runs();
+    DriveRecord& drive = record_.drive;
+    const bool scored = score(drive, rules_).best.has_value();
+    // A mouse that errs and gives up has finished with what it has.
+    if (drive.outcome == DriveOutcome::forfeit && !(errs_ && scored)) return;
+    drive.outcome = scored ? DriveOutcome::finished : DriveOutcome::out_of_time;
+  }
+
+ private:
+  /// Where a mouse is after a run, or after a part of one.
+  enum class After { on_the_way, at_start, searching_again, at_goal, crashed, over };
+
+  /// Runs until the mouse, the rules or the time end it.
+  void make_runs() {
+    Action action = decide_at_start();
+    for (;;) {
+      if (is_no_way(action)) {
+        if (driver_.out_of_time()) return;
+        action = begin_anew();
+        continue;
+      }
+      After after = start_run(action);
+      action = Action::reset();
+      if (after == After::at_goal) {
+        // It says at the goal what it will do at the start.
+        action = decide({start_, true});
+        if (action.kind == Action::Kind::forfeit && !is_no_way(action)) return give_up(action.reason);
+        after = go_back(action);
+      }
+      if (after == After::over) return;
+      if (after == After::searching_again) {
+        mouse_.carried(driver_.clock());
+        action = decide(driver_.place());
+      }
+      if (after == After::crashed) action = carry_to_start();
+    }
+  }
+
+  /// The run that it decided on at the start; without errors the first one is a search, whatever it decided.
+  After start_run(const Action& action) {
+    if (action.kind == Action::Kind::step || (!errs_ && record_.drive.runs.empty()))
+      return begin(DriveRun::Kind::search) ? search(action) : After::over;
+    if (action.kind == Action::Kind::reset) return begin(DriveRun::Kind::fast) ? run_fast() : After::over;
+    give_up(action.reason);
+    return After::over;
+  }
+
+  /// From the goal to the start. A mouse without errors is carried between two fast runs.
+  After go_back(const Action& next) {
+    if (errs_ || next.kind == Action::Kind::step) return drive_home();
+    driver_.carry_to_start();
+    return After::at_start;
+  }
+
+  Action carry_to_start() {
+    ++record_.carried;
+    if (weighed_ != nullptr) weighed_->doubt_last();
+    driver_.carry_to_start();
+    mouse_.carried(driver_.clock());
+    return decide_at_start();
+  }
+
+  /// At the start with a map that has no way left, whatever is doubted: the mouse begins with an empty one.
+  Action begin_anew() {
+    weighed_->forget_all();
+    doubts_ = 0;
+    return carry_to_start();
+  }
+
+  /// Stands at the start, looks, and decides.
+  Action decide_at_start() {
+    driver_.look_about();
+    return decide({start_, true});
+  }
+
+  int starts() const {
+    const auto& runs = record_.drive.runs;
+    return static_cast<int>(
+        std::count_if(runs.begin(), runs.end(), [](const DriveRun& run) { return run.kind != DriveRun::Kind::home; }));
+  }
+
+  /// Opens the record of a run; false where time or rules allow none.
+  bool begin(DriveRun::Kind kind) {
+    if (driver_.out_of_time() || (kind != DriveRun::Kind::home && starts() >= rules_.most_runs)) return false;
+    const Knowledge& known = driver_.known();
+    DriveRun run;
+    run.kind = kind;
+    run.begin = run.end = driver_.clock();
+    run.touched = record_.carried > 0;
+    if (errs_) run.pace = pace_of(mouse_, kind);
+    run.open = known.open();
+    run.closed = WallSet::all(maze_.size());
+    run.closed -= known.possible();
+    // Of contests by dice there are millions: what nobody looks at is left out.
+    if (!record_.by_dice) {
+      if (hoped_over_ != known.possible()) hoped_ = plan(known.possible());
+      hoped_over_ = known.possible();
+      run.hoped = hoped_;
+    }
+    if (!record_.by_dice || kind == DriveRun::Kind::fast) run.known = plan(known.open());
+    record_.drive.runs.push_back(std::move(run));
+    record_.ends.push_back(RunEnd::done);
+    driver_.set_pace(record_.drive.runs.back().pace);
+    doubts_ = 0;
+    return true;
+  }
+
+  /// The time of the fastest route over these walls, which is planned for.
+  DriveTime plan(const WallSet& passages) {
+    if (planned_over_ != passages) routes_.fill_for(start_, passages, maze_.goals());
+    planned_over_ = passages;
+    return routes_.time_from(start_);
+  }
+
+  After end_run(RunEnd end, After after) {
+    record_.ends.back() = end;
+    record_.drive.runs.back().end = driver_.clock();
+    return after;
+  }
+  /// A run that did not come to its end.
+  After broken_off() {
+    const std::optional<RunEnd> crash = driver_.crash();
+    return crash ? end_run(*crash, After::crashed) : end_run(RunEnd::out_of_time, After::over);
+  }
+
+  Action decide(const SearchPlace& place) {
+    Action action = ask(place);
+    // A mouse that sees no way has misread a wall.
+    while (is_no_way(action) && doubts_++ < most_doubts && doubt(place.pose.cell)) action = ask(place);
+    return action;
+  }
+
+  /// Whether it sees no way, on a map that may change its mind.
+  bool is_no_way(const Action& action) const {
+    return weighed_ != nullptr && action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::no_way;
+  }
+
+  bool doubt(Cell cell) {
+    return (goal_entered_ && weighed_->doubt_way(cell, CellSet::of(start_.cell))) ||
+           weighed_->doubt_way(cell, maze_.goals());
+  }
+
+  Action ask(const SearchPlace& place) {
+    const std::int64_t plans = plans_of(mouse_);
+    const Action action = weighed_ != nullptr && mouse_.considers()
+                              ? mouse_.consider(weighed_->belief(), place, driver_.clock())
+                              : mouse_.decide(driver_.seen(place.pose));
+    replanned_ = plans_of(mouse_) > plans;
+    record_.actions.push_back(action);
+    ++record_.drive.decisions;
+    record_.drive.replanned += replanned_ ? 1 : 0;
+    return action;
+  }
+
+  /// Shows it a reading on which it does not decide.
+  void show(const Pose& pose) {
+    if (weighed_ == nullptr) mouse_.show(pose, driver_.seen(pose));
+  }
+
+  void give_up(ForfeitReason reason) {
+    if (reason == ForfeitReason::finished && starts() > 1) return;
+    record_.drive.outcome = DriveOutcome::forfeit;
+    record_.drive.reason = reason;
+  }
+
+  /// Searches, beginning with that action, until the mouse resets, and drives home.
+  After search(Action action) {
+    while (action.kind == Action::Kind::step) {
+      if (const After after = move(action); after != After::on_the_way) return after;
+      if (driver_.out_of_time()) return end_run(RunEnd::out_of_time, After::over);
+      action = decide(driver_.place());
+    }
+    if (is_no_way(action)) return end_run(RunEnd::walled_in, After::crashed);
+    if (action.kind == Action::Kind::forfeit) {
+      give_up(action.reason);
+      return end_run(action.reason == ForfeitReason::no_way ? RunEnd::walled_in : RunEnd::given_up, After::over);
+    }
+    if (!goal_entered_) return give_up_on_it();
+    end_run(RunEnd::done, After::on_the_way);
+    return drive_home();
+  }
+
+  /// One action of the mouse, part by part with a reading at the end of each.
+  After move(const Action& action) {
+    if (!is_search_step(driver_.place(), action)) return give_up_on_it();
+    Action left = action;
+    do {
+      const Pose from = driver_.place().pose;
+      const bool first = left.movement == action.movement;
+      if (!first) show(from);
+      const Action part = first_part(model_.search, driver_.place(), left, driver_.known());
+      if (const auto wall = wall_not_open(driver_.place(), part, driver_.known()))
+        return weighed_ != nullptr ? look_at(*wall, !first) : give_up_on_it();
+      if (const After after = make(part, replanned_ && first); after != After::on_the_way) return after;
+      if (!errs_) pass(from, part.movement);
+      left = Action::step(0, left.movement - part.movement);
+    } while (left.movement > 0);
+    return After::on_the_way;
+  }
+
+  /// What was read in the middle of a dash.
+  void pass(const Pose& from, int edges) {
+    for (int edge = 1; edge < edges; ++edge) {
+      const Pose pose = {neighbour(from.cell, from.heading, edge), from.heading};
+      goal_entered_ = goal_entered_ || maze_.is_goal(pose.cell);
+      show(pose);
+    }
+  }
+
+  /// Instead of driving through a wall that does not seem to be open, or not any more.
+  After look_at(Wall wall, bool moved) {
+    if (moved) return After::on_the_way;
+    // It was doubted where the mouse stands.
+    if (driver_.known().state(wall) != WallState::unknown) return give_up_on_it();
+    driver_.look_about();
+    // It cannot see what is behind it.
+    return driver_.known().state(wall) == WallState::unknown ? give_up_on_it() : After::on_the_way;
+  }
+
+  /// The mouse asked for something that it cannot have.
+  After give_up_on_it() {
+    give_up(ForfeitReason::lost);
+    return end_run(RunEnd::given_up, After::over);
+  }
+
+  After make(const Action& part, bool replanned) {
+    if (!driver_.make(part, replanned)) return broken_off();
+    // It asks to be carried.
+    if (weighed_ != nullptr && weighed_->doubts_its_place()) return end_run(RunEnd::walled_in, After::crashed);
+    goal_entered_ = goal_entered_ || maze_.is_goal(driver_.place().pose.cell);
+    return After::on_the_way;
+  }
+
+  /// By the fastest known moves to rest at the start, facing as it did there.
+  After drive_home() {
+    const SearchPlace home = {start_, true};
+    if (driver_.place() == home) return After::at_start;
+    if (!begin(DriveRun::Kind::home)) return After::over;
+    while (!(driver_.place() == home)) {
+      const SearchPlace& place = driver_.place();
+      Action step = search_step(place.pose.heading, start_.heading, 0);
+      if (place.pose.cell != start_.cell) {
+        const Knowledge& known = driver_.known();
+        home_.fill(known.open(), known.known_cells(), CellSet::of(start_.cell));
+        step = home_.step(place);
+        if (step.kind != Action::Kind::step)
+          return end_run(RunEnd::walled_in, weighed_ != nullptr ? After::crashed : After::over);
+      }
+      if (const After after = make(step, false); after != After::on_the_way) return after;
+      show(driver_.place().pose);
+      if (driver_.out_of_time()) return end_run(RunEnd::out_of_time, After::over);
+    }
+    return end_run(RunEnd::done, After::at_start);
+  }
+
+  After run_fast() {
+    routes_.route_from(start_, route_);
+    if (route_.time == no_time || (errs_ && route_.segments.empty())) return find_no_way();
+    DriveRun& run = record_.drive.runs.back();
+    run.route = route_;
+    const bool stands = driver_.run(route_);
+    // What happens to it behind the goal is no matter of this run.
+    if (!run.gate_in) return stands ? end_run(RunEnd::strayed, After::crashed) : broken_off();
+    if (!errs_) show(driver_.place().pose);
+    return end_run(RunEnd::done, stands ? After::at_goal : driver_.crash() ? After::crashed : After::over);
+  }
+
+  /// A fast run for which no route is known.
+  After find_no_way() {
+    if (!errs_) {
+      record_.drive.runs.pop_back();
+      record_.ends.pop_back();
+      return After::over;
+    }
+    if (weighed_ == nullptr) {
+      give_up(ForfeitReason::no_way);
+      return end_run(RunEnd::walled_in, After::over);
+    }
+    const bool doubts = doubts_++ < most_doubts && weighed_->doubt_way(start_.cell, maze_.goals());
+    return end_run(RunEnd::walled_in, doubts ? After::searching_again : After::crashed);
+  }
+
+  const Maze& maze_;
+  const DriveRules& rules_;
+  const DriveModel& model_;
+  Strategy& mouse_;
+  PhysicalRecord& record_;
+  Pose start_;
+  ContestDriver& driver_;
+  bool errs_;
+  BelievedWalls* weighed_;  ///< where there are, the mouse gets another chance when its walls leave no way
+  FastestRoutes routes_;
+  SearchField home_;
+  std::optional<WallSet> planned_over_, hoped_over_;  ///< the walls for which there are fastest routes, and `hoped_`
+  DriveTime hoped_ = no_time;
+  DriveRoute route_;
+  bool replanned_ = false;
+  static constexpr int most_doubts = 8;
+  int doubts_ = 0;     ///< in this run
+  bool goal_entered_;  ///< whether it believes to have been in a goal
+};
+
+}  // namespace
+
+void run_contest(const Maze& maze, const DriveRules& rules, const DriveModel& model, Strategy& mouse,
+                 ContestDriver& driver, PhysicalRecord& record) {
+  DriveContest(maze, rules, model, mouse, driver, record).run();
+}
+
+}  // namespace labmouse
