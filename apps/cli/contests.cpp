@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -208,6 +209,6 @@ std::vector<double> numbers_of(std::string_view option, const std::string& text,
   }
 }
 
-std::vector<double> noises_of(const std::string& text) { return numbers_of("--noise", text, 100.0); }
+std::vector<double> noises_of(const std::string& text) { return numbers_of("--noise", text, most_noise); }
 
 }  // namespace labmouse::cli

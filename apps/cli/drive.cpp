@@ -116,7 +116,7 @@ void add_drive(Command& app, int& exit) {
   command
       ->add_option("--spread", options->spread,
                    "How far drives are apart: factor of what each draws of the mouse itself")
-      ->check(in_range(0.0, 10.0))
+      ->check(in_range(0.0, most_spread))
       ->capture_default_str();
   command->add_option("--search-speed", options->speed, "Speed of the moves in mm/s; 0: the robot's own")
       ->check(search_speed())

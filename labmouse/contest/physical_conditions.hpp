@@ -22,10 +22,15 @@ struct PhysicalConditions {
   int trace_every = 0;  ///< ticks between two points of the trace; 0: none
 };
 
+// What conditions can be, for all who read them.
+
+/// Factors of the noise and of how far contests are apart.
+inline constexpr double most_noise = 100.0, most_spread = 10.0;
+
 /// As slowly as a mouse can be driven, as a part of its usual pace.
 inline constexpr double least_pace = 0.2;
 
-/// Speeds of a search that can be chosen, in mm/s. Less is no speed of a mouse, but one in m/s.
+/// Speeds of a search that can be chosen, in mm/s. Less is no speed of a mouse, but one in m/s; older records have it.
 inline constexpr double least_search_speed = 10.0, most_search_speed = 20'000.0;
 
 /// What a pilot knows of its hardware: the book, and how far mice like it are spread at noise 1; not how much noise

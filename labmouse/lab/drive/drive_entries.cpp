@@ -140,7 +140,7 @@ Parts parts_with_errors(const WorldEntry& entry, const WorldSettings& chosen) {
         fmt::format("error: --robot: {} cannot drive in the physical world: {}", shown(parts.model->robot.name), why);
     return parts;
   }
-  parts.conditions.noise.all = number_in(entry, chosen, "noise", 100.0, parts.error).value_or(0.0);
+  parts.conditions.noise.all = number_in(entry, chosen, "noise", most_noise, parts.error).value_or(0.0);
   parts.conditions.pilot.pace = number_in(entry, chosen, "pace", 1.0, parts.error).value_or(1.0);
   if (parts.error.empty() && parts.conditions.pilot.pace < least_pace)
     parts.error = fmt::format("error: --pace: {:g} is less than {:g}", parts.conditions.pilot.pace, least_pace);
@@ -156,7 +156,7 @@ WorldResult make_physical(const WorldSettings& chosen) {
   Parts parts = parts_with_errors(physical_entry, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
   PhysicalConditions& conditions = parts.conditions;
-  conditions.noise.spread = number_in(physical_entry, chosen, "spread", 10.0, parts.error).value_or(0.0);
+  conditions.noise.spread = number_in(physical_entry, chosen, "spread", most_spread, parts.error).value_or(0.0);
   conditions.pilot.search_speed =
       number_in(physical_entry, chosen, "search-speed", most_search_speed, parts.error).value_or(0.0);
   if (parts.error.empty() && conditions.pilot.search_speed > 0.0 && conditions.pilot.search_speed < least_search_speed)
@@ -200,11 +200,7 @@ std::optional<Parts> restored_with_errors(const ReadJson& json) {
   std::optional<Parts> parts = restored_parts(json);
   if (!parts || !why_not_physical(*parts->model).empty()) return std::nullopt;
   JsonFields fields(json, "");
-  parts->conditions.noise.all = fields.number("noise", 0.0, 100.0);
-  parts->conditions.noise.spread = fields.number("spread", 0.0, 10.0);
-  parts->conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
-  if (json.contains("pace")) parts->conditions.pilot.pace = fields.number("pace", least_pace, 1.0);
-  if (json.contains("map")) parts->conditions.map = map_kind_in(fields);
+  read_common_conditions(fields, parts->conditions);
   return fields.error().empty() ? parts : std::nullopt;
 }
 

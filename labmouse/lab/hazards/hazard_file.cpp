@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "labmouse/chance/dice.hpp"
+#include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/lab/hazards/builtin_hazards.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/system/named_text.hpp"
@@ -27,8 +28,8 @@ class HazardReader {
   HazardTally tally(const ReadJson& json) {
     JsonFields fields(json, "noises");
     HazardTally tally;
-    tally.noise = fields.number("noise", 0.0, 100.0);
-    tally.pace = fields.number("pace", 0.01, 1.0);
+    tally.noise = fields.number("noise", 0.0, most_noise);
+    tally.pace = fields.number("pace", least_pace, 1.0);
     const ReadJson& by_luck = list_of(fields, "by_luck", luck_classes);
     for (std::size_t luck = 0; luck < by_luck.size(); ++luck) tally.by_luck[luck] = counts(by_luck[luck]);
     note(fields);
@@ -135,8 +136,8 @@ FoundHazards read_hazards(std::string_view text, const std::string& name) {
   file.robot = fields.text("robot");
   file.tables = fields.text("tables");
   file.edition = fields.whole("edition", 1, 1'000'000);
-  file.spread = fields.number("spread", 0.0, 1000.0);
-  file.search_speed = fields.number("search_speed", 0.0, 20'000.0);
+  file.spread = fields.number("spread", 0.0, most_spread);
+  file.search_speed = fields.number("search_speed", 0.0, most_search_speed);
   HazardReader reader;
   const ReadJson& noises = fields.list("noises");
   if (noises.empty() || noises.size() > 100) fields.reject("'noises' has no entries, or more than 100");

@@ -124,7 +124,7 @@ std::string Reading::begin_run(const ReadJson& json) {
   run.open = walls_in(json, "open", size(), fields);
   run.closed = walls_in(json, "closed", size(), fields);
   run.touched = file_.physical && fields.has("touched") && fields.flag("touched");
-  if (file_.physical && fields.has("pace")) run.pace = fields.number("pace", 0.01, 1.0);
+  if (file_.physical && fields.has("pace")) run.pace = fields.number("pace", least_pace, 1.0);
   if (run.kind == DriveRun::Kind::fast) run.route.time = 0;
   runs().push_back(std::move(run));
   running_ = true;

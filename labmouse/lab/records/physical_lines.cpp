@@ -213,23 +213,23 @@ std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_l
       (time_limit / millisecond + most_points - 1) / most_points);
 }
 
-MapKind map_kind_in(JsonFields& fields) {
+void read_common_conditions(JsonFields& fields, PhysicalConditions& conditions) {
+  conditions.noise.all = fields.number("noise", 0.0, most_noise);
+  conditions.noise.spread = fields.number("spread", 0.0, most_spread);
+  conditions.pilot.search_speed = fields.number("search_speed", 0.0, most_search_speed);
+  // Records of old have none of these.
+  if (fields.has("pace")) conditions.pilot.pace = fields.number("pace", least_pace, 1.0);
+  if (!fields.has("map")) return;
   const std::optional<MapKind> kind = map_kind_of(fields.text("map"));
   if (!kind) fields.fail("has a 'map' that is none of first, belief and learned");
-  return kind.value_or(MapKind::first);
+  conditions.map = kind.value_or(MapKind::first);
 }
 
 void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer) {
   JsonFields fields(json, "physical");
-  constexpr double most = 1000.0;
   part.edition = fields.whole("edition", 1, 1'000'000);
-  part.conditions.noise.all = fields.number("noise", 0.0, most);
-  part.conditions.noise.spread = fields.number("spread", 0.0, most);
+  read_common_conditions(fields, part.conditions);
   part.conditions.handling = fields.long_whole("handling", 0, longest_time);
-  part.conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
-  // Records of old have none.
-  if (fields.has("map")) part.conditions.map = map_kind_in(fields);
-  if (fields.has("pace")) part.conditions.pilot.pace = fields.number("pace", 0.01, 1.0);
   part.conditions.trace_every = fields.whole("trace_every", 0, 1'000'000);
   part.notes.foreign_parts = fields.has("foreign_parts") && fields.flag("foreign_parts");
   part.notes.by_dice = fields.has("hazards");
@@ -244,7 +244,7 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
     JsonFields groups(json["groups"], "groups"), corrections(json["corrections"], "corrections");
     for (std::size_t i = 0; i < noise_groups; ++i)
       part.conditions.noise.groups[i] =
-          groups.number(std::string(name_of(static_cast<NoiseGroup>(i))).c_str(), 0.0, most);
+          groups.number(std::string(name_of(static_cast<NoiseGroup>(i))).c_str(), 0.0, most_noise);
     part.conditions.pilot.corrections = {corrections.flag("sides"), corrections.flag("edges"),
                                          corrections.flag("front")};
     fields.reject(groups.error());

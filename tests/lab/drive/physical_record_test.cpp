@@ -71,6 +71,25 @@ TEST(PhysicalRecord, WithoutAKindOfMapIsOfOneThatNeverForgets) {
   EXPECT_FALSE(read_drive_record(changed(text, "\"map\":\"first\"", "\"map\":\"last\"")).file);
 }
 
+TEST(PhysicalRecord, IsReadUnderAllConditionsThatCanBeChosen) {
+  const auto is_read = [](double noise, double spread, double pace, double search_speed) {
+    DriveRecordFile file = physical_file("flood", at_noise(0.0));
+    PhysicalConditions& conditions = file.physical->conditions;
+    conditions.noise.all = noise;
+    conditions.noise.spread = spread;
+    conditions.pilot.pace = pace;
+    conditions.pilot.search_speed = search_speed;
+    return read_drive_record(write_drive_record(file)).file.has_value();
+  };
+  EXPECT_TRUE(is_read(most_noise, most_spread, least_pace, most_search_speed));
+  // Earlier versions took it for a speed.
+  EXPECT_TRUE(is_read(1.0, 1.0, 1.0, least_search_speed / 2.0));
+  EXPECT_FALSE(is_read(1.01 * most_noise, 1.0, 1.0, 0.0));
+  EXPECT_FALSE(is_read(1.0, 1.01 * most_spread, 1.0, 0.0));
+  EXPECT_FALSE(is_read(1.0, 1.0, 0.99 * least_pace, 0.0));
+  EXPECT_FALSE(is_read(1.0, 1.0, 1.0, 1.01 * most_search_speed));
+}
+
 TEST(PhysicalRecord, DisagreesWhereAnythingWasChanged) {
   const std::string text = write_drive_record(physical_file("flood-return", traced(2.0), 5));
   EXPECT_EQ(replay(read(text)), "");
