@@ -36,6 +36,10 @@ void Body::put(const Position& position, double angle) {
   since_slide_ = never;
 }
 
+void Body::put(Cell cell, Heading heading) {
+  put({(cell.x + 0.5) * field_.cell(), (cell.y + 0.5) * field_.cell()}, pi / 2.0 * (1 - static_cast<int>(heading)));
+}
+
 Touch Body::step(const Drive& drive) {
   Touch touched = Touch::none;
   if (!crashed_) {

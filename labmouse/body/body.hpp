@@ -30,6 +30,8 @@ class Body {
 
   /// A hand puts it there, as well as hands do: at rest, angle in rad to the left of east. Calibrates the gyro.
   void put(const Position& position, double angle);
+  /// The same in the middle of a cell.
+  void put(Cell cell, Heading heading);
   /// A tick; after a crash the mouse lies still until it is put somewhere.
   Touch step(const Drive& drive);
 

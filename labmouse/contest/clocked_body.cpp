@@ -7,9 +7,6 @@ constexpr MazeTime tick_time = 1000;
 /// A mouse that has slid so many ticks before a crash has crashed because of that.
 constexpr int slide_ticks = 300;
 
-/// To the left of east.
-double angle_of(Heading heading) { return pi / 2.0 * (1 - static_cast<int>(heading)); }
-
 }  // namespace
 
 ClockedBody::ClockedBody(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
@@ -21,11 +18,6 @@ ClockedBody::ClockedBody(const Maze& maze, const DriveModel& model, const Physic
       record_(record),
       body_(maze, cell_, *model.robot.hardware, conditions.noise, seed) {
   record_.frailty = body_.specimen().frailty();
-}
-
-void ClockedBody::put_at_start() {
-  const Cell start = maze_.start();
-  body_.put({(start.x + 0.5) * cell_, (start.y + 0.5) * cell_}, angle_of(maze_.start_heading()));
 }
 
 bool ClockedBody::step(const Drive& duties) {

@@ -18,7 +18,7 @@ class ClockedBody {
               MazeTime time_limit, PhysicalRecord& record);
 
   /// A hand puts it at the start.
-  void put_at_start();
+  void put_at_start() { body_.put(maze_.start(), maze_.start_heading()); }
   /// A tick; false after a crash, and at the end of the time.
   bool step(const Drive& duties);
   void wait(MazeTime time) { clock_ += time; }

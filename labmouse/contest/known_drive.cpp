@@ -63,8 +63,7 @@ class KnownDriver {
         body_(maze, cell_, *model.robot.hardware, conditions.noise, seed),
         pilot_(model, told_, maze.size(), gains_for(told_, cell_), conditions.pilot),
         log_(log) {
-    const Position middle = {(maze.start().x + 0.5) * cell_, (maze.start().y + 0.5) * cell_};
-    body_.put(middle, pi / 2.0 * (1 - static_cast<int>(maze.start_heading())));
+    body_.put(maze.start(), maze.start_heading());
     if (log_ != nullptr) stand();
     pilot_.put({maze.start(), maze.start_heading()});
   }

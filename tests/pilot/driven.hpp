@@ -26,7 +26,7 @@ class Driven {
   }
 
   void put(const Pose& pose) {
-    body_.put(middle_of(pose.cell), pi / 2.0 * (1 - static_cast<int>(pose.heading)));
+    body_.put(pose.cell, pose.heading);
     pilot_.put(pose);
     pending_ = false;
   }
