@@ -36,4 +36,18 @@ inline Maze drawn(std::string_view drawing) {
   return *read.maze;
 }
 
+/// A ring of eight cells, with the goal in its middle on the right.
+inline const Maze& ring() {
+  static const Maze maze = drawn(R"(
+    o---o---o---o
+    |           |
+    o   o---o   o
+    |   |   | G |
+    o   o---o   o
+    | S |       |
+    o---o---o---o
+  )");
+  return maze;
+}
+
 }  // namespace labmouse::test

@@ -19,25 +19,14 @@
 namespace labmouse {
 namespace {
 
+using test::ring;
+
 constexpr Action on = Action::step(0, 1), right = Action::step(90, 1), back = Action::step(180, 1);
 
 /// Cells in 300 ms, small turns in 237, back in 3 s.
 const DriveModel& published() {
   static const DriveModel model = make_drive_model(published_robot());
   return model;
-}
-
-/// A ring of eight cells, with the goal in its middle on the right: its edge is entered after 1,374 ms.
-Maze ring() {
-  return test::drawn(R"(
-    o---o---o---o
-    |           |
-    o   o---o   o
-    |   |   | G |
-    o   o---o   o
-    | S |       |
-    o---o---o---o
-  )");
 }
 
 DriveRules rules_with(MazeTime time_limit, bool gate_to_gate) {

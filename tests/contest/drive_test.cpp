@@ -13,6 +13,7 @@
 namespace labmouse {
 namespace {
 
+using test::ring;
 using test::Scripted;
 
 constexpr Action on = Action::step(0, 1), left = Action::step(-90, 1), right = Action::step(90, 1);
@@ -30,20 +31,6 @@ DriveRules plain_rules() {
 const DriveModel& model() {
   static const DriveModel published = make_drive_model(published_robot());
   return published;
-}
-
-/// A ring of eight cells, with the goal in its middle on the right.
-const Maze& ring() {
-  static const Maze maze = test::drawn(R"(
-    o---o---o---o
-    |           |
-    o   o---o   o
-    |   |   | G |
-    o   o---o   o
-    | S |       |
-    o---o---o---o
-  )");
-  return maze;
 }
 
 /// The way there.

@@ -15,18 +15,7 @@
 namespace labmouse {
 namespace {
 
-const Maze& ring() {
-  static const Maze maze = test::drawn(R"(
-    o---o---o---o
-    |           |
-    o   o---o   o
-    |   |   | G |
-    o   o---o   o
-    | S |       |
-    o---o---o---o
-  )");
-  return maze;
-}
+using test::ring;
 
 struct Contest {
   DriveRules rules = find_rules("all-japan").rules;

@@ -15,23 +15,10 @@ namespace labmouse {
 namespace {
 
 using test::Driven;
+using test::ring;
 
 constexpr Action on = Action::step(0, 1), left = Action::step(-90, 1), right = Action::step(90, 1),
                  back = Action::step(180, 1), stop = Action::step(0, 0);
-
-/// A ring of eight cells, with the goal in its middle on the right.
-const Maze& ring() {
-  static const Maze maze = test::drawn(R"(
-    o---o---o---o
-    |           |
-    o   o---o   o
-    |   |   | G |
-    o   o---o   o
-    | S |       |
-    o---o---o---o
-  )");
-  return maze;
-}
 
 const std::vector<const DriveModel*> all_models() { return {&test::kerise(), &test::classic(), &test::beginner()}; }
 

@@ -14,19 +14,6 @@ inline std::shared_ptr<const DriveModel> drive_model(const std::string& robot) {
   return std::make_shared<DriveModel>(find_robot(robot).model);
 }
 
-/// A ring of eight cells, with the goal in its middle on the right.
-inline Maze ring() {
-  return drawn(R"(
-    o---o---o---o
-    |           |
-    o   o---o   o
-    |   |   | G |
-    o   o---o   o
-    | S |       |
-    o---o---o---o
-  )");
-}
-
 /// The record of a contest of that mouse.
 inline DriveRecordFile driven(const std::string& mouse, const Maze& maze = ring(), const std::string& robot = "mm2021",
                               const std::string& rules = "all-japan") {
