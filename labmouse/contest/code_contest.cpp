@@ -73,7 +73,7 @@ class CodeContest {
 
   /// It has left the start cell, where it rested before.
   void begin_run() {
-    if (starts() >= rules_.most_runs) {
+    if (starts_of(record_.drive) >= rules_.most_runs) {
       over_ = true;
       return;
     }
@@ -102,7 +102,7 @@ class CodeContest {
     record_.ends.back() = goal ? RunEnd::done : end;
     run().end = rest_ = body_.clock();
     running_ = false;
-    if (run().kind != Kind::home && starts() >= rules_.most_runs) over_ = true;
+    if (run().kind != Kind::home && starts_of(record_.drive) >= rules_.most_runs) over_ = true;
   }
 
   void end_contest(RunEnd end) {
@@ -113,7 +113,7 @@ class CodeContest {
   void carry(RunEnd end) {
     const bool crashed = body_.crashed();
     if (running_) end_run(end);
-    over_ = over_ || starts() >= rules_.most_runs;
+    over_ = over_ || starts_of(record_.drive) >= rules_.most_runs;
     if (over_) return;
     ++record_.carried;
     // At least a tick, so that nobody is carried for ever.
@@ -128,12 +128,6 @@ class CodeContest {
     record_.drive.outcome = DriveOutcome::forfeit;
     record_.drive.reason = code_.reason();
     end_contest(RunEnd::given_up);
-  }
-
-  int starts() const {
-    const auto& runs = record_.drive.runs;
-    return static_cast<int>(
-        std::count_if(runs.begin(), runs.end(), [](const DriveRun& run) { return run.kind != Kind::home; }));
   }
 
   const Maze& maze_;

@@ -113,15 +113,10 @@ class DriveContest {
     return decide({start_, true});
   }
 
-  int starts() const {
-    const auto& runs = record_.drive.runs;
-    return static_cast<int>(
-        std::count_if(runs.begin(), runs.end(), [](const DriveRun& run) { return run.kind != DriveRun::Kind::home; }));
-  }
-
   /// Opens the record of a run; false where time or rules allow none.
   bool begin(DriveRun::Kind kind) {
-    if (driver_.out_of_time() || (kind != DriveRun::Kind::home && starts() >= rules_.most_runs)) return false;
+    if (driver_.out_of_time() || (kind != DriveRun::Kind::home && starts_of(record_.drive) >= rules_.most_runs))
+      return false;
     const Knowledge& known = driver_.known();
     DriveRun run;
     run.kind = kind;
@@ -198,7 +193,7 @@ class DriveContest {
   }
 
   void give_up(ForfeitReason reason) {
-    if (reason == ForfeitReason::finished && starts() > 1) return;
+    if (reason == ForfeitReason::finished && starts_of(record_.drive) > 1) return;
     record_.drive.outcome = DriveOutcome::forfeit;
     record_.drive.reason = reason;
   }

@@ -1,5 +1,7 @@
 #include "labmouse/contest/drive_score.hpp"
 
+#include <algorithm>
+
 namespace labmouse {
 namespace {
 
@@ -19,6 +21,11 @@ std::optional<DriveRunScore> score_of(const DriveRun& run, const DriveRules& rul
 }
 
 }  // namespace
+
+int starts_of(const DriveRecord& record) {
+  return static_cast<int>(std::count_if(record.runs.begin(), record.runs.end(),
+                                        [](const DriveRun& run) { return run.kind != DriveRun::Kind::home; }));
+}
 
 MazeTime maze_time_part(MazeTime before, const DriveRules& rules) {
   const int divisor = rules.maze_time_divisor;

@@ -35,6 +35,9 @@ struct DriveScore {
   friend bool operator==(const DriveScore&, const DriveScore&) = default;
 };
 
+/// How many runs began at the start.
+int starts_of(const DriveRecord& record);
+
 /// The part of a time in the maze that counts with a run, to the nearest microsecond.
 MazeTime maze_time_part(MazeTime before, const DriveRules& rules);
 

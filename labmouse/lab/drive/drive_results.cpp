@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -42,11 +40,6 @@ MazeTime search_time_of(const DriveRecord& record) {
     search = run.end;
   }
   return search;
-}
-
-int starts_of(const DriveRecord& record) {
-  return static_cast<int>(std::count_if(record.runs.begin(), record.runs.end(),
-                                        [](const DriveRun& run) { return run.kind != DriveRun::Kind::home; }));
 }
 
 void add_score(MazeTime value, const DriveBound& bound, const DriveRules& rules, ContestResult& result) {

@@ -22,8 +22,6 @@ std::optional<MazeTime> best_of(const DriveScore& score);
 std::optional<double> excess_of(const std::optional<MazeTime>& best, const DriveBound& bound);
 /// In the maze before the first fast run; all of the time where there is none.
 MazeTime search_time_of(const DriveRecord& record);
-/// Runs that began at the start.
-int starts_of(const DriveRecord& record);
 /// Sets the score of a result, and its ratio to the bound.
 void add_score(MazeTime value, const DriveBound& bound, const DriveRules& rules, ContestResult& result);
 
