@@ -4,6 +4,7 @@
 namespace labmouse::test {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -52,12 +53,13 @@ TEST_F(ARunner, GoesWhereItsMouseCanGo) {
   is_refused({"run", "certify", "m.txt", "--world", "physical", "--noise", "1,2"}, "several values");
 }
 
-TEST_F(ARunner, WatchesStepsAlone) {
-  for (const char* world : {"seconds", "physical", "fallible", "mms"}) {
-    Ended refused = run_in(world, {"--watch", "--record", "w.jsonl"});
-    EXPECT_EQ(refused.code, 2) << world;
-    EXPECT_THAT(refused.err, Says("--watch", world));
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "w.jsonl")) << world;
+TEST_F(ARunner, WatchesEveryWorld) {
+  for (const char* world : {"strides", "seconds", "physical", "fallible", "mms"}) {
+    const std::string plain = run_in(world).out;
+    const Ended watched = run_in(world, {"--watch"});
+    EXPECT_EQ(watched.code, 0) << world << watched.err;
+    EXPECT_THAT(watched.out, EndsWith(plain)) << world;
+    EXPECT_GT(watched.out.size(), 2 * plain.size()) << world;
   }
 }
 

@@ -4,6 +4,8 @@
 namespace labmouse::test {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -127,9 +129,11 @@ TEST_F(ADriver, SavesRecordsAndPlaysThemAgain) {
   EXPECT_EQ(content("shown.svg"), content("replayed.svg"));
   EXPECT_THAT(labmouse({"score", record}).out, StartsWith("certify in corner.txt, mm2021, all-japan: "));
   EXPECT_EQ(nlohmann::json::parse(content("saved/results.json"))["groups"][0]["world"], "seconds");
-  is_refused({"show", "--record", record}, "seconds", "--svg");
+  EXPECT_THAT(labmouse({"show", "--record", record}).out,
+              AllOf(StartsWith("   o---"), HasSubstr("\ncertify in corner.txt, mm2021, all-japan: ")));
   is_refused({"show", "--record", record, "--svg", "x.svg", "--layer", "heat"}, "--layer", "seconds");
-  is_refused({"replay", record, "--watch"}, "--watch", "seconds");
+  EXPECT_THAT(labmouse({"replay", record, "--watch"}).out, AllOf(HasSubstr(" s  search  at "), EndsWith(replayed.out)));
+  EXPECT_EQ(labmouse({"replay", record, "--maze", "capstone-1"}).code, 1);
 }
 
 TEST_F(ADriver, IsToldOfRecordsThatCannotHaveHappened) {

@@ -1,0 +1,91 @@
+// A sixth world as a sketch: the world of robots without errors, but for a battery that does not always last. Dice
+// decide for each contest how much of its time the mouse has. Whatever serves all worlds serves this one, too.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/drive_coverage.hpp"
+#include "labmouse/lab/drive/drive_fields.hpp"
+#include "labmouse/lab/drive/drive_results.hpp"
+#include "labmouse/lab/drive/drive_world.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/standings/race_notes.hpp"
+#include "tests/sixth/battery_entry.hpp"
+
+namespace labmouse {
+namespace {
+
+class BatteryWorld final : public DriveWorld {
+ public:
+  BatteryWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, std::string robot, int noise)
+      : DriveWorld(rules, std::move(model)), robot_(std::move(robot)), noise_(noise) {}
+
+  std::string_view name() const override { return "battery"; }
+  std::vector<Condition> conditions() const override { return {{"robot", robot_}, {"noise", std::int64_t{noise_}}}; }
+  std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
+  using DriveWorld::refuse;
+  bool throws_dice() const override { return true; }
+  const WorldFields& fields() const override { return seconds_fields(); }
+  std::string notes(const Race&) const override { return score_note(*this); }
+
+ private:
+  DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
+                      bool /*traced*/, const std::atomic<bool>* /*stop*/) const override {
+    DriveRules lasting = rules();
+    Dice dice(contest.seed);
+    for (int times = 0; times < noise_; ++times) lasting.time_limit -= lasting.time_limit * dice.below(100) / 100;
+    const auto strategy = mouse.drive(maze, brief(maze, lasting, model(), contest.seed));
+    DrivenContest driven;
+    driven.record = labmouse::drive(maze, lasting, model(), *strategy);
+    driven.coverage = coverage_of(driven.record, maze, reachable);
+    return driven;
+  }
+
+  std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& /*score*/) const override {
+    const DriveRecord& record = driven.record;
+    return {false,
+            std::int64_t{starts_of(record)},
+            std::int64_t{record.decisions},
+            std::int64_t{record.replanned},
+            driven.coverage->discovered,
+            driven.coverage->visited};
+  }
+
+  std::string robot_;
+  int noise_;
+};
+
+constexpr std::array settings = {
+    WorldSetting{.name = "robot", .placeholder = "ROBOT", .meaning = "Robot", .default_value = "classic"},
+    WorldSetting{.name = "noise",
+                 .placeholder = "N",
+                 .meaning = "How often dice shorten the time",
+                 .kind = WorldSetting::Kind::whole,
+                 .default_value = "1",
+                 .high = 9}};
+
+WorldResult make(const WorldSettings& chosen) {
+  const std::string name = value_of(battery_entry, chosen, "robot");
+  FoundRobot robot = find_robot(name);
+  if (!robot.errors.empty()) return {nullptr, robot.errors.front()};
+  return {std::make_shared<BatteryWorld>(find_rules("all-japan").rules,
+                                         std::make_shared<DriveModel>(std::move(robot.model)), name,
+                                         whole_of(battery_entry, chosen, "noise")),
+          ""};
+}
+
+}  // namespace
+
+const WorldEntry battery_entry = {.name = "battery",
+                                  .summary = "a robot whose battery may not last",
+                                  .settings = settings,
+                                  .make = make,
+                                  .records = &drive_records,
+                                  .call = "contest"};
+
+}  // namespace labmouse
