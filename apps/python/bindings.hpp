@@ -10,7 +10,6 @@ void bind_errors(nanobind::module_& module);
 void bind_mazes(nanobind::module_& module);
 void bind_sightings(nanobind::module_& module);
 void bind_briefings(nanobind::module_& module);
-void bind_minds(nanobind::module_& module);
 void bind_live_strategies(nanobind::module_& module);
 void bind_races(nanobind::module_& module);
 void bind_robots(nanobind::module_& module);

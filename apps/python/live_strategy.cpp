@@ -1,5 +1,6 @@
 #include "live_strategy.hpp"
 
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
@@ -123,9 +124,13 @@ class ThreadStrategy final : public Strategy {
   const Knowledge& knowledge() const override { return knowledge_; }
   bool started() const override { return is_left_ || seat_->started; }
   std::string_view last_words() override {
-    ask([](Seat& seat) { seat.words = seat.mouse->last_words(); });
+    ask([](Seat& seat) {
+      seat.words = seat.mouse->last_words();
+      seat.microseconds = seat.mouse->microseconds();
+    });
     return is_left_ ? std::string_view() : seat_->words;
   }
+  std::optional<double> microseconds() const override { return is_left_ ? std::nullopt : seat_->microseconds; }
 
  private:
   struct Seat {
@@ -138,6 +143,7 @@ class ThreadStrategy final : public Strategy {
     bool started = true;
     Action action;
     std::string words;
+    std::optional<double> microseconds;
 
     /// A mouse that was left behind is not cleaned up: the interpreter may be at its end.
     void end() {
@@ -177,31 +183,31 @@ class ThreadStrategy final : public Strategy {
   std::thread thread_;
 };
 
-/// In another process. What is called there raises where the process has died, and gives None where the race is
-/// stopped.
+/// In another process.
 class ProcessStrategy final : public Strategy {
  public:
   ProcessStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing)
       : maker_(maker), knowledge_(briefing.size) {
-    call([&] { contest_ = maker_->elsewhere().attr("begin")(PythonBriefing{briefing}); });
-    call([&] { started_ = nb::cast<bool>(contest_.attr("started")); });
+    call([&] {
+      contest_ = maker_->elsewhere()(PythonBriefing{briefing});
+      started_ = nb::cast<bool>(contest_.attr("started"));
+    });
+    idle_.emplace();
   }
   ProcessStrategy(const ProcessStrategy&) = delete;
   ProcessStrategy& operator=(const ProcessStrategy&) = delete;
-  ~ProcessStrategy() override {
-    const nb::gil_scoped_acquire lock;
-    call([&] { contest_.attr("end")(); });
-    contest_.reset();
-  }
+  ~ProcessStrategy() override { end(); }
 
   Action decide(const Sighting& seen) override {
-    std::optional<Action> action;
+    Action action = Action::forfeit(ForfeitReason::died);
     call([&] {
       const nb::object answer = contest_.attr("decide")(seen.left, seen.ahead, seen.right);
-      action =
-          answer.is_none() ? Action::forfeit(ForfeitReason::interrupted) : action_of(nb::cast<ActionFields>(answer));
+      if (!answer.is_none())
+        action = action_of(nb::cast<ActionFields>(answer));
+      else if (!nb::cast<bool>(contest_.attr("died")))
+        action = Action::forfeit(ForfeitReason::interrupted);
     });
-    return action.value_or(Action::forfeit(ForfeitReason::died));
+    return action;
   }
   void show(const Pose& pose, const Sighting& seen) override {
     call([&] {
@@ -215,11 +221,20 @@ class ProcessStrategy final : public Strategy {
   const Knowledge& knowledge() const override { return knowledge_; }
   bool started() const override { return started_; }
   std::string_view last_words() override {
-    if (last_words_.empty()) call([&] { last_words_ = nb::cast<std::string>(contest_.attr("last_words")()); });
+    end();
     return last_words_;
   }
+  std::optional<double> microseconds() const override { return microseconds_; }
 
  private:
+  void end() {
+    call([&] {
+      contest_.attr("end")();
+      last_words_ = nb::cast<std::string>(contest_.attr("last_words"));
+      microseconds_ = nb::cast<std::optional<double>>(contest_.attr("microseconds"));
+    });
+  }
+
   /// Not after it has raised: then the mouse is dead.
   template <class Calling>
   void call(Calling calling) {
@@ -233,14 +248,17 @@ class ProcessStrategy final : public Strategy {
     }
   }
 
+  nb::gil_scoped_acquire lock_;  // without it, each call would make a state of this thread anew
   std::shared_ptr<const MouseMaker> maker_;
   nb::object contest_;
   Knowledge knowledge_;
   bool started_ = true, is_dead_ = false;
   std::string last_words_;
+  std::optional<double> microseconds_;
+  std::optional<nb::gil_scoped_release> idle_;  // last: all others end with the lock
 };
 
-/// A mouse in this process for another one, which asks it by lines.
+/// A mouse in this process that another one asks.
 class NativeStrategy {
  public:
   NativeStrategy(nb::object maker, const PythonBriefing& told)
@@ -283,7 +301,8 @@ void bind_live_strategies(nb::module_& module) {
           "x"_a, "y"_a, "heading"_a, "left"_a, "ahead"_a, "right"_a)
       .def(
           "carried", [](NativeStrategy& strategy, std::int64_t time) { strategy.mouse().carried(time); }, "time"_a)
-      .def("last_words", [](NativeStrategy& strategy) { return std::string(strategy.mouse().last_words()); });
+      .def("last_words", [](NativeStrategy& strategy) { return std::string(strategy.mouse().last_words()); })
+      .def_prop_ro("microseconds", [](NativeStrategy& strategy) { return strategy.mouse().microseconds(); });
 }
 
 }  // namespace labmouse::python

@@ -1,4 +1,4 @@
-// A mouse in Python that is asked decision by decision, by a world in which what it sees depends on chance.
+// A mouse in Python, which is asked for one decision at a time.
 #pragma once
 
 #include <atomic>

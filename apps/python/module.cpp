@@ -32,7 +32,6 @@ NB_MODULE(_native, module) {
   labmouse::python::bind_mazes(module);
   labmouse::python::bind_sightings(module);
   labmouse::python::bind_briefings(module);
-  labmouse::python::bind_minds(module);
   labmouse::python::bind_live_strategies(module);
   labmouse::python::bind_races(module);
   labmouse::python::bind_records(module);

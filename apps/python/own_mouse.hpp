@@ -11,9 +11,8 @@
 namespace labmouse::python {
 
 /// A mouse in Python: its name, what makes it once a contest, and whether it is stochastic. `elsewhere` is None where
-/// the mouse is to decide in this process. Else it is called with each contest in steps, as play() behind the maker,
-/// and gives what play() gave in another process; and its `begin` takes a briefing and gives what decides there:
-/// live_strategy.
+/// the mouse decides in this process. Else it is called with the briefing of each contest and returns what decides in
+/// another process: Contest of labmouse/_workers.py.
 struct OwnMouse {
   std::string name;
   nanobind::object maker;

@@ -105,6 +105,31 @@ class PythonMind final : public Strategy {
   }
 
   Action decide(const Sighting& seen) override {
+    const auto begin = Clock::now();
+    const Action action = decided(seen);
+    spent_ += Clock::now() - begin;
+    return action;
+  }
+
+  void show(const Pose& pose, const Sighting& seen) override {
+    tell(show_, [&] { show_(int{pose.cell.x}, int{pose.cell.y}, name_of(pose.heading).data(), sighting_of(seen)); });
+  }
+  void carried(std::int64_t time) override {
+    tell(carried_, [&] { carried_(static_cast<double>(time) / 1e6); });
+  }
+
+  /// Nothing: what it believes nobody sees.
+  const Knowledge& knowledge() const override { return knowledge_; }
+  bool started() const override { return started_; }
+  std::string_view last_words() override { return last_words_; }
+  std::optional<double> microseconds() const override {
+    return std::chrono::duration<double, std::micro>(spent_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Action decided(const Sighting& seen) {
     if (reason_ != ForfeitReason::none) return Action::forfeit(reason_);
     if (is_stopped()) {
       reason_ = ForfeitReason::interrupted;
@@ -133,19 +158,6 @@ class PythonMind final : public Strategy {
     return *action;
   }
 
-  void show(const Pose& pose, const Sighting& seen) override {
-    tell(show_, [&] { show_(int{pose.cell.x}, int{pose.cell.y}, name_of(pose.heading).data(), sighting_of(seen)); });
-  }
-  void carried(std::int64_t time) override {
-    tell(carried_, [&] { carried_(static_cast<double>(time) / 1e6); });
-  }
-
-  /// Nothing: what it believes nobody sees.
-  const Knowledge& knowledge() const override { return knowledge_; }
-  bool started() const override { return started_; }
-  std::string_view last_words() override { return last_words_; }
-
- private:
   /// Calls a method that a mouse need not have; what it raises ends the contest with the next decision.
   template <class Telling>
   void tell(const nb::object& method, Telling telling) {
@@ -183,6 +195,7 @@ class PythonMind final : public Strategy {
   bool has_run_ = false;
   ForfeitReason reason_ = ForfeitReason::none;
   std::string last_words_;
+  Clock::duration spent_{};
 };
 
 }  // namespace

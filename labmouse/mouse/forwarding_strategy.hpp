@@ -28,6 +28,7 @@ class ForwardingStrategy : public Strategy {
   const Knowledge& knowledge() const override { return mouse_.knowledge(); }
   std::span<const Counter> counters() const override { return mouse_.counters(); }
   std::string_view last_words() override { return mouse_.last_words(); }
+  std::optional<double> microseconds() const override { return mouse_.microseconds(); }
   bool started() const override { return mouse_.started(); }
   void keep_reasons() override { mouse_.keep_reasons(); }
   const Reasons* reasons() const override { return mouse_.reasons(); }

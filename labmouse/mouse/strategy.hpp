@@ -64,6 +64,10 @@ class Strategy {
   /// the last lines that it wrote to its standard error.
   virtual std::string_view last_words() { return {}; }
 
+  /// The microseconds that its decisions took, known after last_words(), where it measures them itself: a mouse in
+  /// another process does, and leaves out the way there and back.
+  virtual std::optional<double> microseconds() const { return std::nullopt; }
+
   /// Whether it can be asked at all: false of a guest whose program did not start, or ended before it greeted.
   virtual bool started() const { return true; }
 

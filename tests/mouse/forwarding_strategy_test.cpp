@@ -22,6 +22,7 @@ class AskedStrategy : public Strategy {
   MOCK_METHOD(const Knowledge&, knowledge, (), (const, override));
   MOCK_METHOD(std::span<const Counter>, counters, (), (const, override));
   MOCK_METHOD(std::string_view, last_words, (), (override));
+  MOCK_METHOD(std::optional<double>, microseconds, (), (const, override));
   MOCK_METHOD(bool, started, (), (const, override));
   MOCK_METHOD(void, keep_reasons, (), (override));
   MOCK_METHOD(const Reasons*, reasons, (), (const, override));
@@ -44,6 +45,7 @@ TEST(ForwardingStrategy, ForwardsCalls) {
   EXPECT_CALL(asked, knowledge).WillOnce(ReturnRef(knowledge));
   EXPECT_CALL(asked, counters).WillOnce(Return(std::span<const Counter>(counters)));
   EXPECT_CALL(asked, last_words).WillOnce(Return("lost"));
+  EXPECT_CALL(asked, microseconds).WillOnce(Return(1.5));
   EXPECT_CALL(asked, started).WillOnce(Return(false));
   EXPECT_CALL(asked, keep_reasons);
   EXPECT_CALL(asked, reasons).WillOnce(Return(&reasons));
@@ -57,6 +59,7 @@ TEST(ForwardingStrategy, ForwardsCalls) {
   EXPECT_EQ(&strategy.knowledge(), &knowledge);
   EXPECT_EQ(strategy.counters().data(), counters.data());
   EXPECT_EQ(strategy.last_words(), "lost");
+  EXPECT_EQ(strategy.microseconds(), 1.5);
   EXPECT_FALSE(strategy.started());
   strategy.keep_reasons();
   EXPECT_EQ(strategy.reasons(), &reasons);

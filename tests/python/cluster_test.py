@@ -148,8 +148,18 @@ class Turner:
         return (0, 1) if seen.ahead else (90, 0)
 
 
+class Quitter(Turner):
+    """Soon gives up."""
+
+    left = 30
+
+    def decide(self, seen):
+        self.left -= 1
+        return "forfeit" if self.left < 0 else super().decide(seen)
+
+
 def test_a_race_is_that_of_one_machine(client, tmp_path):
-    for mice in (MICE, {"turner": Turner, "other": "flood:stride=1"}):
+    for mice in (MICE, {"quitter": Quitter, "other": "flood:stride=1"}):
         alone = labmouse.race(mice, runs=3)
         spread = cluster.race(client, mice, runs=3, store=tmp_path / "a.db", label="v1")
         again = cluster.race(client, mice, runs=3, store=tmp_path / "a.db", label="v1")
@@ -181,7 +191,7 @@ def test_another_try_is_another_mouse(client, tmp_path):
 
 def test_the_physical_world_is_that_of_one_machine(client, tmp_path):
     options = dict(world="physical", noise=2)
-    mice = {"flood": "flood", "certify": "certify", "turner": Turner}
+    mice = {"flood": "flood", "certify": "certify", "quitter": Quitter}
     alone = labmouse.race(mice, MAZES[:2], **options)
     spread = cluster.race(client, mice, MAZES[:2], store=tmp_path / "a.db", **options)
     assert spread.complete and len(spread.table) == 18 and spread.table.equals(alone.table)

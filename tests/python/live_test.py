@@ -1,4 +1,4 @@
-"""Mice in Python in worlds with chance: they see what happens to them, and hear that they were carried to the start."""
+"""Mice in Python in worlds in seconds: they see what happens to them, and hear that they were carried to the start."""
 
 from pathlib import Path
 
@@ -102,7 +102,7 @@ def test_a_process_that_dies_on_its_way_is_a_forfeit():
             os._exit(3)
 
     record = labmouse.run(Deadly, MAZE, world="fallible")
-    assert record.outcome == "forfeit: died" and "3" in record.last_words
+    assert (record.outcome, record.last_words) == ("forfeit: died", "its process ended with exit code 3")
 
 
 class Teller:

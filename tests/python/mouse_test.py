@@ -258,6 +258,25 @@ def test_a_process_that_dies_is_a_forfeit():
     race = labmouse.race([Deadly, "flood"], ["contest-01", "contest-05"], jobs=2)
     assert race.complete
     assert race.table[race.table["mouse"] == "Deadly"]["outcome"].tolist() == ["forfeit: died"] * 2
+    assert labmouse.run(Deadly, "contest-01").last_words == "its process ended with exit code 3"
+
+
+def test_its_record_is_the_same_in_this_process_and_in_another():
+    here, there = (labmouse.run(Wanderer, "contest-05", seed=7, debug=debug) for debug in (True, False))
+    assert len(there.steps) > 100 and here.text == there.text
+
+
+@pytest.mark.parametrize("debug", [True, False])
+def test_what_it_did_before_it_died_is_in_its_record(debug):
+    class Tired:
+        left = 5
+
+        def decide(self, seen):
+            self.left -= 1
+            return (0, 0) if self.left else 1 / 0
+
+    record = labmouse.run(Tired, "contest-01", debug=debug)
+    assert record.outcome == "forfeit: died" and len(record.steps) == 5 and "ZeroDivisionError" in record.last_words
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
@@ -267,6 +286,11 @@ def test_the_time_of_its_decisions_is_its_own(jobs):
             return 0, min(range(20000))  # no machine does that in 20 microseconds
 
     assert labmouse.race(Thoughtful, "contest-01", budget=20, jobs=jobs).table["microseconds_per_decision"][0] > 20
+
+
+def test_the_time_of_its_decisions_is_not_that_of_the_way_to_its_process():
+    table = labmouse.race(answering((0, 0)), budget=100).table
+    assert table["microseconds_per_decision"].min() < 5  # a way there and back takes at least twice as long
 
 
 def test_an_object_is_refused_for_its_class():

@@ -9,7 +9,7 @@ from typing import Any, BinaryIO, Callable
 
 from ._by_value import loads
 from ._modules import is_own
-from ._native import Strategy, play
+from ._native import Strategy
 
 #: What such a process runs: it is first told where modules are, this one among them.
 PROGRAM = """
@@ -63,9 +63,8 @@ def _maker(mouse: bytes) -> "Callable[..., Any]":
         return broken
 
 
-def _decide(maker: "Callable[..., Any]", briefing: Any, questions: BinaryIO, answer: "Callable[[object], None]") -> None:
-    """A contest decision by decision, until the other process has heard the last words."""
-    strategy = Strategy(maker, briefing)
+def _decide(strategy: Strategy, questions: BinaryIO, answer: "Callable[[object], None]") -> None:
+    """Answers the questions of a contest, until it has ended."""
     answer(strategy.started)
     while True:
         what, words = pickle.load(questions)
@@ -76,7 +75,7 @@ def _decide(maker: "Callable[..., Any]", briefing: Any, questions: BinaryIO, ans
         elif what == "carried":
             strategy.carried(*words)
         else:
-            answer(strategy.last_words())
+            answer((strategy.last_words(), strategy.microseconds))
             return
 
 
@@ -113,10 +112,6 @@ def main() -> None:
         if what == "mice":
             [mice] = words
             continue
-        number, contest = words
+        number, briefing = words
         surroundings.restore()
-        if what == "play":
-            answer(play(_maker(mice[number]), *contest))
-        else:
-            [briefing] = contest
-            _decide(_maker(mice[number]), briefing, questions, answer)
+        _decide(Strategy(_maker(mice[number]), briefing), questions, answer)

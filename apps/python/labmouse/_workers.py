@@ -10,20 +10,17 @@ import pickle
 import subprocess
 import sys
 import threading
-from typing import Any, Union
+from functools import partial
+from typing import Any, Callable, Union
 
-from ._native import Briefing, Error, death
+from ._native import Briefing, Error
 from ._worker import PROGRAM
 
-#: What labmouse._native.play gives.
-Played = tuple[bytes, str, bool, float]
 #: Kind, rotation, movement and reason.
 Decision = tuple[int, int, int, int]
 
 #: What is raised where a process has ended, or where its pipes are closed.
 _GONE = (EOFError, OSError, ValueError, pickle.UnpicklingError)
-#: What was played of a contest that was interrupted.
-_INTERRUPTED: Played = b"", "", True, 0.0
 #: Sets of texts are in one of so many orders, by the seed of the contest. Each order needs processes of its own.
 HASH_ORDERS = 2
 
@@ -112,16 +109,20 @@ atexit.register(_idle.end)
 
 
 class Contest:
-    """A contest that is played decision by decision. Raises where its process dies; None and '' once the race is stopped."""
+    """A contest of a mouse that decides in another process, one decision at a time."""
 
     def __init__(self, workers: "Workers", mouse: int, briefing: Briefing) -> None:
         self.workers = workers
         self.worker = workers.take(briefing.seed)
-        self.words = ""
-        self.started: bool = self._asked(("begin", mouse, (briefing,)), True)
+        #: Whether its process has died, as the last words say.
+        self.died = False
+        #: The last words and the time of all decisions are known once the contest has ended.
+        self.last_words = ""
+        self.microseconds: "float | None" = None
+        self.started: bool = self._asked(("begin", mouse, briefing), True)
 
     def decide(self, left: int, ahead: int, right: int) -> "Decision | None":
-        """What the mouse answers to a reading."""
+        """What the mouse answers to a reading; None once its process has died or the race is stopped."""
         decision: "Decision | None" = self._asked(("decide", (left, ahead, right)), None)
         return decision
 
@@ -133,18 +134,13 @@ class Contest:
         """As of Strategy."""
         self._tell(("carried", (microseconds,)))
 
-    def last_words(self) -> str:
-        """Ends the contest."""
-        worker = self.worker
-        if worker is not None:
-            self.words = self._asked(("end", ()), "")
-            self.worker = None
-            self.workers.give_back(worker)
-        return self.words
-
     def end(self) -> None:
-        """Gives the process back, whether or not anybody asked for the last words."""
-        self.last_words()
+        """Gives the process back; more calls do nothing."""
+        ended = self._asked(("end", ()), None)
+        if ended is not None and self.worker is not None:
+            self.last_words, self.microseconds = ended
+            self.workers.give_back(self.worker)
+            self.worker = None
 
     def _asked(self, question: object, otherwise: Any) -> Any:
         if self.worker is None:
@@ -152,7 +148,8 @@ class Contest:
         try:
             return self.worker.ask(question)
         except _GONE:
-            return self._gone(otherwise)
+            self._gone(self.worker)
+            return otherwise
 
     def _tell(self, what: object) -> None:
         if self.worker is None:
@@ -160,40 +157,13 @@ class Contest:
         try:
             self.worker.send(what)
         except _GONE:
-            self._gone(None)
+            self._gone(self.worker)
 
-    def _gone(self, otherwise: Any) -> Any:
-        worker, self.worker = self.worker, None
-        assert worker is not None
+    def _gone(self, worker: _Worker) -> None:
+        self.worker = None
         words = self.workers.died(worker)
-        if words is None:
-            return otherwise
-        raise RuntimeError(words)
-
-
-class _Mouse:
-    """A mouse of a race, as the compiled part asks for its contests."""
-
-    def __init__(self, workers: "Workers", number: int) -> None:
-        self.workers = workers
-        self.number = number
-
-    def __call__(self, *contest: Any) -> Played:
-        """Plays a contest in steps: what labmouse._native.play takes behind the maker, the seed last."""
-        worker = self.workers.take(contest[-1])
-        if worker is None:
-            return _INTERRUPTED
-        try:
-            played: Played = worker.ask(("play", self.number, contest))
-        except _GONE:
-            words = self.workers.died(worker)
-            return _INTERRUPTED if words is None else death(words)
-        self.workers.give_back(worker)
-        return played
-
-    def begin(self, briefing: Briefing) -> Contest:
-        """A contest that is played decision by decision."""
-        return Contest(self.workers, self.number, briefing)
+        if words is not None:
+            self.died, self.last_words = True, words
 
 
 class Workers:
@@ -208,9 +178,9 @@ class Workers:
         self.busy: list[_Worker] = []
         self.free: list[_Worker] = []
 
-    def elsewhere(self, mouse: int) -> _Mouse:
-        """What the compiled part asks for the contests of the mouse of that number."""
-        return _Mouse(self, mouse)
+    def elsewhere(self, mouse: int) -> "Callable[[Briefing], Contest]":
+        """What the compiled part calls for each contest of the mouse of that number."""
+        return partial(Contest, self, mouse)
 
     def close(self) -> None:
         """Ends the processes that are busy, whatever they do."""

@@ -34,7 +34,7 @@ class Timed final : public ForwardingStrategy {
     spent_ += std::chrono::steady_clock::now() - begin;
     return action;
   }
-  double microseconds() const { return std::chrono::duration<double, std::micro>(spent_).count(); }
+  double measured() const { return std::chrono::duration<double, std::micro>(spent_).count(); }
 
  private:
   std::chrono::steady_clock::duration spent_{};
@@ -49,7 +49,7 @@ ContestElsewhere contest_of(const Contestant& mouse, const NamedMaze& maze, cons
   Stoppable stoppable(*mind, stop);
   Timed timed(stoppable);
   RunRecord record = run(maze.maze, rules, timed);
-  return {std::move(record), mind->started(), timed.microseconds()};
+  return {std::move(record), mind->started(), mind->microseconds().value_or(timed.measured())};
 }
 
 ForfeitReason reason_of(const RunRecord& record) {
