@@ -44,7 +44,7 @@ struct Trial {
 Trial try_in_steps(const Contestant& mouse, const Maze& maze) {
   const Rules rules;
   constexpr std::uint64_t seed = 1;
-  const auto mind = mouse.make(maze, rules, seed);
+  const auto mind = mouse.strategy(maze, brief(maze, rules, seed));
   const RunRecord record = labmouse::run(maze, rules, *mind);
   const Score result = score(record, rules);
   Trial trial;
@@ -64,8 +64,8 @@ Trial try_in_steps(const Contestant& mouse, const Maze& maze) {
   return trial;
 }
 
-Trial try_in_mms(const Contestant& mouse, const Maze& maze) {
-  const MmsRun run = run_mms(*mouse.program, maze, {});
+Trial try_in_mms(const MmsProgram& program, const Maze& maze) {
+  const MmsRun run = run_mms(program, maze, {});
   Trial trial;
   trial.walk = fmt::format("{} {} {} {} {}", run.lines, run.clock, run.statistics.total_distance,
                            run.statistics.total_turns, run.statistics.score);
@@ -80,12 +80,12 @@ Trial try_in_mms(const Contestant& mouse, const Maze& maze) {
   return trial;
 }
 
-Trial try_physically(const Contestant& mouse, const Maze& maze) {
+Trial try_physically(const ControllerProgram& program, const Maze& maze) {
   const DriveModel model = find_robot("kerise").model;
   const DriveRules rules = find_rules("all-japan").rules;
   const PhysicalConditions conditions;
   constexpr std::uint64_t seed = 1;
-  const auto code = mouse.pilot(pilot_briefing(maze, rules, model, conditions, seed));
+  const auto code = program(pilot_briefing(maze, rules, model, conditions, seed));
   const PhysicalRecord record = drive_by_code(maze, rules, model, conditions, seed, *code);
   const DriveScore result = score(record.drive, rules);
   Trial trial;
@@ -107,7 +107,7 @@ Trial try_physically(const Contestant& mouse, const Maze& maze) {
 Trial try_in_seconds(const Contestant& mouse, const Maze& maze) {
   const DriveModel model = find_robot("kerise").model;
   const DriveRules rules = find_rules("all-japan").rules;
-  const auto mind = mouse.drive(maze, brief(maze, rules, model, 1));
+  const auto mind = mouse.strategy(maze, brief(maze, rules, model, 1));
   const DriveRecord record = drive(maze, rules, model, *mind);
   const auto score = labmouse::score(record, rules).value();
   Trial trial;
@@ -125,8 +125,8 @@ Trial try_in_seconds(const Contestant& mouse, const Maze& maze) {
 
 /// In the first world that takes the mouse.
 Trial try_out(const Contestant& mouse, const Maze& maze) {
-  if (mouse.program) return try_in_mms(mouse, maze);
-  if (mouse.pilot) return try_physically(mouse, maze);
+  if (const auto* program = std::get_if<MmsProgram>(&mouse.kind)) return try_in_mms(*program, maze);
+  if (const auto* program = std::get_if<ControllerProgram>(&mouse.kind)) return try_physically(*program, maze);
   return refuse_to_walk(mouse).empty() ? try_in_steps(mouse, maze) : try_in_seconds(mouse, maze);
 }
 

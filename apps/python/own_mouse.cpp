@@ -3,7 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include "labmouse/contest/simulator.hpp"
 #include "live_strategy.hpp"
 
 namespace labmouse::python {
@@ -16,12 +15,10 @@ Contestant python_contestant(OwnMouse own, const std::atomic<bool>* stop) {
   mouse.uses_chance = own.uses_chance;
   mouse.identity = [identity = own.identity] { return identity; };
   const auto maker = std::make_shared<const MouseMaker>(std::move(own.maker), std::move(own.elsewhere));
-  mouse.make = [maker, stop](const Maze& maze, const Rules& rules, std::uint64_t seed) {
-    return make_live_strategy(maker, brief(maze, rules, seed), stop);
-  };
-  mouse.drive = [maker, stop](const Maze&, const Briefing& briefing) {
+  const auto make = [maker, stop](const Maze&, const Briefing& briefing) {
     return make_live_strategy(maker, briefing, stop);
   };
+  mouse.kind = Decider{make, true, true};
   return mouse;
 }
 

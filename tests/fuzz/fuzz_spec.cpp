@@ -16,9 +16,10 @@ LABMOUSE_FUZZER(spec) {
     const std::string& spec = spec_of(mouse);
     const auto again = read_specs(spec, options);
     if (again.contestants.size() != 1 || again.contestants.front().name != spec) std::abort();
-    const auto& program = again.contestants.front().program;
-    if (program.has_value() != mouse.program.has_value()) std::abort();
-    if (program && program->words != mouse.program->words) std::abort();
+    const auto& kind = again.contestants.front().kind;
+    if (kind.index() != mouse.kind.index()) std::abort();
+    const auto* program = std::get_if<MmsProgram>(&kind);
+    if (program != nullptr && program->words != std::get<MmsProgram>(mouse.kind).words) std::abort();
   }
   return 0;
 }

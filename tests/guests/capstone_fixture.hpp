@@ -54,7 +54,7 @@ class ARobot : public testing::TestWithParam<const char*> {
     if (!read.error.empty()) return {};
     Rules rules;
     rules.budget = budget;
-    const auto mind = read.contestants.front().make(corridor, rules, seed);
+    const auto mind = read.contestants.front().strategy(corridor, brief(corridor, rules, seed));
     return run(corridor, rules, *mind);
   }
 

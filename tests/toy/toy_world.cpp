@@ -57,7 +57,7 @@ class ToyWorld final : public World {
   std::string_view unit() const override { return "steps"; }
   std::vector<Condition> conditions() const override { return {{"clumsiness", std::int64_t{percent_}}}; }
   std::string refuse(const Contestant& mouse) const override {
-    return mouse.make ? "" : fmt::format("mouse '{}' cannot walk", mouse.name);
+    return mouse.walks() ? "" : fmt::format("mouse '{}' cannot walk", mouse.name);
   }
   bool throws_dice() const override { return true; }
   double limit_score() const override { return Rules().failure_score; }
@@ -71,7 +71,7 @@ class ToyWorld final : public World {
     for (std::uint64_t run = 0; run < 3; ++run) {
       const bool stumbled = dice.below(100) < percent_;
       if (stumbled && ++stumbles > 0) continue;
-      const auto mind = race.mice[result.mouse].make(maze, Rules(), result.seed + run);
+      const auto mind = race.mice[result.mouse].strategy(maze, brief(maze, {}, result.seed + run));
       const RunRecord record = labmouse::run(maze, Rules(), *mind);
       const auto value = score(record, Rules()).value;
       if (!value || (result.score && *value >= *result.score)) continue;

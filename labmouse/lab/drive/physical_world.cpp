@@ -64,7 +64,8 @@ class PhysicalWorld : public DriveWorld {
   std::string heading() const override { return ", " + noise_text(); }
 
   std::string refuse(const Contestant& mouse) const override {
-    return mouse.pilot ? "" : refuse_to_drive({&mouse, 1}, Driving::with_errors);
+    if (std::holds_alternative<ControllerProgram>(mouse.kind)) return "";
+    return refuse_to_drive({&mouse, 1}, Driving::with_errors);
   }
   using DriveWorld::refuse;
 
@@ -102,11 +103,12 @@ class PhysicalWorld : public DriveWorld {
                       bool traced, const std::atomic<bool>* stop) const override {
     PhysicalConditions conditions = conditions_;
     conditions.trace_every = traced ? trace_ticks : 0;
-    if (mouse.pilot) return drive_itself(mouse, maze, conditions, contest);
+    if (const auto* program = std::get_if<ControllerProgram>(&mouse.kind))
+      return drive_itself(*program, maze, conditions, contest);
     Briefing briefing = brief(maze, rules(), model(), contest.seed);
     briefing.sight = 1;
     briefing.drive.pace = conditions.pilot.pace;
-    const auto strategy = mouse.drive(maze, briefing);
+    const auto strategy = mouse.strategy(maze, briefing);
     conditions.map = strategy->map_kind().value_or(conditions.map);
     Stoppable stoppable(*strategy, stop);
     DrivenContest driven = driven_of(contest_of(maze, conditions, contest.seed, stoppable), conditions);
@@ -117,9 +119,9 @@ class PhysicalWorld : public DriveWorld {
   }
 
   /// That of a mouse whose whole program is somebody else's.
-  DrivenContest drive_itself(const Contestant& mouse, const Maze& maze, const PhysicalConditions& conditions,
+  DrivenContest drive_itself(const ControllerProgram& program, const Maze& maze, const PhysicalConditions& conditions,
                              const ContestResult& contest) const {
-    const auto code = mouse.pilot(pilot_briefing(maze, rules(), model(), conditions, contest.told));
+    const auto code = program(pilot_briefing(maze, rules(), model(), conditions, contest.told));
     DrivenContest driven =
         driven_of(drive_by_code(maze, rules(), model(), conditions, contest.seed, *code), conditions);
     driven.words = code->last_words();

@@ -44,7 +44,7 @@ class SecondsWorld final : public DriveWorld {
  private:
   DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
                       bool /*traced*/, const std::atomic<bool>* stop) const override {
-    const auto strategy = mouse.drive(maze, brief(maze, rules(), model(), contest.seed));
+    const auto strategy = mouse.strategy(maze, brief(maze, rules(), model(), contest.seed));
     Stoppable stoppable(*strategy, stop);
     DrivenContest driven;
     driven.record = labmouse::drive(maze, rules(), model(), stoppable);

@@ -6,6 +6,20 @@
 
 namespace labmouse {
 
+bool Contestant::walks() const {
+  const auto* decider = std::get_if<Decider>(&kind);
+  return decider != nullptr ? decider->walks : std::holds_alternative<PlayedContests>(kind);
+}
+
+bool Contestant::drives() const {
+  const auto* decider = std::get_if<Decider>(&kind);
+  return decider != nullptr && decider->drives;
+}
+
+std::unique_ptr<Strategy> Contestant::strategy(const Maze& maze, const Briefing& briefing) const {
+  return std::get<Decider>(kind).make(maze, briefing);
+}
+
 std::string freedom_note(const std::vector<Contestant>& mice) {
   const auto find = [&](const auto& holds) { return std::find_if(mice.begin(), mice.end(), holds); };
   std::string note;

@@ -10,6 +10,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "labmouse/contest/pilot_code.hpp"
@@ -32,12 +34,29 @@ struct Interpreter {
   friend bool operator==(const Interpreter&, const Interpreter&) = default;
 };
 
-/// A contest in steps that a mouse held where a race cannot ask it: before the race, or in a thread or process apart.
-struct ContestElsewhere {
+/// A mouse that is asked for each decision.
+struct Decider {
+  /// Its strategy for a contest in that maze, with that briefing.
+  std::function<std::unique_ptr<Strategy>(const Maze&, const Briefing&)> make;
+  bool walks = false;   ///< whether it races in steps
+  bool drives = false;  ///< whether it races in seconds
+};
+
+/// A contest in steps that was run before the race.
+struct PlayedContest {
   RunRecord record;
   bool started = true;        ///< as of Strategy
   double microseconds = 0.0;  ///< that its decisions took
 };
+
+/// A mouse whose contests were run before the race: those in steps, by the name of the maze and the seed.
+using PlayedContests = std::map<std::pair<std::string, std::uint64_t>, PlayedContest>;
+
+/// A program that drives a mouse in the physical world itself: what starts it.
+using ControllerProgram = std::function<std::unique_ptr<PilotCode>(const PilotBriefing&)>;
+
+/// A program that talks to mms: how to start it.
+using MmsProgram = Launch;
 
 /// A mouse with its parameters, ready to be made once a contest.
 struct Contestant {
@@ -59,17 +78,7 @@ struct Contestant {
   int runs = 0;
   /// Takes part as a measure and not as a contestant (the oracle).
   bool reference = false;
-  std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
-  /// In place of `make`, of a mouse whose contests in steps are held elsewhere: the one in the maze of that name with
-  /// that seed. Empty for all others.
-  std::function<ContestElsewhere(const std::string& name, const Maze&, const Rules&, std::uint64_t seed)> elsewhere;
-  /// The same as `make` in seconds, told what a mouse in that maze is told there; empty for a mouse that does not drive
-  /// in that world.
-  std::function<std::unique_ptr<Strategy>(const Maze&, const Briefing&)> drive;
-  /// A program that drives a mouse in the physical world itself; empty for all others.
-  std::function<std::unique_ptr<PilotCode>(const PilotBriefing&)> pilot;
-  /// How to start a program that talks to mms; nothing for all others, which decide when they are asked.
-  std::optional<Launch> program;
+  std::variant<Decider, PlayedContests, ControllerProgram, MmsProgram> kind;
   /// A program that is not ours. In all mazes of a run it is told the same seed.
   bool external = false;
   /// Of a guest whether it lives in a sandbox; nothing for all others.
@@ -88,6 +97,13 @@ struct Contestant {
   /// `stop`, which may be null, is true, it learns no more, and the mouse is not to be raced.
   std::function<Contestant(const std::vector<const Maze*>& training, const Rules&, const std::atomic<bool>* stop)>
       taught;
+
+  /// Whether it races in steps.
+  bool walks() const;
+  /// Whether it races in seconds, asked for each decision.
+  bool drives() const;
+  /// Of a Decider: its strategy for a contest in that maze, with that briefing.
+  std::unique_ptr<Strategy> strategy(const Maze& maze, const Briefing& briefing) const;
 };
 
 /// The SPEC of a mouse, whatever it is called.

@@ -9,7 +9,6 @@
 #include <mutex>
 #include <vector>
 
-#include "labmouse/contest/simulator.hpp"
 #include "labmouse/guests/capstone.hpp"
 #include "labmouse/guests/command_line.hpp"
 #include "labmouse/guests/guest_mind.hpp"
@@ -50,16 +49,17 @@ Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) 
   if (kind == "mms:") {
     // It has one run in each maze, whatever guests have.
     contestant.runs = 1;
-    contestant.program = seeded(launch, 0);
+    contestant.kind = seeded(launch, 0);
   } else if (kind == "pilot:") {
-    contestant.pilot = [launch](const PilotBriefing& briefing) {
+    contestant.kind = [launch](const PilotBriefing& briefing) {
       return std::make_unique<GuestPilot>(seeded(launch, briefing.seed), pilot_lines(briefing));
     };
   } else {
     contestant.runs = runs;
-    contestant.make = [launch](const Maze& maze, const Rules& rules, std::uint64_t seed) {
-      return std::make_unique<GuestMind>(seeded(launch, seed), brief(maze, rules, seed));
+    const auto make = [launch](const Maze&, const Briefing& briefing) {
+      return std::make_unique<GuestMind>(seeded(launch, briefing.seed), briefing);
     };
+    contestant.kind = Decider{make, true, false};
   }
   return contestant;
 }

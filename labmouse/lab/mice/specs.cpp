@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/mice/guest_specs.hpp"
 #include "labmouse/lab/mice/lineup_specs.hpp"
@@ -25,7 +24,10 @@ Contestant oracle() {
   Contestant contestant;
   contestant.name = oracle_name;
   contestant.reference = true;
-  contestant.make = [](const Maze& maze, const Rules& rules, std::uint64_t) { return make_oracle(maze, rules); };
+  const auto make = [](const Maze& maze, const Briefing& briefing) {
+    return make_oracle(maze, {.stride = briefing.motion.longest});
+  };
+  contestant.kind = Decider{make, true, false};
   return contestant;
 }
 
@@ -43,14 +45,10 @@ Contestant contestant_of(const RosterEntry& entry, Settings settings) {
     if (const Setting& setting = settings.all()[i]; setting.value != entry.parameters[i].default_value)
       contestant.name += ":" + setting.name + "=" + setting.value;
   contestant.uses_chance = entry.uses_chance(settings);
-  if (entry.walks)
-    contestant.make = [&entry, settings](const Maze& maze, const Rules& rules, std::uint64_t seed) {
-      return entry.make(brief(maze, rules, seed), settings);
-    };
-  if (entry.drives)
-    contestant.drive = [&entry, settings](const Maze&, const Briefing& briefing) {
-      return entry.make(briefing, settings);
-    };
+  const auto make = [&entry, settings](const Maze&, const Briefing& briefing) {
+    return entry.make(briefing, settings);
+  };
+  contestant.kind = Decider{make, entry.walks, entry.drives};
   if (can_learn(entry, settings))
     contestant.taught = [&entry, settings](const std::vector<const Maze*>& training, const Rules& rules,
                                            const std::atomic<bool>* stop) {
@@ -384,7 +382,7 @@ Settings settings_where(const Contestant& mouse, const RosterEntry& entry, Holds
 }  // namespace
 
 std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
-  const auto stays = std::find_if(mice.begin(), mice.end(), [](const Contestant& mouse) { return !mouse.drive; });
+  const auto stays = std::find_if(mice.begin(), mice.end(), [](const Contestant& mouse) { return !mouse.drives(); });
   if (stays == mice.end()) {
     for (const Contestant& mouse : mice)
       if (std::string reason = driving == Driving::with_errors
@@ -401,11 +399,11 @@ std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
 }
 
 std::string refuse_to_walk(const Contestant& mouse) {
-  if (!mouse.make && !mouse.elsewhere)
+  if (!mouse.walks())
     return fmt::format("mouse '{}' cannot race in steps, only in the world {}", mouse.name,
-                       mouse.program ? "mms"
-                       : mouse.pilot ? "physical"
-                                     : "seconds");
+                       std::holds_alternative<MmsProgram>(mouse.kind)          ? "mms"
+                       : std::holds_alternative<ControllerProgram>(mouse.kind) ? "physical"
+                                                                               : "seconds");
   return refuse_idle_settings(mouse, counts_in_steps, "in steps");
 }
 

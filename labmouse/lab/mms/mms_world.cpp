@@ -86,7 +86,8 @@ class MmsWorld final : public World {
   }
 
   std::string refuse(const Contestant& mouse) const override {
-    return mouse.program ? "" : fmt::format("mouse '{}' is not a program for mms; write mms:COMMAND", mouse.name);
+    if (std::holds_alternative<MmsProgram>(mouse.kind)) return "";
+    return fmt::format("mouse '{}' is not a program for mms; write mms:COMMAND", mouse.name);
   }
 
   std::string_view unit() const override { return "points"; }
@@ -99,7 +100,7 @@ class MmsWorld final : public World {
   Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
     const NamedMaze& maze = race.mazes[result.maze];
     const Contestant& mouse = race.mice[result.mouse];
-    Launch launch = *mouse.program;
+    Launch launch = std::get<MmsProgram>(mouse.kind);
     launch.stop = stop;
     MmsWalk walk{HalfPose()};
     std::optional<MmsRecorder> recorder;

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
+#include <utility>
 
 #include "labmouse/lab/mice/named_spec.hpp"
 #include "labmouse/lab/records/record_file.hpp"
@@ -28,13 +27,11 @@ std::string refuse_name(const std::string& name) {
   return "";
 }
 
-using Contests = std::map<std::pair<std::string, std::uint64_t>, ContestElsewhere>;
-
 /// One contest of `played`, whose record has to be of that mouse.
 void read_contest(PageRequest& request, const ReadJson& json, const Contestant& mouse, const RaceOrder& order,
-                  Contests& contests) {
+                  PlayedContests& contests) {
   PageRequest fields(json);
-  ContestElsewhere contest;
+  PlayedContest contest;
   contest.microseconds = fields.not_negative("microseconds");
   contest.started = fields.flag("started");
   const std::string text = fields.text("record");
@@ -60,17 +57,15 @@ Contestant read_mouse(PageRequest& request, const ReadJson& json, const std::vec
   Contestant mouse = read_page_guest(fields);
   const ReadJson& list = fields.list("contests");
   request.reject(fields.error());
-  auto contests = std::make_shared<Contests>();
+  PlayedContests contests;
   for (const ReadJson& contest : list) {
     if (!request.error().empty()) return mouse;
-    read_contest(request, contest, mouse, order, *contests);
+    read_contest(request, contest, mouse, order, contests);
   }
   for (const NamedMaze& maze : mazes)
-    if (!contests->contains({maze.name, told_seed(order.seed, 0)}))
+    if (!contests.contains({maze.name, told_seed(order.seed, 0)}))
       request.reject(fmt::format("{} has held no contest in {}", mouse.name, maze.name));
-  mouse.elsewhere = [contests](const std::string& name, const Maze&, const Rules&, std::uint64_t seed) {
-    return contests->at({name, seed});
-  };
+  mouse.kind = std::move(contests);
   return mouse;
 }
 

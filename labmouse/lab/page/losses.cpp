@@ -66,7 +66,7 @@ PageReply answer_losses(const ReadJson& json, std::string_view) {
   int solved = 0;
   double score_sum = 0;
   for (const Entrant& entrant : entrants) {
-    const auto mind = entrant.mouse.make(maze.maze, rules, entrant.seed);
+    const auto mind = entrant.mouse.strategy(maze.maze, brief(maze.maze, rules, entrant.seed));
     const RunRecord record = run(maze.maze, rules, *mind);
     const std::optional<LostSteps> lost = meter.lost(record);
     if (!lost) continue;

@@ -55,7 +55,7 @@ class StepsReplay final : public Replay {
 
   void add_reasons(const Contestant& mouse) override {
     if (!refuse_to_walk(mouse).empty()) return;
-    const auto mind = mouse.make(*file_.maze, file_.rules, file_.seed);
+    const auto mind = mouse.strategy(*file_.maze, brief(*file_.maze, file_.rules, file_.seed));
     mind->keep_reasons();
     RunRecord again = run(*file_.maze, file_.rules, *mind);
     if (again.steps == file_.run.steps) file_.run.reasons = std::move(again.reasons);

@@ -40,11 +40,11 @@ class Timed final : public ForwardingStrategy {
   std::chrono::steady_clock::duration spent_{};
 };
 
-/// Holds a contest, or takes one that is held elsewhere.
-ContestElsewhere contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
-                            bool reasons, const std::atomic<bool>* stop) {
-  if (mouse.elsewhere) return mouse.elsewhere(maze.name, maze.maze, rules, seed);
-  const auto mind = mouse.make(maze.maze, rules, seed);
+/// Runs a contest, or takes the one that was run before.
+PlayedContest contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
+                         bool reasons, const std::atomic<bool>* stop) {
+  if (const auto* played = std::get_if<PlayedContests>(&mouse.kind)) return played->at({maze.name, seed});
+  const auto mind = mouse.strategy(maze.maze, brief(maze.maze, rules, seed));
   if (reasons) mind->keep_reasons();
   Stoppable stoppable(*mind, stop);
   Timed timed(stoppable);

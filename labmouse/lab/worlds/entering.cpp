@@ -151,7 +151,7 @@ std::vector<Contestant> residents_of(const World& world) {
   std::vector<Contestant> mice = all_contestants();
   // Those that only drive differ from others where things go wrong.
   std::erase_if(mice, [&](const Contestant& mouse) {
-    return !world.refuse(mouse).empty() || (!mouse.make && !world.throws_dice());
+    return !world.refuse(mouse).empty() || (!mouse.walks() && !world.throws_dice());
   });
   return mice;
 }

@@ -30,7 +30,7 @@ void mice_run_and_leave_records() {
   const SpecResult mice = read_specs("flood:stride=1,certify");
   check(mice.contestants.size() == 2 && roster().size() > 2, "mice are found");
   for (const Contestant& mouse : mice.contestants) {
-    const auto mind = mouse.make(maze.maze, rules, 1);
+    const auto mind = mouse.strategy(maze.maze, brief(maze.maze, rules, 1));
     RecordFile file;
     file.maze_name = maze.name;
     file.maze = maze.maze;

@@ -407,7 +407,7 @@ TEST(Festina, MakesSureOfARunInTimeWhereRunsAreMany) {
   const Briefing briefing = brief(maze, rules, *model, 1);
   const auto hazards = with([](HazardsByLuck& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
   const auto kinds = [&](const std::string& spec) {
-    const auto mind = test::mice(spec).front().drive(maze, briefing);
+    const auto mind = test::mice(spec).front().strategy(maze, briefing);
     return kinds_of(drive_fallibly(maze, rules, *model, at_noise(1.0), hazards, 1, *mind));
   };
   const auto made = kinds("festina");
@@ -450,7 +450,7 @@ TEST(Festina, IsAsCarefulAsTheRulesAskFor) {
   EXPECT_LT(first(bonus), first(few));
   EXPECT_EQ(first(many), 1.0);
   const Contestant told = test::mice("festina:run=0.5").front();
-  EXPECT_EQ(told.drive(test::ring(), brief(test::ring(), many, *model, 1))->pace(true), 0.5);
+  EXPECT_EQ(told.strategy(test::ring(), brief(test::ring(), many, *model, 1))->pace(true), 0.5);
 }
 
 TEST(Festina, ExploresByTheRules) {
@@ -459,7 +459,7 @@ TEST(Festina, ExploresByTheRules) {
   const Maze maze = maze_named("contest-05").value();
   const auto searched = [&](const std::string& rules, const std::string& spec) {
     const Briefing briefing = brief(maze, find_rules(rules).rules, *model, 1);
-    const auto mouse = test::mice(spec).front().drive(maze, briefing);
+    const auto mouse = test::mice(spec).front().strategy(maze, briefing);
     return drive(maze, find_rules(rules).rules, *model, *mouse).decisions;
   };
   EXPECT_EQ(searched("all-japan", "festina"), searched("all-japan", "certify"));

@@ -213,8 +213,9 @@ TEST(Hindsight, OfAMouseThatThrowsDiceTakesFurtherSeeds) {
   EXPECT_EQ(found.mazes[0].best_seed, best->seed);
   double stops = 0.0;
   for (int run = 0; run < 3; ++run) {
-    const auto mouse = race.mice[0].make(test::loop().maze, {}, contest_seed(1, "loop", run));
-    stops += best_stop(labmouse::run(test::loop().maze, {}, *mouse), test::loop().maze, {}) / 3.0;
+    const Maze maze = test::loop().maze;
+    const auto mouse = race.mice[0].strategy(maze, brief(maze, {}, contest_seed(1, "loop", run)));
+    stops += best_stop(labmouse::run(maze, {}, *mouse), maze, {}) / 3.0;
   }
   EXPECT_DOUBLE_EQ(found.mazes[0].best_stop, stops);
 }

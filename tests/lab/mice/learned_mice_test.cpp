@@ -57,7 +57,7 @@ std::vector<RunRecord> runs_of(const Contestant& contestant, Size size = {16, 16
   std::vector<RunRecord> runs;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const Maze maze = wilson_generator.make({size, seed, 100});
-    runs.push_back(run(maze, {}, *contestant.make(maze, {}, 1)));
+    runs.push_back(run(maze, {}, *contestant.strategy(maze, brief(maze, {}, 1))));
   }
   return runs;
 }

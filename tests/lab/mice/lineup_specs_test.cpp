@@ -42,6 +42,11 @@ class ALineup : public testing::Test {
   fs::path folder_ = fs::temp_directory_path() / ("labmouse-lineup-" + std::to_string(getpid()));
 };
 
+/// How the mouse of that place is started, a program that talks to mms.
+const MmsProgram& program_of(const SpecResult& read, std::size_t place) {
+  return std::get<MmsProgram>(read.contestants[place].kind);
+}
+
 SpecResult read_all(const std::vector<std::string>& specs) { return read_specs(specs); }
 
 TEST(NamedMouse, KeepsItsSpec) {
@@ -50,7 +55,7 @@ TEST(NamedMouse, KeepsItsSpec) {
   EXPECT_EQ(read.contestants[0].name, "fast");
   EXPECT_EQ(spec_of(read.contestants[0]), "flood");
   EXPECT_EQ(spec_of(read.contestants[1]), "flood");
-  EXPECT_EQ(read_specs("a=guest:sh -c b=c").contestants.front().program, std::nullopt);
+  EXPECT_FALSE(std::holds_alternative<MmsProgram>(read_specs("a=guest:sh -c b=c").contestants.front().kind));
   EXPECT_EQ(spec_of(read_specs("a=mms:sh -c b=c").contestants.front()), "mms:sh -c b=c");
 }
 
@@ -133,10 +138,10 @@ TEST_F(ALineup, FindsInterpretersFromItsFolder) {
       "class/mice.toml");
   const SpecResult read = read_specs(spec);
   ASSERT_THAT(read.contestants, SizeIs(2)) << read.error;
-  EXPECT_THAT(read.contestants[0].program->words, ElementsAre(folder_ / "class/anna/bin/run", "main.x", "-v"));
-  EXPECT_EQ(fs::path(read.contestants[0].program->directory), folder_ / "class");
-  EXPECT_THAT(read.contestants[1].program->words, ElementsAre("sh", "main.x"));
-  EXPECT_EQ(fs::path(read.contestants[1].program->directory), folder_ / "class/anna");
+  EXPECT_THAT(program_of(read, 0).words, ElementsAre(folder_ / "class/anna/bin/run", "main.x", "-v"));
+  EXPECT_EQ(fs::path(program_of(read, 0).directory), folder_ / "class");
+  EXPECT_THAT(program_of(read, 1).words, ElementsAre("sh", "main.x"));
+  EXPECT_EQ(fs::path(program_of(read, 1).directory), folder_ / "class/anna");
 }
 
 TEST_F(ALineup, HasMiceThatCanBeSwept) {
@@ -150,8 +155,8 @@ TEST_F(ALineup, HasMiceThatCanBeSwept) {
   EXPECT_THAT(read_ranges(spec + ":ours", "stride").ranges, SizeIs(1));
   const SpecResult theirs = read_variants(spec + ":theirs", "n", values);
   ASSERT_THAT(theirs.contestants, SizeIs(2)) << theirs.error;
-  EXPECT_THAT(theirs.contestants[1].program->words, ElementsAre("sh", "-c", "go 3"));
-  EXPECT_THAT(theirs.contestants[1].program->environment, testing::Contains("N=3"));
+  EXPECT_THAT(program_of(theirs, 1).words, ElementsAre("sh", "-c", "go 3"));
+  EXPECT_THAT(program_of(theirs, 1).environment, testing::Contains("N=3"));
   EXPECT_THAT(read_variants(spec + ":theirs", "m", values).error, Says("'theirs'", "{m}"));
   EXPECT_THAT(read_variants(spec + ":ours", "strid", values).error, Says("'strid'", "'stride'"));
   EXPECT_THAT(read_variants(lineup("[[mouse]]\nname = \"a\"\nmouse = \"flood\"\n"

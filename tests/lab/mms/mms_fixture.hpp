@@ -15,9 +15,9 @@ inline Contestant mms_mouse(const std::string& name, std::vector<std::string> wo
   mouse.name = "mms:" + name;
   mouse.runs = 1;
   words.insert(words.begin(), LABMOUSE_MMS_GUEST);
-  mouse.program.emplace();
-  mouse.program->words = std::move(words);
-  mouse.program->limits.silence = std::chrono::seconds(20);  // on a busy machine
+  auto& program = mouse.kind.emplace<MmsProgram>();
+  program.words = std::move(words);
+  program.limits.silence = std::chrono::seconds(20);  // on a busy machine
   return mouse;
 }
 

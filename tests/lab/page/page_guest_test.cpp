@@ -28,7 +28,7 @@ std::string answer_line(const Action& action) {
 /// A contest of a program that decides as a mouse of ours does; its end, as the page has it.
 json held(const json& request, const NamedMaze& maze, const char* mouse = "flood", const std::string& printed = "") {
   json now = answer("guest_begin", request);
-  const auto mind = test::mice(mouse).front().make(maze.maze, Rules(), 1);
+  const auto mind = test::mice(mouse).front().strategy(maze.maze, brief(maze.maze, {}, 1));
   now = answer("guest_hear", {{"contest", now["contest"]}, {"output", "labmouse 1\n"}, {"printed", printed}});
   while (!now["ended"]) {
     std::istringstream words(now["lines"].back().get<std::string>());

@@ -17,7 +17,8 @@ RecordFile short_of_steps(int budget) {
   rules.budget = budget;
   const NamedMaze maze = test::loop();
   const Contestant mouse = test::mice("flood").front();
-  return record_file_of(mouse, maze, rules, 1, run(maze.maze, rules, *mouse.make(maze.maze, rules, 1)));
+  const auto strategy = mouse.strategy(maze.maze, brief(maze.maze, rules, 1));
+  return record_file_of(mouse, maze, rules, 1, run(maze.maze, rules, *strategy));
 }
 
 TEST(ResultLine, SaysWhereAMouseStoodThatDidNotSolveIt) {

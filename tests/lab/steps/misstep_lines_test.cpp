@@ -33,16 +33,18 @@ const std::vector<Action> clumsy = {Action::step(90, 3),  Action::step(0, 1),  A
 Contestant player(std::string name, const std::vector<Action>& actions) {
   Contestant mouse;
   mouse.name = std::move(name);
-  mouse.make = [actions](const Maze& maze, const Rules&, std::uint64_t) {
+  const auto make = [actions](const Maze& maze, const Briefing&) {
     return std::make_unique<Script>(maze.size(), actions);
   };
+  mouse.kind = Decider{make, true, false};
   return mouse;
 }
 
 RecordFile played(const std::vector<Action>& actions, const Rules& rules = {}) {
   const NamedMaze maze = test::corridor();
   const Contestant mouse = player("robot", actions);
-  return record_file_of(mouse, maze, rules, 1, run(maze.maze, rules, *mouse.make(maze.maze, rules, 1)));
+  const auto strategy = mouse.strategy(maze.maze, brief(maze.maze, rules, 1));
+  return record_file_of(mouse, maze, rules, 1, run(maze.maze, rules, *strategy));
 }
 
 /// The lines of a text, without their ends.
@@ -102,9 +104,10 @@ TEST(MisstepLines, OfARaceSayOneOfEachInTheSingular) {
 TEST(MisstepLines, OfALaterRunSayWhichItIs) {
   Contestant mouse = player("clumsy", clumsy);
   mouse.runs = 3;
-  mouse.make = [](const Maze& maze, const Rules&, std::uint64_t seed) {
-    return std::make_unique<Script>(maze.size(), seed == contest_seed(1, "corridor", 0) ? solution : clumsy);
+  const auto make = [](const Maze& maze, const Briefing& briefing) {
+    return std::make_unique<Script>(maze.size(), briefing.seed == contest_seed(1, "corridor", 0) ? solution : clumsy);
   };
+  mouse.kind = Decider{make, true, false};
   const std::string lines = misstep_lines(hold_race({mouse}, {test::corridor()}, test::in_steps()));
   EXPECT_THAT(lines, HasSubstr("clumsy: 4 blocked by walls, 2 void"));
   EXPECT_THAT(lines, HasSubstr("; first in corridor, run 2, step 2\n"));

@@ -49,11 +49,13 @@ class AStore : public testing::Test {
 
   std::vector<Contestant> counted_mice(std::string_view specs) {
     std::vector<Contestant> mice = test::mice(specs);
-    for (Contestant& mouse : mice)
-      mouse.make = [this, make = mouse.make](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+    for (Contestant& mouse : mice) {
+      auto& make = std::get<Decider>(mouse.kind).make;
+      make = [this, original = make](const Maze& maze, const Briefing& briefing) {
         ++held_;
-        return make(maze, rules, seed);
+        return original(maze, briefing);
       };
+    }
     return mice;
   }
   /// A race with a store of that name; held_ says how many contests it held.

@@ -73,9 +73,10 @@ class Pupil {
       Contestant taught = test::mice("flood:stride=1").front();
       std::vector<Maze> seen;
       for (const Maze* maze : training) seen.push_back(*maze);
-      taught.make = [seen, make = taught.make](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+      auto& make = std::get<Decider>(taught.kind).make;
+      make = [seen, original = make](const Maze& maze, const Briefing& briefing) {
         EXPECT_EQ(std::count(seen.begin(), seen.end(), maze), 0) << "raced where it had learned";
-        return make(maze, rules, seed);
+        return original(maze, briefing);
       };
       return taught;
     };

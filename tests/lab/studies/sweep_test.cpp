@@ -105,7 +105,7 @@ TEST(Variants, OfAGuestStandInItsCommand) {
   ASSERT_EQ(result.contestants.size(), 2U) << result.error;
   EXPECT_EQ(result.contestants[0].name, "guest:sh -c 'x=4; y=4{b}'");
   EXPECT_EQ(result.contestants[1].name, "guest:sh -c 'x=04; y=04{b}'");
-  EXPECT_EQ(read_variants("mms:sh -c {a}", "a", values).contestants[0].program->words,
+  EXPECT_EQ(std::get<MmsProgram>(read_variants("mms:sh -c {a}", "a", values).contestants[0].kind).words,
             (std::vector<std::string>{"sh", "-c", "4"}));
   GuestOptions options;
   options.runs = 7;

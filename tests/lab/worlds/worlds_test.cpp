@@ -370,11 +370,9 @@ TEST_P(AWorld, AsksAMouseForNothingOnceItIsStopped) {
   std::atomic<bool> stop = false;
   std::atomic<int> decisions = 0;
   Contestant mouse = test::mice("flood").front();
-  mouse.make = [&, make = mouse.make](const Maze& maze, const Rules& rules, std::uint64_t seed) {
-    return std::make_unique<Stopper>(make(maze, rules, seed), 3, stop, decisions);
-  };
-  mouse.drive = [&, drive = mouse.drive](const Maze& maze, const Briefing& briefing) {
-    return std::make_unique<Stopper>(drive(maze, briefing), 3, stop, decisions);
+  auto& make = std::get<Decider>(mouse.kind).make;
+  make = [&, original = make](const Maze& maze, const Briefing& briefing) {
+    return std::make_unique<Stopper>(original(maze, briefing), 3, stop, decisions);
   };
   RaceHooks hooks;
   hooks.stop = &stop;
