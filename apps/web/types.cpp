@@ -1,6 +1,11 @@
-// Prints the page's TypeScript types: what scripts/page-types writes into apps/web/page/src/core/types.ts.
+// Prints what scripts/page-types writes into apps/web/page/src/core: the page's TypeScript types (types.ts), or with
+// any argument how it shows races (worlds.json).
 #include <cstdio>
 
+#include "labmouse/lab/page/world_tables.hpp"
 #include "labmouse/lab/shapes/typescript.hpp"
 
-int main() { std::fputs(labmouse::page_typescript().c_str(), stdout); }
+int main(int count, char**) {
+  const std::string text = count > 1 ? labmouse::world_tables_json().dump(2) + "\n" : labmouse::page_typescript();
+  std::fputs(text.c_str(), stdout);
+}

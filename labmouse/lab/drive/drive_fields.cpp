@@ -115,13 +115,22 @@ constexpr std::array<MouseField, 2> share_means = {
       [](const Race& r, const Standing& s) { return or_none(mean_of_all(r, s, visited_share)); }}}};
 
 constexpr Column scored_column = {"", "scored", 8, columns::solved};
-constexpr Column score_column = {"score", "s", 7, columns::mean_all};
+constexpr Column score_column = {"score",
+                                 "s",
+                                 7,
+                                 columns::mean_all,
+                                 "mean_score",
+                                 "score",
+                                 "Mean score in seconds, over the contests that have one.",
+                                 3};
 template <class F>
 constexpr std::array<Column, 2> time_columns = {
     {{"search", "s", 7,
-      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::search>(r, s), 1); }},
+      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::search>(r, s), 1); }, "mean_search",
+      "search, s", "Mean time of the contests until the first speed run began, in seconds.", 1},
      {"best", "run s", 7,
-      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::best>(r, s), 3); }}}};
+      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::best>(r, s), 3); }, "mean_best",
+      "best run, s", "Mean time of the best runs from rest at the start to the goal, in seconds.", 3}}};
 
 // The world without errors.
 
@@ -173,11 +182,15 @@ constexpr auto seconds_table = joined(
          {"score", "/bound", 6, columns::mean_ratio}}},
     time_columns<S>,
     std::array<Column, 4>{
-        {{"above", "best%", 6, above_best},
-         {"best", "runs", 5, [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); }},
-         {"", "proven", 6, [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); }},
+        {{"above", "best%", 6, above_best, "mean_excess", "above fastest, %",
+          "How much longer the routes of the best runs take than the fastest route, in percent.", 2, false, 100.0},
+         {"best", "runs", 5, [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); },
+          "optimal", "best runs", "Contests whose best run took the fastest route.", 0, true},
+         {"", "proven", 6, [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); }, "proven",
+          "proven", "Contests in which the mouse knew that no route could be faster.", 0, true},
          {"runs", "each", 4,
-          [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "starts"), 1); }}}});
+          [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "starts"), 1); },
+          "mean_starts", "runs", "Mean number of starts in a contest.", 1}}});
 constexpr std::array<ComparedFigure, 2> seconds_compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
 
 // Those in which things go wrong.
@@ -236,28 +249,45 @@ constexpr auto physical_mouse =
 constexpr auto physical_table = joined(
     std::array<Column, 4>{
         {scored_column,
-         {"95 %", "of 100", 7, finished_text},
+         {"95 %", "of 100", 7, finished_text, "finished_interval", "scored, 95 %",
+          "Share of the contests that ended with a score, in percent: 95 % interval over the mazes.", 0, true, 100.0},
          score_column,
-         {"penal-", "ised", 7, [](const Race& r, const Standing& s) { return columns::number(penalised(r, s), 3); }}}},
+         {"penal-", "ised", 7, [](const Race& r, const Standing& s) { return columns::number(penalised(r, s), 3); },
+          "penalised", "penalised, s",
+          "Mean score over all contests, in seconds; one without a score counts the time limit.", 3}}},
     time_columns<P>,
-    std::array<Column, 7>{{{"", "runs", 5, count_text<P::starts>},
-                           {"", "slid", 5, count_text<P::slid>},
-                           {"", "strayed", 8, count_text<P::strayed>},
-                           {"mis-", "read", 5, count_text<P::misread>},
-                           {"walled", "in", 6, count_text<P::walled_in>},
-                           {"", "late", 5, count_text<P::late>},
-                           {"misread", "walls", 7, count_text<P::misreads>}}});
+    std::array<Column, 7>{
+        {{"", "runs", 5, count_text<P::starts>, "starts", "runs",
+          "Runs that began at the start, search runs among them."},
+         {"", "slid", 5, count_text<P::slid>, "slid", "tyres slipped",
+          "Runs that ended in a crash because the tyres did not hold."},
+         {"", "strayed", 8, count_text<P::strayed>, "strayed", "localization errors",
+          "Runs that ended in a crash because the mouse had lost its position."},
+         {"mis-", "read", 5, count_text<P::misread>, "misread", "wall detection errors",
+          "Runs that ended in a crash into a wall that the map had as open."},
+         {"walled", "in", 6, count_text<P::walled_in>, "walled_in", "no route left",
+          "Runs that ended because the map had no route left, or contradicted what the mouse saw."},
+         {"", "late", 5, count_text<P::late>, "late", "time limit", "Runs that the time limit cut short."},
+         {"misread", "walls", 7, count_text<P::misreads>, "misreads", "walls read wrongly",
+          "Walls that the mouse took for closed where they are open, or for open where they are closed."}}});
 
 }  // namespace
 
 const WorldFields& seconds_fields() {
-  static constexpr WorldFields all = {seconds_contest, seconds_csv,   seconds_mouse,
-                                      maze_fields,     seconds_table, seconds_compared};
+  static constexpr WorldFields all = {
+      seconds_contest, seconds_csv,
+      seconds_mouse,   maze_fields,
+      seconds_table,   seconds_compared,
+      "bound_us",      "best possible score, that of the fastest route, driven at once"};
   return all;
 }
 
 const WorldFields& physical_fields() {
-  static constexpr WorldFields all = {physical_contest, physical_csv, physical_mouse, maze_fields, physical_table};
+  static constexpr WorldFields all = {
+      physical_contest, physical_csv,
+      physical_mouse,   maze_fields,
+      physical_table,   {},
+      "bound_us",       "best possible score, that of a mouse that never errs and knows the maze"};
   return all;
 }
 

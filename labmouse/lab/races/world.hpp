@@ -71,11 +71,18 @@ struct MazeField {
   Value (*of)(const Race&, std::size_t maze);
 };
 
-/// A column of the leaderboard: two lines of heading, its width in characters, and its text in the line of a mouse.
+/// A column of the leaderboard: two lines of heading, its width in characters, and its text in the line of a mouse. The
+/// page shows those with a key.
 struct Column {
   std::string_view first, second;
   int width = 0;
   std::string (*text)(const Race&, const Standing&);
+  std::string_view key = {};    ///< the field of a mouse in JSON that the page shows: a number, or both ends of a range
+  std::string_view title = {};  ///< the heading on the page
+  std::string_view meaning = {};  ///< a sentence
+  int digits = 0;                 ///< decimals on the page
+  bool higher_is_better = false;
+  double factor = 1.0;  ///< by which the page multiplies the field: 100 makes a share a percentage
 };
 
 /// A figure that studies compare besides the score: a number above 0 whose ratio between two mice says something, by
@@ -93,6 +100,8 @@ struct WorldFields {
   std::span<const MazeField> maze;        ///< of a maze in JSON
   std::span<const Column> columns;
   std::span<const ComparedFigure> compared = {};
+  std::string_view bound = "bound";  ///< the field of a maze with its best possible score, in the unit of ScorePlace
+  std::string_view bound_meaning = "best possible score";
 };
 
 /// Something that results depend on besides mice, mazes and seed: the budget, the robot. A truth, a number, a text or

@@ -121,21 +121,32 @@ std::string us_a_step(const Race& race, const Standing& standing) {
 // With the built-in mice a line fits into 90 columns.
 constexpr std::array<Column, 9> table = {
     {{"", "solved", 8, columns::solved},
-     {"score", "all", 7, columns::mean_all},
+     {"score", "all", 7, columns::mean_all, "penalised_mean", "score, all",
+      "Mean score over all contests, in steps: speed run plus a thirtieth of the exploration; a failed one counts 100.",
+      3},
      {"95 %", "interval", 11, [](const Race&, const Standing& s) { return columns::interval(s, 1); }},
-     {"score", "solved", 7, columns::mean_solved},
+     {"score", "solved", 7, columns::mean_solved, "mean_score", "score, solved",
+      "Mean score over the solved contests, in steps.", 3},
      {"score", "/bound", 6, columns::mean_ratio},
      {"expl.", "steps", 5,
-      [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "exploration_steps"), 1); }},
+      [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "exploration_steps"), 1); },
+      "mean_exploration_steps", "explor. steps", "Mean exploration steps of the solved contests, including the reset.",
+      1},
      {"speed", "+steps", 6,
-      [](const Race& r, const Standing& s) { return columns::number(mean_over_optimum(r, s), 2); }},
-     {"best", "runs%", 5, best_runs},
-     {"us a", "step", 5, us_a_step}}};
+      [](const Race& r, const Standing& s) { return columns::number(mean_over_optimum(r, s), 2); },
+      "mean_speed_over_optimum", "steps too many",
+      "Mean steps by which the speed runs of the solved contests were longer than the shortest run of their maze.", 2},
+     {"best", "runs%", 5, best_runs, "optimal_share", "best runs, %",
+      "Percentage of all contests whose speed run was a shortest one.", 1, true, 100.0},
+     {"us a", "step", 5, us_a_step, "microseconds_per_decision", "µs a step",
+      "Mean time per decision, in microseconds: the only figure that changes from race to race.", 2}}};
 
 }  // namespace
 
 const WorldFields& steps_fields() {
-  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields, table};
+  static constexpr WorldFields all = {
+      contest_fields, csv_fields, mouse_fields, maze_fields,
+      table,          {},         "bound",      "best possible score, that of a mouse that knows the maze"};
   return all;
 }
 

@@ -2,12 +2,16 @@
 // too.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
 #include "labmouse/lab/page/calls.hpp"
+#include "labmouse/lab/page/world_tables.hpp"
+#include "labmouse/lab/races/world_entry.hpp"
 #include "labmouse/lab/shapes/shapes.hpp"
 #include "labmouse/lab/shapes/typescript.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/page/shape_check.hpp"
 #include "tests/says.hpp"
 
@@ -16,11 +20,35 @@ namespace {
 
 using test::Says;
 
-TEST(PageShapes, AreWhatThePageReads) {
-  std::ifstream file(std::string(LABMOUSE_SOURCE_DIR) + "/apps/web/page/src/core/types.ts");
+std::string core_file(const std::string& name) {
+  std::ifstream file(std::string(LABMOUSE_SOURCE_DIR) + "/apps/web/page/src/core/" + name);
   std::ostringstream text;
   text << file.rdbuf();
-  EXPECT_TRUE(text.str() == page_typescript()) << "types.ts is not up to date: run scripts/page-types";
+  return text.str();
+}
+
+TEST(PageShapes, AreWhatThePageReads) {
+  EXPECT_TRUE(core_file("types.ts") == page_typescript()) << "types.ts is not up to date: run scripts/page-types";
+}
+
+TEST(PageShapes, AreThoseOfTheTablesOfWorlds) {
+  const Json tables = world_tables_json();
+  EXPECT_EQ(ReadJson::parse(core_file("worlds.json")), ReadJson::parse(tables.dump()))
+      << "worlds.json is not up to date: run scripts/page-types";
+  EXPECT_EQ(test::mismatch(ReadJson::parse(tables.dump()), shapes::list(shapes::named("ShownWorld"))), "");
+}
+
+/// A key that no mouse has would leave its column empty.
+TEST(PageShapes, KnowTheFieldOfEachColumn) {
+  for (const WorldEntry* entry : all_worlds()) {
+    const auto world = entry->make({}).world;
+    const auto has = [](const auto& fields, std::string_view key) {
+      return std::any_of(fields.begin(), fields.end(), [&](const auto& field) { return field.key == key; });
+    };
+    EXPECT_TRUE(has(world->fields().maze, world->fields().bound)) << entry->name;
+    for (const Column& column : world->fields().columns)
+      EXPECT_TRUE(column.key.empty() || has(world->fields().mouse, column.key)) << entry->name << " " << column.key;
+  }
 }
 
 TEST(PageShapes, AreThereForEveryCallAndNoOther) {

@@ -558,54 +558,6 @@ export interface RobotAnswer {
   no_route: string;
 }
 
-/** One contest in the results of a race; docs/races.md has the fields. */
-export interface ContestResult {
-  maze: string;
-  seed: number;
-  outcome: string;
-  score: number | null;
-  exploration_steps: number;
-  speed_steps: number | null;
-  discovered_share: number;
-  visited_share: number;
-  microseconds_per_decision: number;
-  blocked_steps?: number;
-  void_rotations?: number;
-  cut_movements?: number;
-  idle_resets?: number;
-  last_words?: string;
-  counts?: Record<string, number>;
-}
-
-export interface RacedMouse {
-  name: string;
-  /** The SPEC of the mouse, where its name is another. */
-  spec?: string;
-  parameters: Record<string, string | number | boolean>;
-  contestant: boolean;
-  solved: number;
-  runs: number;
-  mean_score: number | null;
-  penalised_mean: number | null;
-  interval: [number, number] | null;
-  mean_ratio: number | null;
-  mean_exploration_steps: number | null;
-  mean_speed_over_optimum: number | null;
-  optimal_share: number;
-  mean_discovered_share: number | null;
-  mean_visited_share: number | null;
-  microseconds_per_decision: number;
-  results: ContestResult[];
-}
-
-export interface RacedMaze {
-  name: string;
-  width: number;
-  height: number;
-  optimum: number | null;
-  bound: number | null;
-}
-
 /** The results of a race as `labmouse race --format json` writes them; mice come best first. */
 export interface RaceResults {
   labmouse: string;
@@ -627,19 +579,63 @@ export interface RaceResults {
 /** What else stands in results, by its key: figures that one world has, or what may be missing. */
 export type Fields = Record<string, unknown>;
 
-/** A race in one world; `race/worlds.ts` knows what else stands in it. */
+export interface RacedMaze extends Fields {
+  name: string;
+  width: number;
+  height: number;
+}
+
+/** One contest in the results of a race; docs/races.md has the fields. */
+export interface ContestResult extends Fields {
+  maze: string;
+  outcome: string;
+}
+
+export interface RacedMouse extends Fields {
+  name: string;
+  runs: number;
+  interval: [number, number] | null;
+  mean_ratio: number | null;
+  results: ContestResult[];
+}
+
+/** A race in one world; `worlds.json` knows what else stands in it. */
 export interface RaceGroup extends Fields {
   world: string;
   /** How its mice are scored, in one line. */
   formula: string;
-  mazes: (Fields & { name: string; width: number; height: number })[];
-  mice: (Fields & {
-    name: string;
-    runs: number;
-    interval: [number, number] | null;
-    mean_ratio: number | null;
-    results: (Fields & { maze: string; outcome: string })[];
-  })[];
+  mazes: RacedMaze[];
+  mice: RacedMouse[];
+}
+
+/** A column of a leaderboard, which shows a field of each mouse. */
+export interface ShownColumn {
+  /** The field: a number, or a list with both ends of an interval. */
+  key: string;
+  title: string;
+  meaning: string;
+  digits: number;
+  factor?: number;
+  higher_is_better?: boolean;
+}
+
+/** How races in a world are shown: `worlds.json` has all that the core knows. */
+export interface ShownWorld {
+  name: string;
+  /** Whether its race stands at the top of results. */
+  home: boolean;
+  /** Of scores and their differences. */
+  unit: string;
+  /** The field of a contest with its score, or the field inside of that, and what it is multiplied by. */
+  score: { key: string; inner: string; unit: number };
+  /** What a contest without a score counts in means; null where it has no place there. */
+  failure_score: number | null;
+  /** The field of a maze with its best possible score. */
+  bound: string;
+  bound_meaning: string;
+  columns: ShownColumn[];
+  /** What runs a contest there again. */
+  call?: 'run' | 'drive' | 'contest';
 }
 
 /** `compare`: what the differences of two mice in the same mazes show. */

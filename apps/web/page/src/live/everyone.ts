@@ -48,7 +48,7 @@ export function createEveryone(
   task: () => Task | null,
   pick: (spec: string, seed: number) => void,
 ): Everyone {
-  const table = createTable((row) => row.result && pick(row.spec, row.result.seed));
+  const table = createTable((row) => row.result && pick(row.spec, Number(row.result.seed)));
   const progress = h('progress', { hidden: true, 'aria-label': 'Mice that have raced' });
   const said = h('p', { role: 'status', class: 'note' });
   const begin = button('Race all mice on this maze', race);

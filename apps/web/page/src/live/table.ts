@@ -1,6 +1,7 @@
 // The mice of a race in one maze, as a table that can be sorted.
 import type { ContestResult } from '../core/types';
 import { h } from '../ui/dom';
+import { orNull } from '../ui/format';
 import { meanings } from '../ui/meanings';
 import { boundMeaning } from '../ui/terms';
 
@@ -34,12 +35,12 @@ const columns: Column[] = [
   {
     name: 'Score',
     unit: 'steps of the speed run, and a thirtieth of those of the exploration',
-    value: (row) => row.result?.score ?? null,
+    value: (row) => orNull(row.result?.score),
     digits: 3,
   },
   { name: 'Score / best', unit: `divided by ${boundMeaning}`, value: (row) => row.ratio, digits: 3 },
-  { name: 'Exploration', unit: 'steps', value: (row) => row.result?.exploration_steps ?? null, digits: 0 },
-  { name: 'Speed run', unit: 'steps', value: (row) => row.result?.speed_steps ?? null, digits: 0 },
+  { name: 'Exploration', unit: 'steps', value: (row) => orNull(row.result?.exploration_steps), digits: 0 },
+  { name: 'Speed run', unit: 'steps', value: (row) => orNull(row.result?.speed_steps), digits: 0 },
   { name: 'Outcome', unit: '', value: (row) => row.outcome },
 ];
 

@@ -91,10 +91,7 @@ function createPanels(page: EarlyPage, state: State, actions: Actions, element: 
   const transport = h('div', { class: 'transport' });
   const parts = h('div', { class: 'parts' });
   const curves = createCurves(state, actions);
-  element.append(
-    h('div', { class: 'theatre' }, sides, transport),
-    h('div', { class: 'panel' }, ...lead, parts),
-  );
+  element.append(h('div', { class: 'theatre' }, sides, transport), h('div', { class: 'panel' }, ...lead, parts));
   function refresh() {
     for (const side of state.sides) side.update();
     render(<Transport state={state} actions={actions} />, transport);

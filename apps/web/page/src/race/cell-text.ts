@@ -30,11 +30,7 @@ export function cellText(board: Board, mouse: number, maze: number): string {
   const where = `${board.mice[mouse].shown} in ${short} (${width}×${height})`;
   if (bound === null) return `${where}: the goal cannot be reached`;
   if (cell.contests.length === 0) return `${where}: no contest`;
-  const what =
-    cell.contests.length === 1
-      ? contestText(cell.contests[0], board.shows.comparesRuns ? optimum : null)
-      : several(cell);
-  const { best } = board.shows;
-  const ratio = cell.ratio === null ? '' : `, score / ${best} ${number(cell.ratio, 3)}`;
-  return `${where}: ${what}; ${best} ${scoreText(bound)}${ratio}`;
+  const what = cell.contests.length === 1 ? contestText(cell.contests[0], optimum) : several(cell);
+  const ratio = cell.ratio === null ? '' : `, score / best ${number(cell.ratio, 3)}`;
+  return `${where}: ${what}; best ${scoreText(bound)}${ratio}`;
 }

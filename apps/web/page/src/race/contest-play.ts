@@ -41,7 +41,7 @@ async function runAgain(
 ): Promise<Found | null> {
   const { again } = board.shows;
   if (!again || contest.seed === null || !(await isOurs(page, mouse))) return null;
-  return again(page.core, board.conditions, { mouse, maze, seed: contest.seed });
+  return again(page.core, { mouse, maze, seed: contest.seed });
 }
 
 const differs = (mouse: string) =>

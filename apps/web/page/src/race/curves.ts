@@ -46,13 +46,13 @@ function sample(mouse: number): HTMLCanvasElement {
 }
 
 /** The same as a table, for eyes that do not see curves, and for paper. */
-function asTable(board: Board, data: ReturnType<typeof ratiosOf>[], best: string) {
+function asTable(board: Board, data: ReturnType<typeof ratiosOf>[]) {
   const heads = ['mouse', ...limits.map((limit, i) => (i === 0 ? '1' : `≤ ${limit}`))];
   const rows = board.mice.map(({ name, index }) => [
     name,
     ...shares(data[index], limits).map((share) => number(share, 1)),
   ]);
-  const caption = `Percentage of all contests with at most that score / ${best}.`;
+  const caption = 'Percentage of all contests with at most that score / best.';
   return h(
     'details',
     { class: 'controls' },
@@ -101,10 +101,9 @@ function createPick(board: Board, changed: () => void) {
 }
 
 export function curves(board: Board): Curves {
-  const { best } = board.shows;
   const data = board.mice.map(({ index }) => ratiosOf(board, index));
   const chart = createLineChart(
-    `Percentage of contests within a score / ${best}, for each mouse. The table below has the same numbers.`,
+    'Percentage of contests within a score / best, for each mouse. The table below has the same numbers.',
   );
   const pick = createPick(board, arrange);
   const logarithmic = h('input', { type: 'checkbox', checked: true, onchange: arrange });
@@ -117,7 +116,7 @@ export function curves(board: Board): Curves {
     return {
       xs,
       lines: mice.map((mouse) => ({ mouse, name: board.mice[mouse].name, values: shares(data[mouse], xs) })),
-      labels: [`score / ${best}${log ? ' (logarithmic)' : ''}`, 'contests within it, %'],
+      labels: [`score / best${log ? ' (logarithmic)' : ''}`, 'contests within it, %'],
       axis: (width) => ({
         ...(log && { splits: () => marksApart(end, width), filter: (_: uPlot, all: number[]) => all }),
         values: (_, all) => all.map((value) => (value === null ? '' : String(Math.round(value * 100) / 100))),
@@ -138,7 +137,7 @@ export function curves(board: Board): Curves {
     chart.element,
     pick.element,
     h('label', { class: 'row controls' }, logarithmic, 'logarithmic'),
-    asTable(board, data, best),
+    asTable(board, data),
   );
   return { element, arrange };
 }

@@ -9,8 +9,7 @@ import { paintBars, type Bars } from './duel-bars';
 import { failureDifferences, pairsOf, type Pair } from './duel-data';
 import { duelWords, failureWords } from './duel-words';
 import { number, scoreText, signed } from '../ui/format';
-import { sortedTable } from './sorted-table';
-import { isHome } from '../results/worlds';
+import { sortedTable } from '../ui/sorted-table';
 
 export interface Duel {
   element: HTMLElement;
@@ -28,9 +27,8 @@ interface Compared {
 
 /** Compares two mice in the order of the mazes, as the command line does: the bootstrap draws by position. */
 async function compared(page: EarlyPage, board: Board, a: number, b: number): Promise<Compared> {
-  const { rules } = await page.ready;
   const { unit, limit, countsFailures } = board.shows;
-  const pairs = pairsOf(board, a, b, isHome(board) ? rules.failure_score : limit);
+  const pairs = pairsOf(board, a, b, limit);
   const seed = page.race()?.results.seed;
   const compare = (differences: number[]) =>
     page.core.call('compare', { differences, ...(Number.isSafeInteger(seed) && { seed }) });

@@ -1,18 +1,17 @@
 // The columns of the leaderboards, and what they mean.
-import type { RaceGroup } from '../core/types';
+import type { RaceGroup, RacedMouse } from '../core/types';
 import { h } from '../ui/dom';
 import { number, orNull } from '../ui/format';
-import type { Column } from './sorted-table';
+import type { Column } from '../ui/sorted-table';
 import { whiskers } from './whisker';
-import { worldOf } from '../results/worlds';
-
-type RacedMouse = RaceGroup['mice'][number];
+import { worldOf, type RacedWorld } from '../results/worlds';
 
 /** Tones alone would not do: the sign of one's own mouse, and of what it was before. */
 const ownSigns = ['★ yours', '☆ yours, before'];
 
-function nameColumn<Row extends { name: string }>(reference: (row: Row) => boolean, own: string[]): Column<Row> {
-  const signOf = (row: Row) => ownSigns[own.indexOf(row.name)] ?? (reference(row) && 'reference');
+function nameColumn(own: string[]): Column<RacedMouse> {
+  const signOf = ({ name, contestant }: RacedMouse) =>
+    ownSigns[own.indexOf(name)] ?? (contestant === false && 'reference');
   return {
     title: 'mouse',
     meaning: 'Its name, with the parameters that were given. A reference knows the maze and is not a contestant.',
@@ -34,38 +33,15 @@ const solvedColumn = (key: string): Column<RacedMouse> => ({
   best: 'descending',
 });
 
-const figure = <Row>(
-  title: string,
-  meaning: string,
-  pick: (row: Row) => unknown,
-  digits: number,
-  best: Column<Row>['best'] = 'ascending',
-  text = (row: Row) => number(pick(row), digits),
-): Column<Row> => ({
-  title,
-  meaning,
-  value: (row) => orNull(pick(row)),
-  show: text,
-  best,
-});
-
 /** The column of intervals; one maze says nothing of others, so it has none. */
-function intervalColumn<Row>(
-  rows: Row[],
-  mean: (row: Row) => unknown,
-  interval: (row: Row) => unknown,
-  mazes: number,
-  unit: string,
-): Column<Row> {
-  const shown = (row: Row) => (mazes < 2 ? null : interval(row));
+function intervalColumn(rows: RacedMouse[], { mean: { key }, unit }: RacedWorld, mazes: number): Column<RacedMouse> {
+  const mean = (row: RacedMouse) => row[key];
+  const shown = (row: RacedMouse) => (mazes < 2 ? null : row.interval);
   const pictures = whiskers(rows.map((row) => ({ mean: mean(row), interval: shown(row) })));
   return {
     title: `95 % interval, ${unit}`,
     meaning: '95 % interval of the mean score over the mazes. The dot is the mean; lower is better.',
-    value: (row) => {
-      const found = shown(row);
-      return Array.isArray(found) ? orNull(found[0]) : null;
-    },
+    value: (row) => orNull(shown(row)?.[0]),
     show: (row) => pictures.row(mean(row), shown(row)),
     head: pictures.head,
     best: 'ascending',
@@ -82,15 +58,11 @@ export const orderedBy = (group: RaceGroup): number => (worldOf(group).countsFai
 /** Those of a race; the figures of its world stand behind those that all have. `own`: one's mouse, and it before. */
 export function columnsOf(group: RaceGroup, mazes: number, own: string[] = []): Column<RacedMouse>[] {
   const world = worldOf(group);
-  const { mice } = group;
-  const mean = (mouse: RacedMouse) => mouse[world.mean];
   return [
-    nameColumn<RacedMouse>((mouse) => mouse.contestant === false, own),
+    nameColumn(own),
     solvedColumn(world.solved),
-    figure(world.countsFailures ? 'score, all' : 'score', world.meanMeaning, mean, 3),
-    intervalColumn(mice, mean, (mouse) => mouse.interval, mazes, world.unit),
-    ...world.columns.map(({ title, meaning, value, digits, best, text }) =>
-      figure(title, meaning, value, digits, best, text),
-    ),
+    world.mean,
+    intervalColumn(group.mice, world, mazes),
+    ...world.columns,
   ];
 }

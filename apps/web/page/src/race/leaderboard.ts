@@ -3,7 +3,7 @@ import type { RaceGroup } from '../core/types';
 import { h } from '../ui/dom';
 import { isNumber } from '../ui/format';
 import { columnsOf, orderedBy } from './leaderboard-columns';
-import { legendOf, sortedTable } from './sorted-table';
+import { legendOf, sortedTable } from '../ui/sorted-table';
 import { isHome, worldOf } from '../results/worlds';
 
 export interface Leaderboard {

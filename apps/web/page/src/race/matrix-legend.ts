@@ -18,15 +18,15 @@ const corner = (step: number, tone: string) =>
     svg('path', { d: 'M0 0 L7 0 L0 7 Z', class: tone }),
   );
 
-/** What the tones and signs of the matrix mean; `best` names what a score is compared with. */
-export function matrixLegend(best: string): HTMLElement {
+/** What the tones and signs of the matrix mean. */
+export function matrixLegend(): HTMLElement {
   const swatches = toneLabels.map((label, step) =>
     h('li', {}, h('span', { class: `swatch ${toneName(step)}` }), label),
   );
   return h(
     'div',
     { class: 'scale' },
-    h('span', {}, `score / ${best}, mean over the solved contests:`),
+    h('span', {}, 'score / best, mean over the solved contests:'),
     h(
       'ul',
       {},

@@ -205,7 +205,7 @@ export function matrix(board: Board, open: Open): Matrix {
       box,
       reading.line,
       reading.runs,
-      matrixLegend(board.shows.best),
+      matrixLegend(),
     ),
     order: (to) => ((order = to), rearrange()),
     filter: (text) => ((filterText = text), rearrange()),

@@ -1,7 +1,7 @@
 // The order of mazes in pictures.
 import type { Board, BoardMaze } from '../results/contests';
 import { meanOf } from '../results/contests';
-import { sorted } from '../results/sorting';
+import { sorted } from '../ui/sorting';
 
 export const mazeOrders = ['name', 'best possible', 'how hard'] as const;
 export type MazeOrder = (typeof mazeOrders)[number];

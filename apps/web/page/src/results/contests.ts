@@ -1,5 +1,5 @@
 // The contests of a race as rows (mice) and columns (mazes), the same for all worlds.
-import type { Fields, RaceGroup, RaceResults } from '../core/types';
+import type { ContestResult, Fields, RaceGroup, RaceResults } from '../core/types';
 import { shortNames } from './names';
 import { orNull } from '../ui/format';
 import { homeGroup, worldOf, type RacedWorld } from './worlds';
@@ -13,8 +13,6 @@ export interface Contest {
   seed: number | null;
   exploration: number | null;
   speed: number | null;
-  /** What the mouse wrote last. */
-  words: string;
 }
 
 export interface Cell {
@@ -84,21 +82,17 @@ function cellOf(contests: Contest[]): Cell {
 }
 
 /** The contests of one mouse, sorted into the mazes. */
-function row<Result extends { maze: string }>(
-  results: Result[],
-  mazes: BoardMaze[],
-  read: (result: Result, maze: BoardMaze) => Contest,
-) {
+function row(results: ContestResult[], mazes: BoardMaze[], world: RacedWorld) {
   const index = new Map(mazes.map((maze) => [maze.name, maze]));
   const contests: Contest[][] = mazes.map(() => []);
   for (const result of results) {
     const maze = index.get(result.maze);
-    if (maze) contests[maze.index].push(read(result, maze));
+    if (maze) contests[maze.index].push(contestOf(world, result, maze));
   }
   return contests.map(cellOf);
 }
 
-function mazesOf({ mazes }: RaceGroup, { bound, optimum }: RacedWorld): BoardMaze[] {
+function mazesOf({ mazes }: RaceGroup, { bound }: RacedWorld): BoardMaze[] {
   const short = shortNames(mazes.map(({ name }) => name));
   return mazes.map((maze, index) => ({
     name: maze.name,
@@ -107,21 +101,22 @@ function mazesOf({ mazes }: RaceGroup, { bound, optimum }: RacedWorld): BoardMaz
     height: maze.height,
     index,
     bound: bound(maze),
-    optimum: optimum(maze),
+    optimum: orNull(maze.optimum),
   }));
 }
 
-function contestOf(world: RacedWorld, result: RaceGroup['mice'][number]['results'][number], maze: BoardMaze): Contest {
-  const { score, solved = score !== null, exploration, speed, outcome, words } = world.contest(result);
+/** Some worlds say of a contest whether it was solved, and how its program ended. */
+function contestOf(world: RacedWorld, result: ContestResult, maze: BoardMaze): Contest {
+  const score = world.score(result);
+  const solved = 'solved' in result ? result.solved === true : score !== null;
   return {
-    outcome: outcome ?? result.outcome,
+    outcome: String(result.end || result.outcome),
     solved,
     score,
     ratio: solved && score !== null && maze.bound ? score / maze.bound : null,
     seed: orNull(result.seed),
-    exploration: exploration ?? null,
-    speed: speed ?? null,
-    words: words ?? '',
+    exploration: orNull(result.exploration_steps),
+    speed: orNull(result.speed_steps),
   };
 }
 
@@ -135,7 +130,7 @@ export function boardOf(group: RaceGroup): Board {
     conditions: group,
     mice: group.mice.map((mouse, index) => mouseOf(mouse.name, index, mouse.contestant === false)),
     mazes,
-    cells: group.mice.map((mouse) => row(mouse.results, mazes, (result, maze) => contestOf(world, result, maze))),
+    cells: group.mice.map((mouse) => row(mouse.results, mazes, world)),
   };
 }
 

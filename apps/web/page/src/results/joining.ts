@@ -1,13 +1,13 @@
 // The pieces of a race that was held in the page, one mouse each, as one race.
 import type { RaceGroup, RaceResults } from '../core/types';
 import { orNull } from '../ui/format';
-import { sorted } from './sorting';
+import { sorted } from '../ui/sorting';
 import { worldOf } from './worlds';
 
 /** Where a contest without a score has no place in means, mice that scored in more contests come first. */
 function inOrder(group: RaceGroup, mice: RaceGroup['mice']): RaceGroup['mice'] {
   const { mean, solved, countsFailures } = worldOf(group);
-  const byMean = sorted(mice, (mouse) => orNull(mouse[mean]), 'ascending');
+  const byMean = sorted(mice, (mouse) => orNull(mouse[mean.key]), 'ascending');
   return countsFailures ? byMean : sorted(byMean, (mouse) => orNull(mouse[solved]), 'descending');
 }
 
@@ -17,7 +17,7 @@ export function joined(pieces: RaceResults[], stopped: boolean): RaceResults | n
   const [first] = pieces;
   const mice = sorted(
     pieces.flatMap((piece) => piece.mice),
-    (mouse) => mouse.penalised_mean,
+    (mouse) => orNull(mouse.penalised_mean),
     'ascending',
   );
   const groups = first.groups?.map((group, index) => ({

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import type { RacedMouse, RaceGroup, RaceResults } from '../../src/core/types';
+import type { RaceGroup, RaceResults } from '../../src/core/types';
 import { joined } from '../../src/results/joining';
-import { sorted } from '../../src/results/sorting';
+import { sorted } from '../../src/ui/sorting';
 
 describe('sorted', () => {
   const rows = [{ v: 3 }, { v: null }, { v: 1 }, { v: 3, second: true }];
@@ -29,7 +29,7 @@ const race = (name: string, mean: number | null, stopped = false) =>
     seed: 1,
     stopped,
     mazes: [{ name: 'one' }],
-    mice: [{ name, penalised_mean: mean } as RacedMouse],
+    mice: [{ name, penalised_mean: mean }],
   }) as unknown as RaceResults;
 
 describe('joined', () => {

@@ -22,7 +22,7 @@ describe('a world that nobody has told the page of', () => {
     expect(own.title).toBe((group.columns as string[])[0]);
     for (const mouse of group.mice) {
       const [cell] = mouse.cells as string[];
-      expect([own.value(mouse), own.text!(mouse)]).toEqual([Number(cell), cell]);
+      expect([own.value(mouse), own.show!(mouse)]).toEqual([Number(cell), cell]);
     }
   });
   it('has its bounds in microseconds, too, and contests with a score under either name', () => {

@@ -1,6 +1,6 @@
 // A table whose columns sort it: a button in each head, and what the column means as its title.
-import { h, type Child } from '../ui/dom';
-import { sorted, type Direction, type SortValue } from '../results/sorting';
+import { h, type Child } from './dom';
+import { sorted, type Direction, type SortValue } from './sorting';
 
 export interface Column<Row> {
   title: string;

@@ -1,0 +1,42 @@
+#include "labmouse/lab/page/world_tables.hpp"
+
+#include "labmouse/lab/races/world_entry.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
+
+namespace labmouse {
+namespace {
+
+Json column_json(const Column& column) {
+  Json json = {{"key", column.key}, {"title", column.title}, {"meaning", column.meaning}, {"digits", column.digits}};
+  if (column.factor != 1.0) json["factor"] = column.factor;
+  if (column.higher_is_better) json["higher_is_better"] = true;
+  return json;
+}
+
+Json table_json(const WorldEntry& entry) {
+  const auto world = entry.make({}).world;
+  const ScorePlace place = world->score_place();
+  const WorldFields& fields = world->fields();
+  Json json = {{"name", entry.name},
+               {"home", entry.is_home},
+               {"unit", world->unit()},
+               {"score", {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}}},
+               {"failure_score", world->failure_score() ? Json(*world->failure_score()) : Json(nullptr)},
+               {"bound", fields.bound},
+               {"bound_meaning", fields.bound_meaning},
+               {"columns", Json::array()}};
+  for (const Column& column : fields.columns)
+    if (!column.key.empty()) json["columns"].push_back(column_json(column));
+  if (!entry.call.empty()) json["call"] = entry.call;
+  return json;
+}
+
+}  // namespace
+
+Json world_tables_json() {
+  Json list = Json::array();
+  for (const WorldEntry* entry : all_worlds()) list.push_back(table_json(*entry));
+  return list;
+}
+
+}  // namespace labmouse
