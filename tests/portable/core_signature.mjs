@@ -8,8 +8,10 @@ const imports = {};
 for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = () => 0;
 const { exports } = new WebAssembly.Instance(module, imports);
 exports._initialize?.();
-const request = exports.labmouse_request(2);
-new Uint8Array(exports.memory.buffer, request, 2).set(Buffer.from('{}'));
-exports.labmouse_signature();
+for (const [i, part] of ['signature', '{}'].entries()) {
+  const place = exports.labmouse_room(i, part.length);
+  new Uint8Array(exports.memory.buffer, place, part.length).set(Buffer.from(part));
+}
+exports.labmouse_call();
 const answer = Buffer.from(exports.memory.buffer, exports.labmouse_answer(), exports.labmouse_answer_size());
 console.log(JSON.parse(answer.toString()).answer.signature);

@@ -41,12 +41,6 @@ std::set<std::string> matches(const std::string& text, const char* pattern) {
 
 std::set<std::string> call_names() { return {page_calls().begin(), page_calls().end()}; }
 
-TEST(PageCalls, AreExported) {
-  const std::string exports = source("apps/web/exports.cpp");
-  const char* line = R"re(LABMOUSE_EXPORT\(labmouse_(\w+)\) void labmouse_\1\(\) \{ call\("\1"\); \})re";
-  EXPECT_EQ(matches(exports, line), call_names());
-}
-
 TEST(PageCalls, AreListedForThePage) {
   std::string types = source("apps/web/page/src/core/types.ts");
   types = types.substr(types.find("export interface Calls {"));

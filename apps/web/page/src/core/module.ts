@@ -4,14 +4,13 @@ import type { Failure } from './types';
 interface Exports {
   memory: WebAssembly.Memory;
   _initialize?: () => void;
-  /** Room for a request of that many bytes, and for what goes beside it. */
-  labmouse_request: (size: number) => number;
-  labmouse_request_bytes: (size: number) => number;
+  /** Room for that many bytes of a part: 0 the name of the call, 1 the request, 2 what goes beside it. */
+  labmouse_room: (part: number, size: number) => number;
+  labmouse_call: () => void;
   labmouse_answer: () => number;
   labmouse_answer_size: () => number;
   labmouse_answer_bytes: () => number;
   labmouse_answer_bytes_size: () => number;
-  [call: `labmouse_${string}`]: (size: number) => number;
 }
 
 export interface Reply {
@@ -46,11 +45,6 @@ function system(memory: () => WebAssembly.Memory) {
   };
 }
 
-/** Those of the exports that only hand over requests and answers. */
-const handOver = /^(request|answer)(_|$)/;
-
-const isCall = (exports: Exports, name: string) => !handOver.test(name) && Object.hasOwn(exports, `labmouse_${name}`);
-
 export type Call = (name: string, request: unknown, bytes?: Uint8Array) => Reply;
 
 /** Starts a core anew. */
@@ -63,14 +57,14 @@ export async function startModule(module: WebAssembly.Module): Promise<Call> {
   const exports = instance.exports as unknown as Exports;
   exports._initialize?.();
 
-  const put = (place: number, bytes: Uint8Array) => new Uint8Array(exports.memory.buffer).set(bytes, place);
   const get = (place: number, size: number) => new Uint8Array(exports.memory.buffer, place, size);
   return (name, request, bytes = new Uint8Array()) => {
-    if (!isCall(exports, name)) return { failure: { error: `the core has no call '${name}'`, problems: [] } };
-    const text = new TextEncoder().encode(JSON.stringify(request));
-    put(exports.labmouse_request(text.length), text);
-    put(exports.labmouse_request_bytes(bytes.length), bytes);
-    exports[`labmouse_${name}`](0);
+    const text = (of: string) => new TextEncoder().encode(of);
+    for (const [i, part] of [text(name), text(JSON.stringify(request)), bytes].entries()) {
+      const place = exports.labmouse_room(i, part.length);
+      new Uint8Array(exports.memory.buffer).set(part, place);
+    }
+    exports.labmouse_call();
     const reply = JSON.parse(new TextDecoder().decode(get(exports.labmouse_answer(), exports.labmouse_answer_size())));
     const size = exports.labmouse_answer_bytes_size();
     if (reply.answer && size > 0) reply.answer.bytes = get(exports.labmouse_answer_bytes(), size).slice();
