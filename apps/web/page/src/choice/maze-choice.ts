@@ -40,7 +40,7 @@ function createPanels(page: Page) {
   const elements: Record<Source, HTMLElement> = {
     'built-in': builtin,
     generator: generator.element,
-    drawing: h('p', { class: 'note' }, 'The maze in the view Draw.'),
+    drawing: h('p.note', 'The maze in the view Draw.'),
     given: button('Open a file…', page.choose),
   };
   return { builtin, generator, elements };
@@ -50,9 +50,9 @@ function createPanels(page: Page) {
 export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): MazeChoice {
   let given: MazeData | null = null;
   let now: MazeData | null = null;
-  const source = h('select', {}, ...sources.map((one) => h('option', { value: one.source }, one.label)));
+  const source = h('select', ...sources.map((one) => h('option', { value: one.source }, one.label)));
   const row = field('From', source);
-  const note = h('p', { class: 'note' });
+  const note = h('p.note');
   const { builtin, generator, elements } = createPanels(page);
   const showPanel = () => sources.forEach((one) => (elements[one.source].hidden = one.source !== source.value));
 
@@ -89,12 +89,12 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
     take(maze);
   }
   const edit = button('Edit in Draw', () => now && page.draw(now));
-  const content = [h('h2', {}, 'Maze'), row, ...sources.map((one) => elements[one.source]), note, edit];
+  const content = [h('h2', 'Maze'), row, ...sources.map((one) => elements[one.source]), note, edit];
   source.addEventListener('change', ask);
   builtin.addEventListener('change', ask);
   generator.element.addEventListener('input', ask);
   return {
-    element: h('section', { class: 'card', 'aria-label': 'Maze' }, ...content),
+    element: h('section.card', { 'aria-label': 'Maze' }, ...content),
     give,
     choose(name) {
       source.value = 'built-in';

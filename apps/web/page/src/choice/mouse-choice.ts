@@ -25,16 +25,16 @@ const isUsual = (name: string) => name === 'ariadne';
 
 const cardsOf = (row: HTMLElement, spec: HTMLElement, reset: HTMLElement, parameters: HTMLElement) => ({
   element: h(
-    'section',
-    { class: 'card', 'aria-label': 'Mouse' },
-    h('h2', {}, 'Mouse'),
+    'section.card',
+    { 'aria-label': 'Mouse' },
+    h('h2', 'Mouse'),
     row,
-    h('div', { class: 'field' }, h('span', { class: 'label' }, 'For the command line'), spec),
+    h('div.field', h('span.label', 'For the command line'), spec),
   ),
   parameters: h(
-    'details',
-    { class: 'card', open: matchMedia('(min-width: 60rem)').matches },
-    h('summary', {}, h('h2', {}, 'Parameters')),
+    'details.card',
+    { open: matchMedia('(min-width: 60rem)').matches },
+    h('summary', h('h2', 'Parameters')),
     reset,
     parameters,
   ),
@@ -48,7 +48,7 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
     mice.map(({ name, summary }) => [name, `${name} · ${summary}`]),
     (name) => choose(name, {}),
   );
-  const summary = h('span', {});
+  const summary = h('span');
   const row = field('Name', list, summary);
   const parameters = createParameters((next) => {
     // What the form does not show stays until another mouse is chosen or all go back to their defaults.

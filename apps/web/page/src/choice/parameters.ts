@@ -23,7 +23,7 @@ const withGiven = (choices: string[], value: string) => (choices.includes(value)
 
 function selectOf(parameter: Parameter, value: string): Control {
   const options = withGiven(parameter.choices ?? [], value);
-  return h('select', {}, ...options.map((one) => h('option', { value: one, selected: one === value }, one)));
+  return h('select', ...options.map((one) => h('option', { value: one, selected: one === value }, one)));
 }
 
 function listed(parameter: Parameter, value: string, id: string): [Control, HTMLElement] {
@@ -58,12 +58,12 @@ export function read(control: Control): string | null {
 function helpFor(parameter: Parameter): HTMLElement {
   const { meaning, low, high } = parameter;
   const range = isNumber(parameter) && low !== undefined ? `; ${low} to ${high}` : '';
-  return h('span', {}, `${meaning}${range}; default ${parameter.default}`);
+  return h('span', `${meaning}${range}; default ${parameter.default}`);
 }
 
 /** `changed` hears of the values that are not the default. */
 export function createParameters(changed: (values: Values) => void): ParameterForm {
-  const element = h('div', { class: 'parameters' });
+  const element = h('div.parameters');
   const fields = new Map<string, Field>();
   let shown = '';
 
@@ -98,7 +98,7 @@ export function createParameters(changed: (values: Values) => void): ParameterFo
       fields.clear();
       const given = { ...values };
       element.replaceChildren(...mouse.parameters.map((one) => rowOf(mouse.name, one, given)));
-      if (mouse.parameters.length === 0) element.append(h('p', { class: 'note' }, 'This mouse has no parameters.'));
+      if (mouse.parameters.length === 0) element.append(h('p.note', 'This mouse has no parameters.'));
     },
     complain(name, message) {
       fields.get(name)?.complain(message);

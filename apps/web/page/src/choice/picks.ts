@@ -25,9 +25,9 @@ export interface Picks {
 /** A list that is folded away. */
 export function picks(title: string, choices: Choice[]): Picks {
   const on = new Map<string, HTMLInputElement>();
-  const list = h('div', { class: 'list' });
+  const list = h('div.list');
   const boxes = () => [...on.values()];
-  const summary = h('summary', {});
+  const summary = h('summary');
   const chosen = () => boxes().flatMap((box) => (box.checked ? [box.value] : []));
   function count() {
     const names = chosen();
@@ -49,15 +49,13 @@ export function picks(title: string, choices: Choice[]): Picks {
   offer(choices);
   return {
     element: h(
-      'details',
-      { class: 'picks' },
+      'details.picks',
       summary,
       h(
         'fieldset',
         { 'aria-label': title, onchange: count },
         h(
-          'p',
-          { class: 'row' },
+          'p.row',
           h('button', { type: 'button', onclick: () => setAll(true) }, 'All'),
           h('button', { type: 'button', onclick: () => setAll(false) }, 'None'),
         ),

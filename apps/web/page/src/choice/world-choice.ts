@@ -36,7 +36,7 @@ export function typed(text: string | null, { type, default: usual }: Parameter):
 function plainRow(setting: Parameter, changed: () => void): Row {
   const [control, ...beside] = controlOf(setting, setting.default);
   control.addEventListener('input', changed);
-  const element = field(capital(setting.name), control, h('span', {}, setting.meaning));
+  const element = field(capital(setting.name), control, h('span', setting.meaning));
   element.append(...beside);
   return {
     element,
@@ -57,7 +57,7 @@ function listRow(setting: Parameter, changed: () => void, words = (name: string)
   );
   select.value = setting.default;
   const row: Row = {
-    element: field(capital(setting.name), select, help ?? h('span', {}, setting.meaning)),
+    element: field(capital(setting.name), select, help ?? h('span', setting.meaning)),
     read: () => select.value,
     write(value) {
       if ([...select.options].some((option) => option.value === value)) select.value = String(value);
@@ -95,7 +95,7 @@ function robotRow(setting: Parameter, { robots }: About, changed: () => void): R
 }
 
 function rulesRow(setting: Parameter, { drive_rules: all }: About, changed: () => void): Row {
-  const source = h('span', {});
+  const source = h('span');
   const show = () => (source.textContent = all.find(({ name }) => name === select.value)?.source ?? '');
   const { select, ...row } = listRow(setting, () => (show(), changed()), undefined, source);
   show();
@@ -124,10 +124,10 @@ export function createWorldChoice(about: About, changed: () => void, worlds = ab
       new Map(one.home ? [] : one.settings.map((setting) => [setting.name, rowOf(setting, about, soon(one))])),
     ]),
   );
-  const note = h('span', {});
+  const note = h('span');
   const element = h(
-    'div',
-    { class: 'world-choice', hidden: worlds.length < 2 },
+    'div.world-choice',
+    { hidden: worlds.length < 2 },
     field('World', select, note),
     ...[...rows.values()].flatMap((list) => [...list.values()].map((row) => row.element)),
   );

@@ -148,7 +148,7 @@ function listenToKeys(editor: Editor, stage: Stage, hand: Hand) {
 }
 
 export function createBoard(editor: Editor): Board {
-  const said = h('p', { class: 'draw-said', 'aria-live': 'polite' });
+  const said = h('p.draw-said', { 'aria-live': 'polite' });
   const overlay: Overlay = { hover: null, cursor: null, route: null };
   const say = (words: string) => said.textContent !== words && said.replaceChildren(words);
   const hand: Hand = { tool: 'walls', cursor: editor.maze().start, fresh: '', stroke: null, overlay, say };
@@ -184,9 +184,9 @@ export function createBoard(editor: Editor): Board {
     stage.resize(maze);
   }
   return {
-    element: h('div', { class: 'draw-board' }, stage.element, said),
+    element: h('div.draw-board', stage.element, said),
     stage,
-    keys: h('p', { id: 'draw-keys', class: 'draw-keys' }, help),
+    keys: h('p.draw-keys', { id: 'draw-keys' }, help),
     show,
     setTool(next) {
       hand.tool = next;

@@ -64,7 +64,7 @@ function createRoute(board: Board, key: Key) {
     key.setRoute(wanted.checked && found !== null);
   }
   return {
-    element: h('label', { class: 'check' }, wanted, 'Shortest run'),
+    element: h('label.check', wanted, 'Shortest run'),
     take(route: [number, number][] | null) {
       found = route;
       show();
@@ -72,13 +72,12 @@ function createRoute(board: Board, key: Key) {
   };
 }
 
-const card = (label: string, ...content: HTMLElement[]) =>
-  h('section', { class: 'card', 'aria-label': label }, ...content);
+const card = (label: string, ...content: HTMLElement[]) => h('section.card', { 'aria-label': label }, ...content);
 
 export function createDesk(page: Page, first: MazeData): Desk {
   const editor = createEditor(first, () => changed());
   const board = createBoard(editor);
-  const room = h('div', { class: 'desk' });
+  const room = h('div.desk');
   const tools = createTools(editor, board.setTool, createLooks(board.stage, room));
   const key = createKey();
   const route = createRoute(board, key);
@@ -87,7 +86,7 @@ export function createDesk(page: Page, first: MazeData): Desk {
   const keep = createKeeper(page);
   const name = h('input', { type: 'text', maxlength: 80, autocomplete: 'off' });
   name.addEventListener('change', () => editor.change({ ...editor.maze(), name: name.value.trim() || 'drawing' }));
-  const title = h('h2', { class: 'draw-title' });
+  const title = h('h2.draw-title');
 
   function load(maze: MazeData) {
     if (!isEqual(maze, editor.maze())) editor.change(maze);
@@ -108,11 +107,11 @@ export function createDesk(page: Page, first: MazeData): Desk {
   const run = button('Run a mouse here', () => page.live(editor.maze()), { class: 'main' });
   const drawing = [title, key.element, field('Name', name), tools.changes, route.element, run, board.keys];
   const opener = filePicker('Open a file…', (fileName, content) => void openInto(page, load, fileName, content));
-  const made = card('New drawing', h('h2', {}, 'New'), createMaking(page, load), opener);
-  const drawn = h('div', {}, card('Drawing', ...drawing), saving.element);
+  const made = card('New drawing', h('h2', 'New'), createMaking(page, load), opener);
+  const drawn = h('div', card('Drawing', ...drawing), saving.element);
   room.append(
-    h('div', { class: 'desk-main' }, tools.element, board.element),
-    h('div', { class: 'desk-panel' }, h('div', { class: 'cards' }, drawn, h('div', {}, judgement.element, made))),
+    h('div.desk-main', tools.element, board.element),
+    h('div.desk-panel', h('div.cards', drawn, h('div', judgement.element, made))),
   );
   return {
     element: room,

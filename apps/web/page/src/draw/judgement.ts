@@ -51,24 +51,24 @@ function rulesList(found: Inspection) {
   const mark = (passed: boolean) =>
     h('span', { class: passed ? 'rule-mark kept' : 'rule-mark broken' }, passed ? '✓ kept' : '✗ broken');
   return found.contest_rules.map(({ name, passed, reason }) =>
-    h('li', {}, mark(passed), h('span', { class: 'rule-name' }, ruleInWords(name)), reason && h('p', {}, reason)),
+    h('li', mark(passed), h('span.rule-name', ruleInWords(name)), reason && h('p', reason)),
   );
 }
 
 /** `route` hears of the shortest run of the drawing, and of null while it is not known. */
 export function createJudgement(page: Page, route: (found: Inspection | null) => void): Judgement {
-  const words = h('p', { role: 'status', class: 'verdict' });
-  const table = h('dl', { class: 'figures' });
-  const explained = h('div', {});
-  const rules = h('ul', { class: 'rules' });
+  const words = h('p.verdict', { role: 'status' });
+  const table = h('dl.figures');
+  const explained = h('div');
+  const rules = h('ul.rules');
   const element = h(
-    'section',
-    { class: 'card', 'aria-label': 'Judgement' },
-    h('h2', {}, 'Judgement'),
+    'section.card',
+    { 'aria-label': 'Judgement' },
+    h('h2', 'Judgement'),
     words,
     table,
     explained,
-    h('details', { open: true }, h('summary', {}, 'Contest rules'), rules),
+    h('details', { open: true }, h('summary', 'Contest rules'), rules),
   );
   let late: ReturnType<typeof setTimeout> | undefined;
 
@@ -88,7 +88,7 @@ export function createJudgement(page: Page, route: (found: Inspection | null) =>
       // Open or not, it is as the reader left it.
       if (!explained.hasChildNodes()) explained.append(meanings(all.map(([name, , meaning]) => [name, meaning])));
       table.replaceChildren(
-        ...all.map(([name, value, meaning]) => h('div', { title: meaning }, h('dt', {}, name), h('dd', {}, value))),
+        ...all.map(([name, value, meaning]) => h('div', { title: meaning }, h('dt', name), h('dd', value))),
       );
       rules.replaceChildren(...rulesList(found));
       route(found);

@@ -8,14 +8,14 @@ export interface Key {
   setRoute(drawn: boolean): void;
 }
 
-const entry = (name: SampleName, words: string) => h('li', {}, sample(name), h('span', {}, words));
+const entry = (name: SampleName, words: string) => h('li', sample(name), h('span', words));
 
 export function createKey(): Key {
   const route = entry('exploration', 'a shortest run');
   route.classList.add('route');
   const element = h(
-    'ul',
-    { class: 'draw-key', 'aria-label': 'Legend' },
+    'ul.draw-key',
+    { 'aria-label': 'Legend' },
     entry('walls', 'wall'),
     entry('start', 'start; the arrow is the start heading'),
     entry('goal', 'goal'),

@@ -24,8 +24,8 @@ export function createMaking(page: Page, made: (maze: MazeData) => void): HTMLEl
     }
   }
   return h(
-    'form',
-    { class: 'making', onsubmit: make, novalidate: true },
+    'form.making',
+    { onsubmit: make, novalidate: true },
     generator.element,
     h('button', { type: 'submit' }, 'New drawing'),
   );

@@ -24,7 +24,7 @@ export interface Saving {
 }
 
 export function createSaving(page: Page, drawing: () => MazeData): Saving {
-  const refusal = h('p', { class: 'field-error', role: 'alert' });
+  const refusal = h('p.field-error', { role: 'alert' });
   const link = createCopyable('Link containing the maze', 'Copy again');
   link.element.hidden = true;
 
@@ -57,7 +57,7 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
     await link.copy();
   };
   const item = (name: string, meaning: string, does: () => Promise<void>) =>
-    h('li', {}, h('button', { type: 'button', onclick: trying(does) }, name), h('span', {}, meaning));
+    h('li', h('button', { type: 'button', onclick: trying(does) }, name), h('span', meaning));
   const items = [
     ...page.about.formats.map(({ name, summary }) => item(name, summary, () => saveAs(name))),
     item('picture', 'an SVG file', saveDrawing),
@@ -66,10 +66,10 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
   ];
   return {
     element: h(
-      'section',
-      { class: 'card', 'aria-label': 'Save' },
-      h('h2', {}, 'Save as'),
-      h('ul', { class: 'formats' }, ...items),
+      'section.card',
+      { 'aria-label': 'Save' },
+      h('h2', 'Save as'),
+      h('ul.formats', ...items),
       refusal,
       link.element,
     ),

@@ -31,7 +31,7 @@ export function createTools(editor: Editor, choose: (tool: Tool | 'look') => voi
       'label',
       { title },
       h('input', { type: 'radio', name: 'draw-tool', value: tool, checked: i === 0, onchange: () => choose(tool) }),
-      h('span', {}, label),
+      h('span', label),
     ),
   );
   const button = (label: string, title: string, onclick: () => void) =>
@@ -43,15 +43,15 @@ export function createTools(editor: Editor, choose: (tool: Tool | 'look') => voi
   const redo = sign('redo', 'Redo', 'Ctrl+Shift+Z', editor.redo);
   return {
     element: h(
-      'div',
-      { class: 'draw-tools', role: 'toolbar', 'aria-label': 'Drawing' },
-      h('fieldset', { class: 'segments' }, h('legend', { class: 'unseen' }, 'Tool'), ...radios),
-      h('span', { class: 'draw-changes' }, undo, redo),
+      'div.draw-tools',
+      { role: 'toolbar', 'aria-label': 'Drawing' },
+      h('fieldset.segments', h('legend.unseen', 'Tool'), ...radios),
+      h('span.draw-changes', undo, redo),
       looks,
     ),
     changes: h(
-      'div',
-      { class: 'row', role: 'group', 'aria-label': 'Change all of it' },
+      'div.row',
+      { role: 'group', 'aria-label': 'Change all of it' },
       button('Turn start', 'Turn the start heading a quarter clockwise (R)', changing(withTurnedStart)),
       button('Mirror', 'Swap east and west', changing(mirrored)),
       button('Rotate', 'Turn the whole maze a quarter clockwise', changing(rotated)),

@@ -29,12 +29,12 @@ export function createLane(core: Core, { play }: Met, hue: Tone): Lane {
   // A search is told by the map that it draws; a run by its speed.
   const layers: Layers = { ...usualLayers, speed: false };
   const scene = createScene(track, layers, { hue, plan: true });
-  const what = h('span', { class: 'doing' });
-  const best = h('span', { class: 'best' });
+  const what = h('span.doing');
+  const best = h('span.best');
   const element = h(
     'figure',
     { class: `lane ${hue}` },
-    h('figcaption', {}, h('strong', {}, play.mouse), what, best),
+    h('figcaption', h('strong', play.mouse), what, best),
     scene.stage.element,
   );
   // They are seen a moment later than the mouse, which does not wait for them.

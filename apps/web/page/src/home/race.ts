@@ -30,12 +30,12 @@ const say = (place: HTMLElement, text: string) => place.textContent !== text && 
 
 /** What stands above the lanes: the gap, the clock and the controls. */
 function createBoard(controls: HTMLElement[]) {
-  const clock = h('span', { class: 'clock', role: 'timer', 'aria-live': 'off' }, unset);
-  const pace = h('span', { class: 'pace' });
-  const gap = h('p', { class: 'gap' });
-  const row = h('p', {}, clock, ' s ', pace);
+  const clock = h('span.clock', { role: 'timer', 'aria-live': 'off' }, unset);
+  const pace = h('span.pace');
+  const gap = h('p.gap');
+  const row = h('p', clock, ' s ', pace);
   return {
-    element: h('div', { class: 'board' }, gap, row, h('span', { class: 'controls' }, ...controls)),
+    element: h('div.board', gap, row, h('span.controls', ...controls)),
     /** Shows that moment, and says at which speed it passes. */
     show([one, other]: Lane[], time: number): number {
       const speed = paceAt([one.track.drive!, other.track.drive!], time);
@@ -55,10 +55,10 @@ function beginOf([{ play }, other]: [Met, Met], { track }: Lane): number {
 
 /** `ended` hears when a race was shown to its end; the controls stand beside the clock. */
 export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): FrontRace {
-  const lanes = h('div', { class: 'lanes' });
+  const lanes = h('div.lanes');
   const meter = createMeter();
   const board = createBoard(controls);
-  const element = h('div', { class: 'front-race' }, board.element, lanes);
+  const element = h('div.front-race', board.element, lanes);
   Object.assign(element, { meter });
   let two: Lane[] = [];
   let time = 0;

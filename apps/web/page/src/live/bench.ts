@@ -42,16 +42,16 @@ const runIn = (page: Page, { spec, maze, seed, budget, drive }: Order): Promise<
 
 /** `refused` hears why a run could not be, and an empty text where it could. */
 export function createBench(page: Page, refused: (message: string) => void): Bench {
-  const outcome = h('p', { role: 'status', class: 'verdict' });
+  const outcome = h('p.verdict', { role: 'status' });
   const compare = h('input', { type: 'checkbox', onchange: () => show() });
-  const beside = h('label', { class: 'check' }, compare, 'Compare with before');
-  const words = h('p', { class: 'comparison', 'aria-live': 'polite' });
-  const row = h('div', { class: 'row' }, beside, words);
-  const title = h('h2', { class: 'unseen' }, 'The walk');
-  const lead = h('div', { class: 'outcome' }, outcome, row);
+  const beside = h('label.check', compare, 'Compare with before');
+  const words = h('p.comparison', { 'aria-live': 'polite' });
+  const row = h('div.row', beside, words);
+  const title = h('h2.unseen', 'The walk');
+  const lead = h('div.outcome', outcome, row);
   const player = createPlayer(page, lead);
   // Beside the numbers of a walk; until there is one, in place of it.
-  const element = h('div', { class: 'bench' }, title, outcome, player.element);
+  const element = h('div.bench', title, outcome, player.element);
   let now: Walk | null = null;
   let before: Walk | null = null;
   let next: { time?: number; look?: Camera } | null = null;

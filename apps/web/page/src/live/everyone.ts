@@ -50,7 +50,7 @@ export function createEveryone(
 ): Everyone {
   const table = createTable((row) => row.result && pick(row.spec, Number(row.result.seed)));
   const progress = h('progress', { hidden: true, 'aria-label': 'Mice that have raced' });
-  const said = h('p', { role: 'status', class: 'note' });
+  const said = h('p.note', { role: 'status' });
   const begin = button('Race all mice on this maze', race);
   const end = button('Stop', stop, { hidden: true });
   // Each race has a number; one whose number is past ends.
@@ -61,8 +61,8 @@ export function createEveryone(
     page.core.stop('race');
     finish('Stopped.');
   }
-  const content = [h('h2', {}, 'All mice'), h('div', { class: 'row' }, said, end, progress), table.element];
-  const element = h('section', { class: 'card everyone', 'aria-label': 'All mice', hidden: true }, ...content);
+  const content = [h('h2', 'All mice'), h('div.row', said, end, progress), table.element];
+  const element = h('section.card.everyone', { 'aria-label': 'All mice', hidden: true }, ...content);
   function finish(words: string) {
     progress.hidden = end.hidden = true;
     begin.disabled = false;

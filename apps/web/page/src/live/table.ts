@@ -54,18 +54,18 @@ export function compareValues(one: Value, other: Value, downwards: boolean): num
 
 /** `pick` hears of the mouse whose name is clicked, or anything else in its row. */
 export function createTable(pick: (row: Row) => void): Table {
-  const caption = h('caption', {});
-  const body = h('tbody', {});
+  const caption = h('caption');
+  const body = h('tbody');
   const heads = columns.map((column, i) =>
     h(
       'th',
       { scope: 'col' },
-      h('button', { type: 'button', class: 'sorter', title: column.unit, onclick: () => sortBy(i) }, column.name),
+      h('button.sorter', { type: 'button', title: column.unit, onclick: () => sortBy(i) }, column.name),
     ),
   );
-  const table = h('table', {}, caption, h('thead', {}, h('tr', {}, ...heads)), body);
-  const scroll = h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Race' }, table);
-  const element = h('div', {}, scroll, meanings(columns.map(({ name, unit }) => [name, unit])));
+  const table = h('table', caption, h('thead', h('tr', ...heads)), body);
+  const scroll = h('div.scroll', { tabindex: 0, role: 'region', 'aria-label': 'Race' }, table);
+  const element = h('div', scroll, meanings(columns.map(({ name, unit }) => [name, unit])));
   let rows: Row[] = [];
   let by = 1;
   let downwards = false;
@@ -73,8 +73,8 @@ export function createTable(pick: (row: Row) => void): Table {
   function cellOf(column: Column, row: Row, i: number) {
     const value = column.value(row);
     if (i === 0) {
-      const show = h('button', { type: 'button', class: 'link', title: row.spec, disabled: !row.result }, row.spec);
-      return h('th', { scope: 'row' }, show, row.isReference && h('span', { class: 'note' }, ' reference'));
+      const show = h('button.link', { type: 'button', title: row.spec, disabled: !row.result }, row.spec);
+      return h('th', { scope: 'row' }, show, row.isReference && h('span.note', ' reference'));
     }
     const text = value === null ? '–' : typeof value === 'number' ? value.toFixed(column.digits) : value;
     return h('td', { class: column.digits === undefined ? 'words' : 'number' }, text);

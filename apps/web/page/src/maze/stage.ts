@@ -60,7 +60,7 @@ function createPainting(paint: () => void) {
 /** The canvas in its room: what is seen of a maze, at which size, in which tones. */
 function createView(maze: MazeSize, paint: Paint, { numbers, changed }: StageOptions) {
   const canvas = h('canvas', { role: 'img', 'aria-label': 'No maze yet' });
-  const element = h('div', { class: 'stage' }, canvas);
+  const element = h('div.stage', canvas);
   const context = canvas.getContext('2d', { alpha: false })!;
   const margins = numbers ? numbered : bare;
   let palette = readPalette();

@@ -80,12 +80,12 @@ const readingOf = ({ time, v, a }: Moment, begin: number) =>
   `${clockText(time - begin)} s: ${speedText(v)}, ${accelerationText(a)}`;
 
 export function createCurves(state: State, actions: Actions): Curves {
-  const picture = h('div', { class: 'speeds', role: 'img' });
-  const title = h('h3', {}, 'Speed and acceleration');
-  const text = h('p', { class: 'reading' });
-  const mark = h('div', { class: 'now' });
+  const picture = h('div.speeds', { role: 'img' });
+  const title = h('h3', 'Speed and acceleration');
+  const text = h('p.reading');
+  const mark = h('div.now');
   const label = 'Speed and acceleration';
-  const element = h('section', { class: 'drive-curves', hidden: true, 'aria-label': label }, title, text, picture);
+  const element = h('section.drive-curves', { hidden: true, 'aria-label': label }, title, text, picture);
   let plot: uPlot | null = null;
   let side: Side | null = null;
   let run = -1;

@@ -52,7 +52,7 @@ export const lookKeys: Record<string, (actions: LookActions) => void> = {
 
 /** The buttons and the keys of a stage without a player; `room` is what fills the screen, and in what the panel folds. */
 export function createLooks(stage: Stage, room: HTMLElement): HTMLElement {
-  const element = h('div', { class: 'looks-room' });
+  const element = h('div.looks-room');
   const actions: LookActions = {
     zoom: (by) => zoomStage(stage, by),
     pan: (x, y) => panStage(stage, x, y),

@@ -87,11 +87,14 @@ const Panel = ({ page, curves, ...props }: PanelProps & { page: EarlyPage; curve
 
 /** The elements of a player, and what draws them anew from its state. */
 function createPanels(page: EarlyPage, state: State, actions: Actions, element: HTMLElement, lead: Lead[]) {
-  const sides = h('div', { class: 'sides' });
-  const transport = h('div', { class: 'transport' });
-  const parts = h('div', { class: 'parts' });
+  const sides = h('div.sides');
+  const transport = h('div.transport');
+  const parts = h('div.parts');
   const curves = createCurves(state, actions);
-  element.append(h('div', { class: 'theatre' }, sides, transport), h('div', { class: 'panel' }, ...lead, parts));
+  element.append(
+    h('div.theatre', sides, transport),
+    h('div.panel', ...lead, parts),
+  );
   function refresh() {
     for (const side of state.sides) side.update();
     render(<Transport state={state} actions={actions} />, transport);
@@ -194,7 +197,7 @@ function setShape(element: HTMLElement, { sides }: State) {
 export function createPlayer(page: EarlyPage, ...lead: Lead[]): Player {
   const clock = createClock();
   const state: State = { clock, layers, sides: [], chosen: 0, folded: false };
-  const element = h('div', { class: 'player', hidden: true });
+  const element = h('div.player', { hidden: true });
   let resting: ReturnType<typeof setTimeout> | undefined;
   let restedListener = () => {};
   /** Some of these come with every frame while somebody scrubs. */

@@ -18,7 +18,7 @@ export interface Shown {
 
 /** What is to be said of the cell under the pointer. */
 function readout(track: Track, { stage, past, distanceOf }: Scene): HTMLElement {
-  const element = h('p', { class: 'readout', 'aria-hidden': 'true' });
+  const element = h('p.readout', { 'aria-hidden': 'true' });
   stage.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) => {
     const cell = cellAt(stage.geometry(), offsetX, offsetY);
     if (!cell) return element.replaceChildren();
@@ -73,7 +73,7 @@ export function createSide(
 ): Side {
   const track = prepare(play);
   const scene = createScene(track, layers, { looked, hue });
-  const caption = h('figcaption', {});
+  const caption = h('figcaption');
   const element = h('figure', { class: hue ? `side ${hue}` : 'side' }, caption, scene.stage.element);
   scene.stage.element.append(readout(track, scene));
   return {

@@ -32,7 +32,7 @@ function marksApart(end: number, room: number): number[] {
 
 /** A piece of a mouse's curve, for the legend. */
 function sample(mouse: number): HTMLCanvasElement {
-  const canvas = h('canvas', { class: 'sample', width: 56, height: 6, 'aria-hidden': 'true' });
+  const canvas = h('canvas.sample', { width: 56, height: 6, 'aria-hidden': 'true' });
   const context = canvas.getContext('2d');
   const style = styleOf(mouse);
   if (!context) return canvas;
@@ -54,9 +54,8 @@ function asTable(board: Board, data: ReturnType<typeof ratiosOf>[]) {
   ]);
   const caption = 'Percentage of all contests with at most that score / best.';
   return h(
-    'details',
-    { class: 'controls' },
-    h('summary', {}, 'As a table'),
+    'details.controls',
+    h('summary', 'As a table'),
     scrolling('Distributions as a table', table({}, heads, rows, caption)),
   );
 }
@@ -64,11 +63,11 @@ function asTable(board: Board, data: ReturnType<typeof ratiosOf>[]) {
 /** The mice as a legend in which one chooses; it also says what the pointer is at. */
 function createPick(board: Board, changed: () => void) {
   const chosen = new Set(board.mice.slice(0, shownAtFirst).map(({ index }) => index));
-  const at = h('span', {});
+  const at = h('span');
   const entries = board.mice.map(({ name, index }) => {
-    const [line, value] = [h('span', {}), h('output', {})];
+    const [line, value] = [h('span'), h('output')];
     const box = h('input', { type: 'checkbox', checked: chosen.has(index), onchange: () => choose() });
-    const label = h('label', { title: name }, box, line, h('span', { class: 'name' }, name), value);
+    const label = h('label', { title: name }, box, line, h('span.name', name), value);
     function choose() {
       if (box.checked) chosen.add(index);
       else chosen.delete(index);
@@ -80,7 +79,7 @@ function createPick(board: Board, changed: () => void) {
   });
   const mice = () => [...chosen].sort((a, b) => a - b);
   return {
-    element: h('fieldset', { class: 'pick' }, h('legend', {}, 'Mice ', at), ...entries.map(({ label }) => label)),
+    element: h('fieldset.pick', h('legend', 'Mice ', at), ...entries.map(({ label }) => label)),
     mice,
     clear() {
       entries.forEach(({ line, value }, index) => {
@@ -133,10 +132,9 @@ export function curves(board: Board): Curves {
   }
   const element = h(
     'div',
-    {},
     chart.element,
     pick.element,
-    h('label', { class: 'row controls' }, logarithmic, 'logarithmic'),
+    h('label.row.controls', logarithmic, 'logarithmic'),
     asTable(board, data),
   );
   return { element, arrange };

@@ -79,8 +79,8 @@ function pairTable(board: Board, { a, b, pairs }: Compared, open: Open) {
 /** The differences as bars, with what the pointer is at. */
 function createBars(board: Board, open: Open) {
   const canvas = h('canvas', { role: 'img' });
-  const caption = h('p', { class: 'caption' });
-  const element = h('div', { class: 'bars', hidden: true }, canvas);
+  const caption = h('p.caption');
+  const element = h('div.bars', { hidden: true }, canvas);
   const { unit } = board.shows;
   const name = (mouse: number) => board.mice[mouse].shown;
   let shown: Compared | null = null;
@@ -122,10 +122,9 @@ function createBars(board: Board, open: Open) {
 export function duel(page: EarlyPage, board: Board, open: Open): Duel {
   // What comes late, for a pair that is no longer chosen, is dropped.
   let asked = 0;
-  const words = h('p', { class: 'words', 'aria-live': 'polite' });
+  const words = h('p.words', { 'aria-live': 'polite' });
   const bars = createBars(board, open);
-  const tableBox = h('div', {
-    class: 'box tall',
+  const tableBox = h('div.box.tall', {
     tabindex: 0,
     role: 'region',
     'aria-label': 'Differences, maze by maze',
@@ -151,8 +150,8 @@ export function duel(page: EarlyPage, board: Board, open: Open): Duel {
   function tryToChoose() {
     choose().catch((error) => (words.textContent = error instanceof Error ? error.message : String(error)));
   }
-  const labels = ['First', 'second'].map((label, i) => h('label', { class: 'row' }, label, choices[i]));
-  const row = h('div', { class: 'row controls' }, ...labels);
+  const labels = ['First', 'second'].map((label, i) => h('label.row', label, choices[i]));
+  const row = h('div.row.controls', ...labels);
   tryToChoose();
-  return { element: h('div', {}, row, words, bars.element, bars.caption, tableBox), arrange: bars.arrange };
+  return { element: h('div', row, words, bars.element, bars.caption, tableBox), arrange: bars.arrange };
 }

@@ -60,14 +60,9 @@ async function contestsIn(page: EarlyPage, board: Board, maze: number) {
 function legend(losses: number[], kind: Kind): HTMLElement {
   const highest = Math.max(...losses);
   const swatches = Array.from({ length: levels }, (_, i) =>
-    h('li', {}, h('span', { class: `swatch heat${i + 1}` }), `to ${levelEnd(i + 1, highest).toFixed(2)}`),
+    h('li', h('span', { class: `swatch heat${i + 1}` }), `to ${levelEnd(i + 1, highest).toFixed(2)}`),
   );
-  return h(
-    'div',
-    { class: 'scale' },
-    h('span', {}, `lost in a cell by the mean contest, ${kinds[kind].unit}:`),
-    h('ul', {}, ...swatches),
-  );
+  return h('div.scale', h('span', `lost in a cell by the mean contest, ${kinds[kind].unit}:`), h('ul', ...swatches));
 }
 
 /** The picture with its title and its scale, on any kind of canvas. */
@@ -125,10 +120,10 @@ function createHeatMap(page: EarlyPage) {
   let stage: Stage | null = null;
   let shown: Shown | null = null;
   let kind: Kind = 'points';
-  const words = h('p', { class: 'words', 'aria-live': 'polite' });
-  const caption = h('p', { class: 'caption' });
-  const scale = h('div', {});
-  const room = h('div', { class: 'heat-room', hidden: true });
+  const words = h('p.words', { 'aria-live': 'polite' });
+  const caption = h('p.caption');
+  const scale = h('div');
+  const room = h('div.heat-room', { hidden: true });
   const losses = () => (shown ? lossesOf(shown.found, kind) : []);
 
   function describe() {
@@ -164,9 +159,8 @@ function createHeatMap(page: EarlyPage) {
     (value) => ((kind = value as Kind), describe()),
   );
   const row = h(
-    'div',
-    { class: 'row controls' },
-    h('label', { class: 'row' }, 'Show what is lost', choice),
+    'div.row.controls',
+    h('label.row', 'Show what is lost', choice),
     button('Save as PNG', () => save('png')),
     button('Save as SVG', () => save('svg')),
   );
@@ -203,6 +197,6 @@ export function heat(page: EarlyPage, race: LoadedRace, board: Board): Heat {
       finder.disabled = false;
     }
   }
-  const row = h('div', { class: 'row controls' }, h('label', { class: 'row' }, 'Maze', mazes), finder);
-  return { element: h('div', { class: 'heat' }, row, map.element), arrange: map.redraw };
+  const row = h('div.row.controls', h('label.row', 'Maze', mazes), finder);
+  return { element: h('div.heat', row, map.element), arrange: map.redraw };
 }

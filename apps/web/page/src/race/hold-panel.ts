@@ -14,7 +14,7 @@ const whole = (label: string | Node, value: number, most: number) => {
   const input = h('input', { type: 'number', min: 1, max: most, step: 1, value, required: true });
   const read = () => Math.max(1, Math.min(most, Math.round(input.valueAsNumber) || value));
   return {
-    element: h('label', { class: 'row' }, label, input),
+    element: h('label.row', label, input),
     read,
     write: (now: number) => (input.value = String(now)),
   };
@@ -35,13 +35,13 @@ export interface HoldPanel {
 /** Holds races, and shows how far they are; `begin` is the button that begins one. */
 function createRunning(page: EarlyPage, begin: HTMLButtonElement) {
   const bar = h('progress', { max: 1, value: 0, 'aria-label': 'Progress of the race' });
-  const doing = h('span', { class: 'note' });
+  const doing = h('span.note');
   let wanted = true;
   function stop() {
     wanted = false;
     page.core.stop('race');
   }
-  const element = h('div', { class: 'row', hidden: true }, bar, doing, button('Stop', stop));
+  const element = h('div.row', { hidden: true }, bar, doing, button('Stop', stop));
   function report(now: Progress) {
     bar.max = now.all;
     bar.value = now.done;
@@ -80,7 +80,7 @@ function createOrderForm(page: EarlyPage, about: About) {
   /** Those that came with links. */
   const linked: MazeData[] = [];
   const mazes = mazePicks('Mazes', about, () => [...page.mazes(), ...linked], false);
-  const whose = h('span', {});
+  const whose = h('span');
   const runs = whole(whose, where.usual_runs, 100);
   const seed = whole('seed', 1, 2 ** 53 - 1);
   /** Offers what there is in the chosen world: its mice, and as many runs as are usual there, unless others were chosen. */
@@ -112,14 +112,14 @@ function createOrderForm(page: EarlyPage, about: About) {
     runs.write(order.runs);
     seed.write(order.seed);
   }
-  const lists = h('div', { class: 'sides' }, mice.element, mazes.element);
+  const lists = h('div.sides', mice.element, mazes.element);
   return { elements: [world.element, lists], numbers: [runs.element, seed.element], refresh: mazes.refresh, read, set };
 }
 
 /** The form, once it is known what the core brings. */
 export function holdPanel(page: EarlyPage, about: About): HoldPanel {
   const form = createOrderForm(page, about);
-  const begin = h('button', { type: 'submit', class: 'main' }, 'Start the race');
+  const begin = h('button.main', { type: 'submit' }, 'Start the race');
   const running = createRunning(page, begin);
   function start() {
     const order = form.read();
@@ -128,10 +128,10 @@ export function holdPanel(page: EarlyPage, about: About): HoldPanel {
     void running.hold(order);
   }
   const element = h(
-    'form',
-    { class: 'hold', onsubmit: (event: Event) => (event.preventDefault(), start()) },
+    'form.hold',
+    { onsubmit: (event: Event) => (event.preventDefault(), start()) },
     ...form.elements,
-    h('div', { class: 'row' }, ...form.numbers, begin),
+    h('div.row', ...form.numbers, begin),
     running.element,
   );
   return { element, refresh: form.refresh, order: form.read, set: form.set, start };

@@ -11,24 +11,22 @@ export interface HoldPart {
 
 const fromCommandLine = () =>
   h(
-    'details',
-    { class: 'note' },
-    h('summary', {}, 'Or show results from the command line'),
+    'details.note',
+    h('summary', 'Or show results from the command line'),
     h(
       'p',
-      {},
       'Write them with ',
-      h('code', {}, 'labmouse race --format json > results.json'),
+      h('code', 'labmouse race --format json > results.json'),
       ' and drop the file anywhere on this page. ',
-      h('code', {}, 'labmouse report results.json -o report.html'),
+      h('code', 'labmouse report results.json -o report.html'),
       ' makes a separate page from them, with the replays.',
     ),
   );
 
 /** `first`: there is no race yet, so it is not folded away. */
 export function holdPart(page: EarlyPage, first: boolean): HoldPart {
-  const note = (text: string) => h('p', { class: 'note' }, text);
-  const room = h('div', {}, note('Starting …'));
+  const note = (text: string) => h('p.note', text);
+  const room = h('div', note('Starting …'));
   const panel = page.ready.then((about) => holdPanel(page, about));
   panel.then(
     ({ element }) => room.replaceChildren(element),
@@ -37,6 +35,6 @@ export function holdPart(page: EarlyPage, first: boolean): HoldPart {
   const content = [room, fromCommandLine()];
   const element = first
     ? part('Run a race', 'Choose mice and mazes: the race is held in this page.', ...content)
-    : h('details', { class: 'part controls' }, h('summary', {}, 'Run another race'), ...content);
+    : h('details.part.controls', h('summary', 'Run another race'), ...content);
   return { element, panel };
 }

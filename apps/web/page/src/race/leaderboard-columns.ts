@@ -18,7 +18,7 @@ function nameColumn(own: string[]): Column<RacedMouse> {
     value: (row) => row.name,
     show: (row) => {
       const sign = signOf(row);
-      return h('span', { class: 'name', title: row.name }, row.name, sign && h('small', {}, sign));
+      return h('span.name', { title: row.name }, row.name, sign && h('small', sign));
     },
     best: 'ascending',
     class: 'first',

@@ -41,9 +41,8 @@ export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void
     world: group.world,
     element: h(
       'div',
-      {},
-      h('div', { class: 'box', tabindex: 0, role: 'region', 'aria-label': `${label}, table` }, table.element),
-      h('p', { class: 'note lines' }, notesOf(group).join('\n')),
+      h('div.box', { tabindex: 0, role: 'region', 'aria-label': `${label}, table` }, table.element),
+      h('p.note.lines', notesOf(group).join('\n')),
       legendOf(columns),
     ),
     filter: (text) => table.filter((row) => row.name.toLowerCase().includes(text.toLowerCase())),

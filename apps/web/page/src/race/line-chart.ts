@@ -55,7 +55,7 @@ function optionsOf({ xs: _, lines, labels, axis, scale, cursor, series, pointed 
 
 /** `label` says what it shows, to those who do not see it. */
 export function createLineChart(label: string) {
-  const element = h('div', { class: 'curves', role: 'img', 'aria-label': label });
+  const element = h('div.curves', { role: 'img', 'aria-label': label });
   let plot: uPlot | null = null;
   return {
     element,

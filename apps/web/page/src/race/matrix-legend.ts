@@ -20,20 +20,16 @@ const corner = (step: number, tone: string) =>
 
 /** What the tones and signs of the matrix mean. */
 export function matrixLegend(): HTMLElement {
-  const swatches = toneLabels.map((label, step) =>
-    h('li', {}, h('span', { class: `swatch ${toneName(step)}` }), label),
-  );
+  const swatches = toneLabels.map((label, step) => h('li', h('span', { class: `swatch ${toneName(step)}` }), label));
   return h(
-    'div',
-    { class: 'scale' },
-    h('span', {}, 'score / best, mean over the solved contests:'),
+    'div.scale',
+    h('span', 'score / best, mean over the solved contests:'),
     h(
       'ul',
-      {},
       ...swatches,
-      h('li', {}, sign('M3 3 L11 11 M11 3 L3 11'), 'all contests failed'),
-      h('li', {}, corner(1, 'on-light'), corner(5, 'on-dark'), 'some failed'),
-      h('li', {}, sign('M3 7 L11 7', 'dash'), 'no route, or no contest'),
+      h('li', sign('M3 3 L11 11 M11 3 L3 11'), 'all contests failed'),
+      h('li', corner(1, 'on-light'), corner(5, 'on-dark'), 'some failed'),
+      h('li', sign('M3 7 L11 7', 'dash'), 'no route, or no contest'),
     ),
   );
 }

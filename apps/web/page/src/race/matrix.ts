@@ -35,11 +35,11 @@ const inBoard = ({ mice, mazes }: Shown, { row, column }: Place) => [mice[row], 
 function createGrid(shown: Shown) {
   const { board } = shown;
   const canvas = h('canvas', { 'aria-hidden': 'true' });
-  const mark = h('div', { class: 'mark', hidden: true });
+  const mark = h('div.mark', { hidden: true });
   const label = `${board.mice.length} mice by ${board.mazes.length} mazes. Arrow keys move from cell to cell, Enter opens the replay.`;
   const element = h(
-    'div',
-    { class: 'cells', tabindex: 0, role: 'application', 'aria-roledescription': 'matrix', 'aria-label': label },
+    'div.cells',
+    { tabindex: 0, role: 'application', 'aria-roledescription': 'matrix', 'aria-label': label },
     canvas,
     mark,
   );
@@ -67,9 +67,9 @@ type Grid = ReturnType<typeof createGrid>;
 /** What the chosen cell says, and the contests in it. */
 function createReading(shown: Shown, grid: Grid, open: Open) {
   const { board } = shown;
-  const caption = h('p', { class: 'caption', 'aria-live': 'polite' }, 'Point at a cell, or move with the arrow keys.');
+  const caption = h('p.caption', { 'aria-live': 'polite' }, 'Point at a cell, or move with the arrow keys.');
   const opener = button('Open the replay', () => openAt(shown.cursor), { disabled: true });
-  const runs = h('ol', { class: 'runs', hidden: true });
+  const runs = h('ol.runs', { hidden: true });
   function select(place: Place) {
     const [mouse, maze] = inBoard(shown, place);
     shown.cursor = place;
@@ -88,7 +88,6 @@ function createReading(shown: Shown, grid: Grid, open: Open) {
       ...contests.map((contest, position) =>
         h(
           'li',
-          {},
           button(contestText(contest, optimum), () => open(mouse, maze, position)),
         ),
       ),
@@ -107,7 +106,7 @@ function createReading(shown: Shown, grid: Grid, open: Open) {
     grid.mark.hidden = runs.hidden = opener.disabled = true;
     shown.cursor = { row: 0, column: 0 };
   }
-  return { line: h('div', { class: 'row reading controls' }, caption, opener), runs, select, openAt, clear };
+  return { line: h('div.row.reading.controls', caption, opener), runs, select, openAt, clear };
 }
 
 /** Pointer and keys; `went` hears of a move by a key. */
@@ -163,8 +162,8 @@ export function matrix(board: Board, open: Open): Matrix {
   const shown: Shown = { board, mice: order, mazes, layout, cursor: start };
   const grid = createGrid(shown);
   const reading = createReading(shown, grid, open);
-  const names = h('div', { class: 'names', 'aria-hidden': 'true' });
-  const box = h('div', { class: 'matrix' }, names, grid.element);
+  const names = h('div.names', { 'aria-hidden': 'true' });
+  const box = h('div.matrix', names, grid.element);
   listen(shown, grid, reading, () => bringIntoSight(box, box.clientWidth - names.offsetWidth, shown));
 
   function arrange() {
@@ -193,20 +192,9 @@ export function matrix(board: Board, open: Open): Matrix {
     rearrange,
   );
   const wide = h('input', { type: 'checkbox', onchange: () => ((width = wide.checked ? 'wide' : 'fit'), arrange()) });
-  const [by, cells] = [
-    h('label', { class: 'row' }, 'Mazes by', orders),
-    h('label', { class: 'row' }, wide, 'wide cells'),
-  ];
+  const [by, cells] = [h('label.row', 'Mazes by', orders), h('label.row', wide, 'wide cells')];
   return {
-    element: h(
-      'div',
-      {},
-      h('div', { class: 'row controls' }, by, cells),
-      box,
-      reading.line,
-      reading.runs,
-      matrixLegend(),
-    ),
+    element: h('div', h('div.row.controls', by, cells), box, reading.line, reading.runs, matrixLegend()),
     order: (to) => ((order = to), rearrange()),
     filter: (text) => ((filterText = text), rearrange()),
     arrange,

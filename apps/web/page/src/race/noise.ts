@@ -33,13 +33,11 @@ export function noisePicture(curves: NoiseCurves): { element: HTMLElement; arran
       .join(', ') || '–';
   const element = h(
     'div',
-    {},
     chart.element,
     noiseTable(curves, 'Contests finished, %', (mouse, noise) => number(mice[mouse].finished[noise], 1)),
     h(
-      'details',
-      { class: 'controls' },
-      h('summary', {}, 'What ended the others'),
+      'details.controls',
+      h('summary', 'What ended the others'),
       noiseTable(curves, 'Contests without a score, by what ended them', endings),
     ),
   );

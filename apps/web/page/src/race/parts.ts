@@ -26,10 +26,4 @@ export function facts(results: RaceResults): string {
 
 /** A part of the view under its title. */
 export const part = (title: string, about: string, ...content: HTMLElement[]) =>
-  h(
-    'section',
-    { class: 'part', 'aria-label': title },
-    h('h2', {}, title),
-    about ? h('p', { class: 'note' }, about) : null,
-    ...content,
-  );
+  h('section.part', { 'aria-label': title }, h('h2', title), about ? h('p.note', about) : null, ...content);

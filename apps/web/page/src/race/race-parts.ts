@@ -99,7 +99,7 @@ export function raceParts(
   const save = () => page.save('results.json', `${JSON.stringify(results)}\n`, 'application/json');
   const goBack = page.backToReport();
   const controls = [search, button('Save results', save), goBack && button('Back to the report', goBack)];
-  const pictures = h('div', { class: 'race pictures' });
+  const pictures = h('div.race.pictures');
   afterFrame(() => {
     if (!wanted()) return;
     boards = groups.map((group) => boardParts(page, race, boardOf(group)));
@@ -114,12 +114,9 @@ export function raceParts(
     drawn([...boards.flatMap(({ painted }) => painted), ...noise], boards[0].board);
   });
   const line = isExample ? `An example: ${facts(results)}` : facts(results);
-  const board = h('div', { class: 'row controls' }, ...controls);
+  const board = h('div.row.controls', ...controls);
   return {
-    tables: [
-      h('p', { class: 'note facts' }, line),
-      part('Leaderboard', '', board, ...tables.map(({ element }) => element)),
-    ],
+    tables: [h('p.note.facts', line), part('Leaderboard', '', board, ...tables.map(({ element }) => element))],
     pictures,
   };
 }

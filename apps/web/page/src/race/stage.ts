@@ -19,9 +19,9 @@ export function hasStage({ order, results }: LoadedRace): boolean {
 
 export function createRaceStage(page: EarlyPage) {
   const player = createPlayer(page);
-  const words = h('p', { class: 'unseen on-stage', role: 'status' });
+  const words = h('p.unseen.on-stage', { role: 'status' });
   return {
-    element: h('div', { class: 'bench' }, player.element),
+    element: h('div.bench', player.element),
     words,
     stop: player.stop,
     clear() {

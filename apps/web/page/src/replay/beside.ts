@@ -20,7 +20,7 @@ function holdAgain(page: Page, { maze, seed, again }: Play, mouse: string): Prom
 
 /** `shown` hears of both plays. */
 export function createBeside(page: Page, shown: (plays: Shown[]) => void): Beside {
-  const select = h('select', {});
+  const select = h('select');
   let first: Shown | null = null;
   async function play() {
     const one = first;
@@ -36,7 +36,7 @@ export function createBeside(page: Page, shown: (plays: Shown[]) => void): Besid
     }
   }
   const button = h('button', { type: 'button', onclick: () => void play() }, 'Play it');
-  const element = h('p', { class: 'beside row', hidden: true }, h('label', {}, 'Beside it: ', select), button);
+  const element = h('p.beside.row', { hidden: true }, h('label', 'Beside it: ', select), button);
   return {
     element,
     show(plays) {

@@ -217,8 +217,8 @@ function createHolding({ core, about }: Page) {
 export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean, time?: number) => void): Chooser {
   const { core, about } = page;
   const hold = createHolding(page);
-  const room = h('div', {});
-  const element = h('details', { class: 'choices controls' }, h('summary', {}, 'Choose a contest'), room);
+  const room = h('div');
+  const element = h('details.choices.controls', h('summary', 'Choose a contest'), room);
   const picked = usualPick(about);
   /** Settings of the contest that are not the usual ones, until another world is chosen. */
   let unusual: Fields | null = null;

@@ -6,9 +6,8 @@ import { table } from '../ui/table';
 /** `220.40 ms`, and what it was before where that is another. All figures of a kind have as many digits. */
 export function changedText(now: number, before: number | null | undefined, unit: string, digits: number) {
   const text = unit === '' ? now.toFixed(digits) : `${now.toFixed(digits)} ${unit}`;
-  if (before === null || before === undefined || before.toFixed(digits) === now.toFixed(digits))
-    return h('span', {}, text);
-  return h('span', { class: 'changed' }, text, h('small', {}, ` was ${before.toFixed(digits)}`));
+  if (before === null || before === undefined || before.toFixed(digits) === now.toFixed(digits)) return h('span', text);
+  return h('span.changed', text, h('small', ` was ${before.toFixed(digits)}`));
 }
 
 const line = ([x1, y1, x2, y2]: [number, number, number, number], kind: string) =>
@@ -40,29 +39,27 @@ function drawing({ turn, path, open, standing }: RobotTurn, before: RobotTurn | 
 
 function turnFigure(turn: RobotTurn, before: RobotTurn | undefined) {
   const mm = (name: string, value: number | null, was: number | null | undefined) =>
-    value === null ? [] : [h('dt', {}, name), h('dd', {}, changedText(value, was, 'mm', 1))];
+    value === null ? [] : [h('dt', name), h('dd', changedText(value, was, 'mm', 1))];
   const speeds = turn.speeds.map(({ speed, ms }, i) =>
     h(
       'tr',
-      {},
-      h('td', {}, changedText(speed, before?.speeds[i]?.speed, '', 1)),
-      h('td', {}, changedText(ms, before?.speeds[i]?.ms, '', 3)),
+      h('td', changedText(speed, before?.speeds[i]?.speed, '', 1)),
+      h('td', changedText(ms, before?.speeds[i]?.ms, '', 3)),
     ),
   );
   return h(
-    'figure',
-    { class: 'robot-turn', 'data-turn': turn.turn },
+    'figure.robot-turn',
+    { 'data-turn': turn.turn },
     drawing(turn, before),
-    h('figcaption', {}, h('strong', {}, turn.turn)),
+    h('figcaption', h('strong', turn.turn)),
     h(
       'table',
       { 'aria-label': `Speeds of turn ${turn.turn}` },
-      h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'mm/s'), h('th', { scope: 'col' }, 'ms'))),
-      h('tbody', {}, ...speeds),
+      h('thead', h('tr', h('th', { scope: 'col' }, 'mm/s'), h('th', { scope: 'col' }, 'ms'))),
+      h('tbody', ...speeds),
     ),
     h(
-      'dl',
-      { class: 'figures' },
+      'dl.figures',
       ...mm('straight before', turn.lead_in, before?.lead_in),
       ...mm('straight after', turn.lead_out, before?.lead_out),
       ...mm('curve', turn.length, before?.length),
@@ -90,7 +87,7 @@ const moves: [keyof RobotResult['search'], string][] = [
 ];
 
 type Row = [name: string, value: HTMLElement];
-const listOf = (label: string, rows: Row[]) => h('div', { class: 'scroll' }, table({ 'aria-label': label }, [], rows));
+const listOf = (label: string, rows: Row[]) => h('div.scroll', table({ 'aria-label': label }, [], rows));
 
 export const searchTable = ({ search }: RobotResult, before: RobotResult | null) =>
   listOf(
@@ -103,8 +100,7 @@ export function straightTables({ straights }: RobotResult, before: RobotResult |
     const was = before?.straights.find((one) => one.kind === kind)?.times;
     return h(
       'div',
-      {},
-      h('h4', {}, `${kind === 'straight' ? 'Straights' : 'Diagonals'} between turns at ${speed.toFixed(0)} mm/s`),
+      h('h4', `${kind === 'straight' ? 'Straights' : 'Diagonals'} between turns at ${speed.toFixed(0)} mm/s`),
       listOf(
         `Times of ${kind === 'straight' ? 'straights' : 'diagonals'}`,
         times.map(({ steps, ms }) => [
@@ -133,6 +129,6 @@ export function routeTable(route: RobotRoute, before: RobotRoute | null) {
     ...time('gate to gate: from leaving the start cell to entering a goal', 'gate_to_gate_us'),
     ...time('the best without diagonals', 'without_diagonals_us'),
     ...time('the best with S90 alone, the small turn of a search', 'small_turns_us'),
-    [`cells entered, at least ${route.fewest_cells}`, h('span', {}, `${route.cells}`)],
+    [`cells entered, at least ${route.fewest_cells}`, h('span', `${route.cells}`)],
   ]);
 }

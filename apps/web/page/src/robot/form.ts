@@ -60,7 +60,7 @@ function numberRow(key: RobotKey, value: RobotValue | undefined, input: () => vo
     if (control.validity.badInput) return 'no number';
     return control.value === '' ? undefined : control.valueAsNumber;
   };
-  const beside = key.kind === 'number_or_false' && h('label', { class: 'check' }, never, `${key.name} is not driven`);
+  const beside = key.kind === 'number_or_false' && h('label.check', never, `${key.name} is not driven`);
   return { control, beside, read };
 }
 
@@ -80,17 +80,17 @@ function createRow(key: RobotKey, value: RobotValue | undefined, changed: () => 
   const isChoice = key.kind === 'yes_or_no' || key.kind === 'end';
   const { control, beside, read } = (isChoice ? choiceRow : numberRow)(key, value, changed);
   const unit = key.unit && ` (${key.unit})`;
-  const help = h('span', {}, key.meaning, h('span', { class: 'range' }, ` ${key.range}`));
+  const help = h('span', key.meaning, h('span.range', ` ${key.range}`));
   const element = field(`${shortOf(key.name)}${unit}`, control, help);
   control.dataset.key = key.name;
-  const remark = h('span', { class: 'field-remark', role: 'status' });
+  const remark = h('span.field-remark', { role: 'status' });
   element.append(...(beside ? [beside] : []), remark);
   return { element, remark, read };
 }
 
 /** `changed` hears of every edit; `again` where other keys have a meaning after it. */
 export function createRobotForm(keys: RobotKey[], changed: () => void): RobotForm {
-  const element = h('div', { class: 'robot-form' });
+  const element = h('div.robot-form');
   const rows = new Map<string, Row>();
   let shown = '';
 
@@ -104,10 +104,10 @@ export function createRobotForm(keys: RobotKey[], changed: () => void): RobotFor
     const fields = of.map((key) => rowOf(key, values[key.name]));
     const isGiven = section !== 'layout' || of.some(({ name }) => name in values);
     return h(
-      'details',
-      { class: 'card', open: isGiven, 'data-section': section },
-      h('summary', {}, h('h2', {}, title)),
-      h('div', { class: 'parameters' }, ...fields),
+      'details.card',
+      { open: isGiven, 'data-section': section },
+      h('summary', h('h2', title)),
+      h('div.parameters', ...fields),
     );
   }
   return {

@@ -10,21 +10,20 @@ import type { RoutePanel } from './route-panel';
 const patience = 100;
 
 export function createOutcome(desk: HTMLElement, route: RoutePanel) {
-  const status = h('p', { class: 'verdict', role: 'status' });
+  const status = h('p.verdict', { role: 'status' });
   // Stays in sight while the form scrolls.
-  const refusal = h('p', { class: 'refusal', role: 'alert' });
-  const others = h('ul', { class: 'robot-sentences' });
-  const turns = h('div', { class: 'robot-turns' });
-  const tables = h('div', { class: 'robot-tables' });
+  const refusal = h('p.refusal', { role: 'alert' });
+  const others = h('ul.robot-sentences');
+  const turns = h('div.robot-turns');
+  const tables = h('div.robot-tables');
   const follows = h(
-    'div',
-    { class: 'robot-follows' },
-    h('div', {}, h('h3', {}, 'The best route'), route.times),
+    'div.robot-follows',
+    h('div', h('h3', 'The best route'), route.times),
     route.saving,
-    h('h3', {}, 'Turns'),
+    h('h3', 'Turns'),
     turns,
     meanings(turnMeanings),
-    h('h3', {}, 'Straights and the search'),
+    h('h3', 'Straights and the search'),
     tables,
   );
   let late: ReturnType<typeof setTimeout> | undefined;
@@ -42,7 +41,7 @@ export function createOutcome(desk: HTMLElement, route: RoutePanel) {
   }
   return {
     refusal,
-    element: h('div', { class: 'desk-main' }, status, others, follows),
+    element: h('div.desk-main', status, others, follows),
     wait,
     rest() {
       clearTimeout(late);
@@ -50,7 +49,7 @@ export function createOutcome(desk: HTMLElement, route: RoutePanel) {
     },
     /** `sentences` have no field of their own; `before` is null for the robot that it began from. */
     show({ result, remarks, problems }: RobotAnswer, before: RobotAnswer | null, sentences: RobotSentence[]) {
-      others.replaceChildren(...sentences.map(({ text }) => h('li', {}, text)));
+      others.replaceChildren(...sentences.map(({ text }) => h('li', text)));
       others.hidden = sentences.length === 0;
       desk.classList.toggle('stale', result === null);
       const refused = result ? '' : `Refused: ${problems[0]?.text ?? 'no robot'}`;
@@ -60,7 +59,7 @@ export function createOutcome(desk: HTMLElement, route: RoutePanel) {
       if (!result) return;
       const was = before?.result ?? null;
       turns.replaceChildren(...turnFigures(result, was));
-      const search = h('div', {}, h('h4', {}, 'Moves of a search'), searchTable(result, was));
+      const search = h('div', h('h4', 'Moves of a search'), searchTable(result, was));
       tables.replaceChildren(...straightTables(result, was), search);
     },
   };

@@ -46,7 +46,7 @@ function partSwitch(
     changed();
   }
   return {
-    element: field(label, choice, h('span', {}, help)),
+    element: field(label, choice, h('span', help)),
     show: (values: Values) => void (choice.value = hasTimes(values, keys, part) ? 'times' : 'limits'),
     /** What a change took away is not of another robot. */
     forget: () => void (limits = null),

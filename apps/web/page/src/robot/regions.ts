@@ -92,13 +92,8 @@ function createRange(label: string, keys: RobotKey[], optional: boolean) {
   const number = (name: string) =>
     h('input', { type: 'number', step: 'any', inputmode: 'decimal', 'aria-label': name });
   const [from, to] = [number(`${label}: from`), number(`${label}: to`)];
-  const unit = h('span', {});
-  const row = h(
-    'div',
-    { class: 'field' },
-    h('span', { class: 'label' }, 'Range'),
-    h('div', { class: 'row' }, from, 'to', to),
-  );
+  const unit = h('span');
+  const row = h('div.field', h('span.label', 'Range'), h('div.row', from, 'to', to));
   let values: Values = {};
   function suggest() {
     const chosen = keys.find(({ name }) => name === key.value);
@@ -149,13 +144,11 @@ function diagramOf(page: Page, regions: RouteRegions, svg: string, address: stri
     scrolling('Diagram', picture, 'scroll'),
     regionTable(regions),
     h(
-      'p',
-      { class: 'note' },
+      'p.note',
       'A route counts by the passages that it leads through. A region between two neighbours with the same route is missed.',
     ),
     h(
-      'div',
-      { class: 'row' },
+      'div.row',
       button('Save diagram (SVG)', () => page.save(`${maze}-regions.svg`, svg, 'image/svg+xml')),
       button('Save as JSON', () => page.save(`${maze}-regions.json`, json(), 'application/json')),
     ),
@@ -164,16 +157,15 @@ function diagramOf(page: Page, regions: RouteRegions, svg: string, address: stri
 
 const sectionOf = (form: HTMLElement[], buttons: HTMLElement[], ...answer: HTMLElement[]) =>
   h(
-    'section',
-    { class: 'regions', 'aria-label': 'Which route wins' },
-    h('h3', {}, 'Which route wins, for which robot'),
+    'section.regions',
+    { 'aria-label': 'Which route wins' },
+    h('h3', 'Which route wins, for which robot'),
     h(
-      'p',
-      { class: 'note' },
+      'p.note',
       'Vary a number of this robot, or two: the regions are found in which one route of this maze stays the fastest.',
     ),
-    h('div', { class: 'regions-form' }, ...form),
-    h('div', { class: 'row' }, ...buttons),
+    h('div.regions-form', ...form),
+    h('div.row', ...buttons),
     ...answer,
   );
 
@@ -208,8 +200,8 @@ type Subjects = () => Subject | null;
 
 /** The regions that were found, or why there are none. */
 function createFound(page: Page) {
-  const says = h('p', { class: 'note', role: 'status' });
-  const element = h('div', { class: 'regions-found' });
+  const says = h('p.note', { role: 'status' });
+  const element = h('div.regions-found');
   let address = '';
   return {
     says,

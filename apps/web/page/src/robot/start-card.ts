@@ -37,18 +37,17 @@ export function createStartCard(
   ];
   return {
     element: h(
-      'section',
-      { class: 'card', 'aria-label': 'Start from' },
-      h('h2', {}, 'My robot'),
-      field('Start from', choice, h('span', {}, 'the robot that all changes are compared with')),
+      'section.card',
+      { 'aria-label': 'Start from' },
+      h('h2', 'My robot'),
+      field('Start from', choice, h('span', 'the robot that all changes are compared with')),
       row,
       h(
-        'div',
-        { class: 'row' },
+        'div.row',
         button('Undo all changes', () => begin({ ...draft.origin })),
         button('Open a TOML file', page.choose),
       ),
-      h('div', { class: 'row' }, ...uses),
+      h('div.row', ...uses),
       ...parts,
     ),
     name,

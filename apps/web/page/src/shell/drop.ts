@@ -25,11 +25,7 @@ function pasted(event: ClipboardEvent): File[] {
 
 /** Gives all files that reach the page to `take`. */
 export function listenForFiles(take: (files: File[]) => void): Intake {
-  const overlay = h(
-    'div',
-    { class: 'drop', hidden: true },
-    h('p', {}, 'Drop mazes, records, race results or robots here'),
-  );
+  const overlay = h('div.drop', { hidden: true }, h('p', 'Drop mazes, records, race results or robots here'));
   // Entering a child leaves its parent, so the two are counted.
   let depth = 0;
   const showing = (change: number) => {

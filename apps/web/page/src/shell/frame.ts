@@ -45,27 +45,22 @@ export function createFrame(notices: Notices, intake: Intake, shelf: Shelf, copy
   const tabs = new Map(viewNames.map((name) => [name, h('a', { href: `#${name}` }, titleOf(name))]));
   const main = h('main', { id: 'main', tabindex: -1 });
   const open = h(
-    'button',
-    { type: 'button', class: 'open', onclick: intake.choose, title: 'A maze, a record or the results of a race' },
+    'button.open',
+    { type: 'button', onclick: intake.choose, title: 'A maze, a record or the results of a race' },
     folder(),
-    h('span', {}, 'Open file'),
+    h('span', 'Open file'),
   );
   const link = h(
-    'button',
-    { type: 'button', class: 'open', onclick: copyLink, title: 'A link to what is seen now' },
+    'button.open',
+    { type: 'button', onclick: copyLink, title: 'A link to what is seen now' },
     chain(),
-    h('span', {}, 'Copy link'),
+    h('span', 'Copy link'),
   );
-  const skip = h('button', { type: 'button', class: 'skip', onclick: () => main.focus() }, 'Skip to the content');
+  const skip = h('button.skip', { type: 'button', onclick: () => main.focus() }, 'Skip to the content');
   const header = h(
-    'header',
-    { class: 'top' },
+    'header.top',
     skip,
-    h(
-      'h1',
-      {},
-      h('a', { class: 'brand', href: '#home', title: 'To the home page' }, mark(), h('span', {}, 'labmouse')),
-    ),
+    h('h1', h('a.brand', { href: '#home', title: 'To the home page' }, mark(), h('span', 'labmouse'))),
     h('nav', { 'aria-label': 'Views' }, ...tabs.values()),
     notices.status,
     notices.work,

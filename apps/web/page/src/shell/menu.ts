@@ -21,21 +21,19 @@ export function createMenu(tools: HTMLElement[], shelf: Shelf, notices: Notices)
     notices.tell('What was kept is gone.');
     menu.open = false;
   });
-  const room = h('div', { class: 'menu-tools' });
+  const room = h('div.menu-tools');
   const menu = h(
-    'details',
-    { class: 'menu' },
+    'details.menu',
     h('summary', { 'aria-label': 'More', title: 'More' }, h('span', { 'aria-hidden': 'true' }, '⋯')),
     h(
-      'div',
-      { class: 'menu-box' },
+      'div.menu-box',
       room,
-      h('label', { class: 'check' }, keeps, 'Keep what is open for the next time'),
-      h('p', { class: 'note' }, 'In this browser alone: mazes, records, results, robots, programs and the drawing.'),
+      h('label.check', keeps, 'Keep what is open for the next time'),
+      h('p.note', 'In this browser alone: mazes, records, results, robots, programs and the drawing.'),
       empty,
     ),
   );
-  const element = h('div', { class: 'tools' }, menu);
+  const element = h('div.tools', menu);
   const media = matchMedia(narrow);
   const arrange = () => (media.matches ? room.append(...tools) : menu.before(...tools));
   media.addEventListener('change', arrange);

@@ -48,16 +48,14 @@ function alertOf(error: unknown, remedies: Remedy[], close: (alert: HTMLElement)
   const { message, places } = linesOf(error);
   const button = ({ label, act }: Remedy) => h('button', { type: 'button', onclick: act }, label);
   const alert: HTMLElement = h(
-    'div',
-    { class: 'alert' },
-    h('p', {}, message),
+    'div.alert',
+    h('p', message),
     h(
-      'div',
-      { class: 'row' },
+      'div.row',
       ...remedies.map(({ label, act }) => button({ label, act: () => (close(alert), act()) })),
       button({ label: 'Dismiss', act: () => close(alert) }),
     ),
-    places.length > 0 && h('ul', {}, ...places.map((place) => h('li', {}, place))),
+    places.length > 0 && h('ul', ...places.map((place) => h('li', place))),
   );
   return alert;
 }
@@ -74,8 +72,8 @@ const works: Partial<Record<CallName, string>> = {
 };
 
 export function createNotices(): Notices {
-  const status = h('p', { role: 'status', class: 'status' });
-  const alerts = h('div', { role: 'alert', class: 'alerts' });
+  const status = h('p.status', { role: 'status' });
+  const alerts = h('div.alerts', { role: 'alert' });
   /** All that are not dismissed, the newest last. Only the newest are shown. */
   let open: HTMLElement[] = [];
 
@@ -84,16 +82,16 @@ export function createNotices(): Notices {
     alerts.replaceChildren(...open.slice(-mostAlerts));
     if (more <= 0) return;
     const clear = h('button', { type: 'button', onclick: () => dismiss(...open) }, 'Dismiss all');
-    alerts.append(h('div', { class: 'more row' }, `and ${more} more`, clear));
+    alerts.append(h('div.more.row', `and ${more} more`, clear));
   }
   function dismiss(...closed: HTMLElement[]) {
     open = open.filter((alert) => !closed.includes(alert));
     show();
     document.querySelector<HTMLElement>('main')?.focus({ preventScroll: true });
   }
-  const what = h('span', {});
+  const what = h('span');
   const stop = h('button', { type: 'button' }, 'Stop this');
-  const work = h('p', { class: 'work', hidden: true }, what, stop);
+  const work = h('p.work', { hidden: true }, what, stop);
   return {
     work,
     busy(name) {
@@ -107,8 +105,7 @@ export function createNotices(): Notices {
       status.replaceChildren(
         h(
           'span',
-          {},
-          h('span', { class: 'said', title: message }, message),
+          h('span.said', { title: message }, message),
           ...remedies.flatMap(({ label, act }) => [
             ' ',
             h('button', { type: 'button', onclick: () => (status.replaceChildren(), act()) }, label),

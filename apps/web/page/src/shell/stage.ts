@@ -48,7 +48,7 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
   const set = (name: ViewName, thing: unknown) => (given.add(name), things.set(name, thing));
   /** How far down each view was when it was left. */
   const places = new Map<ViewName, number>();
-  const starting = h('p', { class: 'starting', hidden: true }, 'Starting …');
+  const starting = h('p.starting', { hidden: true }, 'Starting …');
   frame.main.append(starting);
   let current: ViewName | null = null;
   // The browser keeps one place for the whole page and an entry of the way back, which is not the same.

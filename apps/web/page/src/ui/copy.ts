@@ -10,7 +10,7 @@ export interface Copyable {
 
 export function createCopyable(label: string, button = 'Copy'): Copyable {
   const text = h('input', { type: 'text', readonly: true, 'aria-label': label, spellcheck: 'false' });
-  const said = h('span', { role: 'status', class: 'copied' });
+  const said = h('span.copied', { role: 'status' });
   async function copy() {
     try {
       await navigator.clipboard.writeText(text.value);
@@ -22,7 +22,7 @@ export function createCopyable(label: string, button = 'Copy'): Copyable {
     }
   }
   return {
-    element: h('div', { class: 'copyable' }, text, h('button', { type: 'button', onclick: copy }, button), said),
+    element: h('div.copyable', text, h('button', { type: 'button', onclick: copy }, button), said),
     show(value) {
       if (text.value === value) return;
       text.value = value;

@@ -18,11 +18,11 @@ export function showError(error: HTMLElement) {
 export function field(label: string, control: HTMLElement, help?: HTMLElement): Field {
   const id = `field-${++fields}`;
   control.id ||= id;
-  const error = h('span', { class: 'field-error', id: `${id}-error`, role: 'alert' });
+  const error = h('span.field-error', { id: `${id}-error`, role: 'alert' });
   if (help) help.id = `${id}-help`;
   help?.classList.add('field-help');
   control.setAttribute('aria-describedby', `${help ? `${id}-help ` : ''}${id}-error`);
-  const element = h('div', { class: 'field' }, h('label', { for: control.id }, label), control, help, error);
+  const element = h('div.field', h('label', { for: control.id }, label), control, help, error);
   return Object.assign(element, {
     complain(message: string) {
       const isNew = error.textContent !== message;

@@ -21,11 +21,7 @@ export interface GeneratorForm {
 /** `first` is chosen first; `more` are kinds beside those of the core. */
 export function createGenerator(about: About, { first, more = [] }: { first: string; more?: Named[] }): GeneratorForm {
   const kinds = [...about.generators, ...more];
-  const kind = h(
-    'select',
-    {},
-    ...kinds.map(({ name }) => h('option', { value: name, selected: name === first }, name)),
-  );
+  const kind = h('select', ...kinds.map(({ name }) => h('option', { value: name, selected: name === first }, name)));
   const summary = () => kinds.find(({ name }) => name === kind.value)?.summary ?? '';
   const whole = (value: number, min: number, max?: number) =>
     h('input', { type: 'number', inputmode: 'numeric', step: 1, min, max, value });
@@ -33,15 +29,15 @@ export function createGenerator(about: About, { first, more = [] }: { first: str
   const height = whole(16, 1, about.most_side);
   const seed = whole(1, 0);
   const loops = h('input', { type: 'number', inputmode: 'decimal', step: 0.01, min: 0, max: 1, value: 0 });
-  const help = h('span', {}, summary());
+  const help = h('span', summary());
   const fields = {
     generator: field('Kind', kind, help),
     width: field('Width', width),
     height: field('Height', height),
     seed: field('Seed', seed),
-    loops: field('Loops', loops, h('span', {}, 'share of the remaining walls to open, 0 to 1')),
+    loops: field('Loops', loops, h('span', 'share of the remaining walls to open, 0 to 1')),
   };
-  const seeded = h('div', { class: 'field-row' }, fields.seed, fields.loops);
+  const seeded = h('div.field-row', fields.seed, fields.loops);
   // What throws no dice needs no seed.
   const fit = () => {
     help.replaceChildren(summary());
@@ -50,13 +46,7 @@ export function createGenerator(about: About, { first, more = [] }: { first: str
   kind.addEventListener('change', fit);
   fit();
   return {
-    element: h(
-      'div',
-      { class: 'generator' },
-      fields.generator,
-      h('div', { class: 'field-row' }, fields.width, fields.height),
-      seeded,
-    ),
+    element: h('div.generator', fields.generator, h('div.field-row', fields.width, fields.height), seeded),
     order: () => ({
       generator: kind.value,
       width: width.valueAsNumber,

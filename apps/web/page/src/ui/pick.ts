@@ -9,5 +9,5 @@ export function filePicker(label: string, picked: (name: string, content: Uint8A
     input.value = '';
     if (file) picked(file.name, new Uint8Array(await file.arrayBuffer()));
   });
-  return h('span', {}, h('button', { type: 'button', onclick: () => input.click() }, label), input);
+  return h('span', h('button', { type: 'button', onclick: () => input.click() }, label), input);
 }

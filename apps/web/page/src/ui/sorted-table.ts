@@ -80,13 +80,7 @@ export function sortedTable<Row>({
   }
   arrange();
   return {
-    element: h(
-      'table',
-      { class: 'sorted' },
-      h('caption', { class: 'unseen' }, caption),
-      h('thead', {}, h('tr', {}, ...heads)),
-      body,
-    ),
+    element: h('table.sorted', h('caption.unseen', caption), h('thead', h('tr', ...heads)), body),
     filter(pass) {
       for (const [row, line] of lines) line.hidden = !pass(row);
     },
@@ -96,8 +90,7 @@ export function sortedTable<Row>({
 /** What the columns mean, for all who cannot hover. */
 export const legendOf = (columns: Column<never>[]) =>
   h(
-    'details',
-    { class: 'legend controls' },
-    h('summary', {}, 'What the columns mean'),
-    h('dl', {}, ...columns.flatMap(({ title, meaning }) => [h('dt', {}, title), h('dd', {}, meaning)])),
+    'details.legend.controls',
+    h('summary', 'What the columns mean'),
+    h('dl', ...columns.flatMap(({ title, meaning }) => [h('dt', title), h('dd', meaning)])),
   );

@@ -5,7 +5,7 @@ import { h, type Attributes, type Child } from './dom';
 export const scrolling = (label: string, content: HTMLElement, name = 'box'): HTMLElement =>
   h('div', { class: name, tabindex: 0, role: 'region', 'aria-label': label }, content);
 
-const row = (first: HTMLElement, cells: Child[]) => h('tr', {}, first, ...cells.map((cell) => h('td', {}, cell)));
+const row = (first: HTMLElement, cells: Child[]) => h('tr', first, ...cells.map((cell) => h('td', cell)));
 
 /** The first column names the rows. A head may have a title. */
 export function table(
@@ -21,8 +21,8 @@ export function table(
   return h(
     'table',
     attributes,
-    caption && h('caption', {}, caption),
-    heads.length > 0 && h('thead', {}, h('tr', {}, ...head)),
-    h('tbody', {}, ...rows.map(([first, ...cells]) => row(h('th', { scope: 'row' }, first), cells))),
+    caption && h('caption', caption),
+    heads.length > 0 && h('thead', h('tr', ...head)),
+    h('tbody', ...rows.map(([first, ...cells]) => row(h('th', { scope: 'row' }, first), cells))),
   );
 }

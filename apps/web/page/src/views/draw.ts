@@ -26,7 +26,7 @@ async function emptyDrawing(page: Page): Promise<MazeData> {
 
 /** The view Draw. It accepts mazes; each is a step that can be undone. */
 export function createDraw(page: Page): DrawView {
-  const element = h('section', { 'aria-label': 'Draw', class: 'draw' });
+  const element = h('section.draw', { 'aria-label': 'Draw' });
   let desk: Desk | null = null;
   /** As long as it is empty, nobody has drawn anything. */
   let empty: MazeData | null = null;

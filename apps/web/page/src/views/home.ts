@@ -11,21 +11,13 @@ import '../styles/home.css';
 /** What this is, and where to go from here. */
 const introOf = (watch: HTMLElement) =>
   h(
-    'div',
-    { class: 'intro' },
+    'div.intro',
     h(
       'p',
-      {},
-      h('strong', {}, 'In labmouse, micromouse minds race through mazes that they have never seen'),
+      h('strong', 'In labmouse, micromouse minds race through mazes that they have never seen'),
       ': each draws its own map, follows the way that it believes in (the dots), then runs as fast as it dares.',
     ),
-    h(
-      'div',
-      { class: 'row' },
-      watch,
-      h('a', { class: 'button', href: '#race' }, 'Race'),
-      h('a', { class: 'button', href: '#write' }, 'Write your own'),
-    ),
+    h('div.row', watch, h('a.button', { href: '#race' }, 'Race'), h('a.button', { href: '#write' }, 'Write your own')),
   );
 
 const sign = (label: string, act: () => void, ...signs: IconName[]) =>
@@ -87,7 +79,7 @@ export function createHome(page: EarlyPage): View {
   still.addEventListener('change', () => wait(still.matches));
   document.addEventListener('visibilitychange', wake);
   return {
-    element: h('section', { 'aria-label': 'Home', class: 'home' }, introOf(watch), race.element),
+    element: h('section.home', { 'aria-label': 'Home' }, introOf(watch), race.element),
     shown() {
       isShown = true;
       wake();

@@ -45,7 +45,7 @@ function createForms(page: Page, changed: () => void, everyone: () => Everyone) 
   });
   const seed = h('input', { type: 'number', min: 0, step: 1, value: 1, oninput: another });
   const budget = h('input', { type: 'number', min: 1, step: 1, value: rules.budget, oninput: another });
-  const budgetRow = field('Budget', budget, h('span', {}, `limit for both runs together; ${rules.budget} in contests`));
+  const budgetRow = field('Budget', budget, h('span', `limit for both runs together; ${rules.budget} in contests`));
   const seedRow = field('Seed', seed);
   const single = page.about.worlds.filter(({ call }) => call === 'run' || call === 'drive');
   const world = createWorldChoice(page.about, () => (showWorld(), changed()), single);
@@ -60,7 +60,7 @@ function createForms(page: Page, changed: () => void, everyone: () => Everyone) 
     seed,
     budget,
     world,
-    rows: h('div', { class: 'field-row' }, seedRow, budgetRow),
+    rows: h('div.field-row', seedRow, budgetRow),
     showWorld,
     maze: () => maze,
     order(): Order | null {
@@ -76,9 +76,9 @@ function createForms(page: Page, changed: () => void, everyone: () => Everyone) 
 type Forms = ReturnType<typeof createForms>;
 
 function sideOf({ mouse, mazes, world, rows }: Forms, everyone: Everyone) {
-  const contest = [h('h2', {}, 'Contest'), world.element, rows, everyone.button];
-  const card = h('section', { class: 'card', 'aria-label': 'Contest' }, ...contest);
-  return h('div', { class: 'desk-side' }, mouse.element, mazes.element, mouse.parameters, card);
+  const contest = [h('h2', 'Contest'), world.element, rows, everyone.button];
+  const card = h('section.card', { 'aria-label': 'Contest' }, ...contest);
+  return h('div.desk-side', mouse.element, mazes.element, mouse.parameters, card);
 }
 
 /** Opens and shows the field with a complaint. */
@@ -163,9 +163,9 @@ export function createLive(page: Page): LiveView {
     if (forms.maze() && !mazes.isDrawing()) changed();
     else mazes.refresh();
   }
-  const main = h('div', { class: 'desk-main' }, bench.element, everyone.element);
+  const main = h('div.desk-main', bench.element, everyone.element);
   return {
-    element: h('section', { 'aria-label': 'Live', class: 'live' }, h('div', { class: 'desk' }, side, main)),
+    element: h('section.live', { 'aria-label': 'Live' }, h('div.desk', side, main)),
     maze: forms.maze,
     shown() {
       isShown = true;

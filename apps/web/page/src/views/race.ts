@@ -14,7 +14,7 @@ import '../styles/race.css';
 
 /** Where a race is shown, or the form while there is none. */
 function createRaceRoom(page: EarlyPage) {
-  const element = h('section', { 'aria-label': 'Race', class: 'race-view' });
+  const element = h('section.race-view', { 'aria-label': 'Race' });
   const stage = createRaceStage(page);
   let painted: Painted[] = [];
   let shown: LoadedRace | null | undefined;
@@ -30,9 +30,9 @@ function createRaceRoom(page: EarlyPage) {
     stage.clear();
     hold = isFirst ? (firstForm ??= holdPart(page, true)) : holdPart(page, false);
     if (!isFirst) firstForm = null;
-    const column = (...content: HTMLElement[]) => h('div', { class: 'race' }, ...content);
-    const beside = (...content: HTMLElement[]) => h('div', { class: 'race-stage' }, column(...content), stage.element);
-    const title = h('h2', { class: 'unseen' }, 'Race');
+    const column = (...content: HTMLElement[]) => h('div.race', ...content);
+    const beside = (...content: HTMLElement[]) => h('div.race-stage', column(...content), stage.element);
+    const title = h('h2.unseen', 'Race');
     if (!race) return element.replaceChildren(title, beside(hold.element));
     const wanted = () => race === shown;
     const { tables, pictures } = raceParts(page, race, isFirst, wanted, (made, board) => {

@@ -47,7 +47,7 @@ function sectionOf({ element }: Player): HTMLElement {
   element.tabIndex = -1;
   element.setAttribute('role', 'group');
   element.setAttribute('aria-label', 'Player');
-  return h('section', { class: 'replay', 'aria-label': 'Replay' }, h('h2', { class: 'unseen' }, 'Replay'), element);
+  return h('section.replay', { 'aria-label': 'Replay' }, h('h2.unseen', 'Replay'), element);
 }
 
 const still = matchMedia('(prefers-reduced-motion: reduce)');
@@ -75,7 +75,7 @@ export function createReplay(page: Page): View {
     if (!asked && !element.hidden && !still.matches) player.play();
   });
   const beside = createBeside(page, (plays) => show(plays));
-  const player = createPlayer(page, h('div', { class: 'another' }, chooser.element, beside.element));
+  const player = createPlayer(page, h('div.another', chooser.element, beside.element));
   player.rested(() => {
     const now = player.moment();
     if (!isExample) page.keepMoment(addressOf('replay', now));

@@ -21,7 +21,7 @@ import '../styles/robot.css';
 function createParts(page: Page) {
   const { robot_keys: keys } = page.about;
   const draft = createDraft(page.about);
-  const element = h('div', { class: 'desk' });
+  const element = h('div.desk');
   const form = createRobotForm(keys, () => ask());
   const switches = partSwitches(page, draft, form, () => ask());
   const elements = switches.map((one) => one.element);
@@ -71,7 +71,7 @@ function createParts(page: Page) {
     keep();
   }
   element.append(
-    h('div', { class: 'desk-side' }, outcome.refusal, start.element, mazes.element, form.element),
+    h('div.desk-side', outcome.refusal, start.element, mazes.element, form.element),
     route.room,
     outcome.element,
     regions.element,
@@ -101,12 +101,7 @@ export function createRobot(page: Page): View {
   const desk = createParts(page);
   const { draft, mazes, regions, begin } = desk;
   return {
-    element: h(
-      'section',
-      { 'aria-label': 'Robot', class: 'robot' },
-      h('h2', { class: 'unseen' }, 'Robot'),
-      desk.element,
-    ),
+    element: h('section.robot', { 'aria-label': 'Robot' }, h('h2.unseen', 'Robot'), desk.element),
     maze: () => draft.maze,
     address: () => robotAddress(page, draft, regions.question()),
     follow: (hash) => followRobot(desk, hash),

@@ -103,9 +103,9 @@ export function createWrite(page: Page): View {
     arriving -= 1;
     void begin();
   }
-  const title = h('h2', { class: 'unseen' }, 'Write a mouse');
+  const title = h('h2.unseen', 'Write a mouse');
   return {
-    element: h('section', { 'aria-label': 'Write', class: 'write' }, title, desk.element, display.element),
+    element: h('section.write', { 'aria-label': 'Write' }, title, desk.element, display.element),
     shown() {
       controls.refresh();
       void begin();

@@ -22,14 +22,13 @@ export function createControls(page: Page, { run, race, stop, work }: Acts) {
   const form = createRaceForm(page);
   const starts = [button('Run', run, { class: 'main' }), button('Race', race)];
   const end = button('Stop', stop, { hidden: true });
-  const verdict = h('p', { role: 'status', class: 'verdict', hidden: true });
+  const verdict = h('p.verdict', { role: 'status', hidden: true });
   const bar = h('progress', { hidden: true, 'aria-label': 'Progress of the race' });
   const hint = h(
-    'p',
-    { class: 'note hint' },
+    'p.note.hint',
     'Change the program, then run it in one maze and step through what it did, or race it against other mice.',
   );
-  const maze = h('label', {}, h('span', { class: 'unseen' }, 'Maze'), mazes.element);
+  const maze = h('label', h('span.unseen', 'Maze'), mazes.element);
   const enable = (is: boolean) => starts.forEach((one) => (one.disabled = !is));
   function say(text: string, state: 'good' | 'bad' | 'fair') {
     verdict.hidden = false;
@@ -37,14 +36,7 @@ export function createControls(page: Page, { run, race, stop, work }: Acts) {
     verdict.replaceChildren(text);
   }
   return {
-    element: h(
-      'div',
-      { class: 'desk-controls' },
-      h('div', { class: 'row bar' }, maze, ...starts, end, bar),
-      hint,
-      verdict,
-      form.element,
-    ),
+    element: h('div.desk-controls', h('div.row.bar', maze, ...starts, end, bar), hint, verdict, form.element),
     mazes,
     form,
     hint,

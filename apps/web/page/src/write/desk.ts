@@ -72,14 +72,13 @@ function createKeeping(page: Page, draft: Draft, stored: Stored, offer: () => vo
 
 const createWarning = (allow: () => void, back: () => void) =>
   h(
-    'div',
-    { class: 'warning', role: 'alert', hidden: true },
+    'div.warning',
+    { role: 'alert', hidden: true },
     h(
       'p',
-      {},
       'This program came with a link: somebody else wrote it. It can reach neither this page nor any network; still, read it before you let it run.',
     ),
-    h('div', { class: 'row' }, button('Let it run', allow), button('Back to mine', back)),
+    h('div.row', button('Let it run', allow), button('Back to mine', back)),
   );
 
 interface Choices {
@@ -111,7 +110,7 @@ function createHead(draft: Draft, stored: Stored, { begin, speak, rename }: Choi
     if (chosen === '' || !(back ?? template)) return;
     begin(back ?? { ...draft.work, text: template.text }, other && (() => stored.forget(other)));
   });
-  const help = h('div', {});
+  const help = h('div');
   function offer() {
     const { language: spoken } = draft.work;
     programs.replaceChildren(
@@ -225,7 +224,7 @@ export function createDesk(
 ): Desk {
   const link = createLink(async () => `write=${await linkOf(draft.work)}${await moment()}`);
   const { draft, keeping, warning, head, wrote, put, take } = createProgram(page, changed, link.hide);
-  const host = h('div', { class: 'editor' });
+  const host = h('div.editor');
   createEditor(host, 'The program', (text) => {
     draft.work = { ...draft.work, text };
     draft.editor?.fail(null);
@@ -241,11 +240,9 @@ export function createDesk(
     take(work);
   }
   const save = () => page.save(draft.work.language.fileName, draft.work.text);
-  const unseen = (label: string, control: HTMLElement) =>
-    h('label', {}, h('span', { class: 'unseen' }, label), control);
+  const unseen = (label: string, control: HTMLElement) => h('label', h('span.unseen', label), control);
   const bar = h(
-    'div',
-    { class: 'row bar' },
+    'div.row.bar',
     languages.length > 1 && unseen('Language', head.language),
     unseen('Program to begin with', head.programs),
     button('Open', () => askForFile((file) => void open(file))),
@@ -254,10 +251,10 @@ export function createDesk(
     head.nameRow,
   );
   const keys = 'Ctrl+Enter runs, Ctrl+S saves; Escape, then Tab leads on. ';
-  const api = h('details', { class: 'api' }, h('summary', {}, 'What it reads and answers'), head.help);
-  const note = h('p', { class: 'note' }, keys, keeping.says);
+  const api = h('details.api', h('summary', 'What it reads and answers'), head.help);
+  const note = h('p.note', keys, keeping.says);
   return {
-    element: h('div', { class: 'desk-editor' }, bar, warning, link.element, host, note, below, api),
+    element: h('div.desk-editor', bar, warning, link.element, host, note, below, api),
     work: () => (draft.foreign ? null : draft.work),
     save,
     address: link.address,

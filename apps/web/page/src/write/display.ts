@@ -18,7 +18,7 @@ export function createDisplay(page: Page, desk: Desk, controls: Controls, prints
   const player = createPlayer(page, prints);
   // The player updates it; it stands here, where it is seen also without a contest on the stage.
   controls.verdict.after(prints);
-  const standings = h('section', { class: 'race pictures standings', 'aria-label': 'Its race', hidden: true });
+  const standings = h('section.race.pictures.standings', { 'aria-label': 'Its race', hidden: true });
   /** What the player shows, and of which program. */
   let shown: { held: Held; text: string } | null = null;
 
@@ -64,7 +64,7 @@ export function createDisplay(page: Page, desk: Desk, controls: Controls, prints
   player.rested(() => void keep());
   const stage = { player: player.element, standings, show };
   return {
-    element: h('div', { class: 'bench' }, standings, player.element),
+    element: h('div.bench', standings, player.element),
     player,
     moment,
     clear,

@@ -10,7 +10,7 @@ const usualMaze = 'capstone-1';
 const nameOf = (one: string | MazeData) => (typeof one === 'string' ? one : one.name);
 
 export function createMazeSelect(page: Page) {
-  const element = h('select', {});
+  const element = h('select');
   /** The maze of a link, which is none of the page's. */
   let foreign: MazeData | null = null;
   let mazes: (string | MazeData)[] = [];

@@ -10,7 +10,7 @@ export interface Prints extends HTMLElement {
 /** `go` leads the replay to a frame. */
 export function createPrints(go: (frame: number) => void): Prints {
   const list = h('ol', { tabindex: 0, 'aria-label': 'What it printed, by step' });
-  const element = h('section', { class: 'prints', 'aria-label': 'Prints', hidden: true }, h('h3', {}, 'Prints'), list);
+  const element = h('section.prints', { 'aria-label': 'Prints', hidden: true }, h('h3', 'Prints'), list);
   let shown: { frame: number; item: HTMLElement }[] = [];
   let marked: HTMLElement | null = null;
   return Object.assign(element, {
@@ -20,9 +20,8 @@ export function createPrints(go: (frame: number) => void): Prints {
         frame,
         item: h(
           'li',
-          {},
           h('button', { type: 'button', onclick: () => go(frame) }, `step ${frame + 1}`),
-          h('pre', {}, text.replace(/\n$/, '')),
+          h('pre', text.replace(/\n$/, '')),
         ),
       }));
       list.replaceChildren(...shown.map(({ item }) => item));

@@ -11,7 +11,7 @@ export function createRaceForm(page: Page) {
   );
   const mazes = mazePicks('In mazes', page.about, page.mazes, true);
   return {
-    element: h('div', { class: 'race pictures race-form' }, mice.element, mazes.element),
+    element: h('div.race.pictures.race-form', mice.element, mazes.element),
     mice: mice.chosen,
     mazes: mazes.chosenMazes,
     refresh: mazes.refresh,

@@ -40,9 +40,5 @@ const python: Line[] = [
 
 export function reference(id: LanguageId): HTMLElement {
   const lines = id === 'python' ? python : javascript;
-  return h(
-    'dl',
-    { class: 'reference' },
-    ...lines.flatMap(([code, meaning]) => [h('dt', {}, h('code', {}, code)), h('dd', {}, meaning)]),
-  );
+  return h('dl.reference', ...lines.flatMap(([code, meaning]) => [h('dt', h('code', code)), h('dd', meaning)]));
 }

@@ -32,10 +32,10 @@ export function standingsOf(raced: Raced, open: (held: Held) => void): HTMLEleme
   const { name, old } = nameOf(raced);
   const race = h('a', { href: '#race' }, 'Race');
   return [
-    h('h2', {}, 'Leaderboard'),
+    h('h2', 'Leaderboard'),
     leaderboard(group, () => undefined, old === undefined ? [name] : [name, old]).element,
-    h('h2', {}, `What ${name} lost where`),
+    h('h2', `What ${name} lost where`),
     losses(contestsOf(raced), open),
-    h('p', { class: 'note' }, 'All of this race, with its pictures, stands in ', race, '.'),
+    h('p.note', 'All of this race, with its pictures, stands in ', race, '.'),
   ];
 }
