@@ -86,28 +86,6 @@ function rangeOf(key: string, text: string): VariedRange {
 const wholeOf = (least: number, most: number) => (key: string, text: string) => numberOf(key, text, least, most, true);
 const listOf = (key: string, text: string) => textOf(key, text).split(',');
 
-/** How each word of a link is read. Those with `many` may come more than once. */
-const words: Record<string, { field: keyof Moment; read: (key: string, text: string) => unknown; many?: true }> = {
-  mouse: { field: 'mice', read: (key, text) => [textOf(key, text)], many: true },
-  in: { field: 'builtin', read: listOf },
-  maze: { field: 'mazes', read: (key, text) => [textOf(key, text)], many: true },
-  seed: {
-    field: 'seeds',
-    read: (key, text) => text.split(',').map((one) => numberOf(key, one, 0, Number.MAX_SAFE_INTEGER, true)),
-  },
-  budget: { field: 'budget', read: wholeOf(1, mostSteps) },
-  runs: { field: 'runs', read: wholeOf(1, mostRuns) },
-  robot: { field: 'robot', read: textOf },
-  rules: { field: 'rules', read: textOf },
-  world: { field: 'world', read: textOf },
-  set: { field: 'set', read: (key, text) => [textOf(key, text)], many: true },
-  vary: { field: 'vary', read: rangeOf },
-  and: { field: 'and', read: rangeOf },
-  pair: { field: 'pair', read: wholeOf(1, 100) },
-  at: { field: 'time', read: (key, text) => numberOf(key, text, 0, latest, false) },
-  zoom: { field: 'look', read: cameraOf },
-};
-
 /** A SPEC in a link stays legible. */
 const legible = (text: string) =>
   encodeURIComponent(text).replace(/%3A/g, ':').replace(/%3D/g, '=').replace(/%2F/g, '/').replace(/%2C/g, ',');
@@ -119,40 +97,49 @@ const brief = (number: number) => String(Number(number.toFixed(3)));
 const rangeText = ({ key, from, to }: VariedRange) =>
   [key, ...[from, to].map((end) => Number(end.toFixed(6)))].join(',');
 
+interface Word {
+  field: keyof Moment;
+  read(key: string, text: string): unknown;
+  /** The text of a value, as it stands where this is missing; undefined where the link says nothing of it. */
+  write?(value: never): string | undefined;
+  /** It may come more than once, once for each entry of a list. */
+  many?: true;
+}
+
+const textsOf = (key: string, text: string) => [textOf(key, text)];
+const seedsOf = (key: string, text: string) =>
+  text.split(',').map((one) => numberOf(key, one, 0, Number.MAX_SAFE_INTEGER, true));
+const timeOf = (key: string, text: string) => numberOf(key, text, 0, latest, false);
+const listText = (list: unknown[]) => (list.length > 0 ? list.join(',') : undefined);
+const cameraText = ({ scale, x, y }: Camera) => (scale > 1 ? [scale, x, y].map(brief).join(',') : undefined);
+
+/** The words of a link, in their order: how each is read and written. */
+const words: Record<string, Word> = {
+  mouse: { field: 'mice', read: textsOf, many: true },
+  in: { field: 'builtin', read: listOf, write: listText },
+  maze: { field: 'mazes', read: textsOf, many: true },
+  seed: { field: 'seeds', read: seedsOf, write: listText },
+  budget: { field: 'budget', read: wholeOf(1, mostSteps) },
+  runs: { field: 'runs', read: wholeOf(1, mostRuns) },
+  robot: { field: 'robot', read: textOf },
+  rules: { field: 'rules', read: textOf },
+  world: { field: 'world', read: textOf },
+  set: { field: 'set', read: textsOf, many: true },
+  vary: { field: 'vary', read: rangeOf, write: rangeText },
+  and: { field: 'and', read: rangeOf, write: rangeText },
+  pair: { field: 'pair', read: wholeOf(1, 100) },
+  at: { field: 'time', read: timeOf, write: brief },
+  zoom: { field: 'look', read: cameraOf, write: cameraText },
+};
+
 /** The text behind `#`; throws in words where it would be too long for a link. */
 export function addressOf(view: string, moment: Partial<Moment>): string {
-  const {
-    mice = [],
-    builtin = [],
-    mazes = [],
-    seeds = [],
-    budget,
-    runs,
-    robot,
-    rules,
-    world,
-    set = [],
-    vary,
-    and,
-    pair,
-    time,
-    look,
-  } = moment;
-  const parts: [string, string | number | undefined][] = [
-    ...mice.map((mouse): [string, string] => ['mouse', mouse]),
-    ['in', builtin.length > 0 ? builtin.join(',') : undefined],
-    ...mazes.map((maze): [string, string] => ['maze', maze]),
-    ['seed', seeds.length > 0 ? seeds.join(',') : undefined],
-    ...Object.entries({ budget, runs, robot, rules, world }),
-    ...set.map((setting): [string, string] => ['set', setting]),
-    ['vary', vary && rangeText(vary)],
-    ['and', and && rangeText(and)],
-    ['pair', pair],
-    ['at', time === undefined ? undefined : brief(time)],
-    ['zoom', look && look.scale > 1 ? [look.scale, look.x, look.y].map(brief).join(',') : undefined],
-  ];
-  const given = parts.filter(([, value]) => value !== undefined);
-  const text = [view, ...given.map(([name, value]) => `${name}=${legible(String(value))}`)].join('&');
+  const parts = Object.entries(words).flatMap(([key, { field, write = String, many }]) =>
+    (many ? ((moment[field] ?? []) as unknown[]) : [moment[field]])
+      .map((value) => (value === undefined || value === null ? undefined : write(value as never)))
+      .flatMap((value) => (value === undefined ? [] : `${key}=${legible(value)}`)),
+  );
+  const text = [view, ...parts].join('&');
   if (text.length > longestLink)
     throw new Error('This is too much for a link: choose fewer mazes of your own, or save the results as a file.');
   return text;
