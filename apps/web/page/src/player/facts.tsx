@@ -23,8 +23,35 @@ const absent = '–';
 const orAbsent = (write: (value: number) => string) => (_: Side, value: number | null) =>
   value === null ? absent : write(value);
 const digits = ({ track }: Side) => track.play.traits.digits;
-const scored = (side: Side, value: number | null) => (value === null ? absent : decimal(value, digits(side)));
 const hasRuns = ({ track }: Side) => track.play.traits.runs.length > 1;
+
+type Played = Side['track']['play'];
+
+/** A score of a contest; those of mice that drive are in seconds. */
+const scoreRow = (label: string, value: Row['value'], meaning?: Row['meaning']): Row => ({
+  label,
+  meaning,
+  value,
+  text: (side, score) => (score === null ? absent : `${decimal(score, digits(side))}${side.track.drive ? ' s' : ''}`),
+  score: true,
+});
+const countOf = (label: string, value: (play: Played) => number | null, more: Partial<Row> = {}): Row => ({
+  label,
+  value: ({ track }) => value(track.play),
+  text: orAbsent((v) => counted(v, 'step')),
+  ...more,
+});
+const shareOf = (label: string, value: (play: Played) => number | null): Row =>
+  countOf(label, value, { text: orAbsent(percent), has: ({ track }) => value(track.play) !== null });
+
+const outcome: Row = { label: 'outcome', text: ({ track }) => track.play.outcome };
+const score = scoreRow('score', ({ track }) => track.play.score);
+const best = scoreRow(
+  'best possible',
+  ({ track }) => track.play.bound,
+  ({ track }) => track.play.traits.bound,
+);
+const visited = shareOf('cells visited', ({ visited: share }) => share);
 
 /** `3 + 17/30`: what the score of that moment is made of. */
 function madeOf(side: Side): string {
@@ -49,12 +76,7 @@ const now: Row[] = [
     text: madeOf,
     has: ({ track }) => track.play.rules !== null,
   },
-  {
-    label: 'score so far',
-    value: ({ track, scene }) => scoreAt(track, scene.past.frame),
-    text: scored,
-    score: true,
-  },
+  scoreRow('score so far', ({ track, scene }) => scoreAt(track, scene.past.frame)),
   {
     label: 'time',
     value: (side) => side.track.time[side.scene.past.frame],
@@ -64,56 +86,20 @@ const now: Row[] = [
 ];
 
 const whole: Row[] = [
-  { label: 'outcome', text: ({ track }) => track.play.outcome },
-  {
-    label: 'score',
-    value: ({ track }) => track.play.score,
-    text: scored,
-    score: true,
-  },
-  {
-    label: 'best possible',
-    meaning: ({ track }) => track.play.traits.bound,
-    value: ({ track }) => track.play.bound,
-    text: scored,
-    score: true,
-  },
-  {
-    label: 'exploration',
-    value: ({ track }) => track.play.exploration_steps,
-    text: orAbsent((v) => counted(v, 'step')),
-    has: hasRuns,
-  },
-  {
-    label: 'speed run',
-    value: ({ track }) => track.play.speed_steps,
-    text: orAbsent((v) => counted(v, 'step')),
-    has: hasRuns,
-  },
-  {
-    label: 'shortest run',
-    meaning: () => optimumMeaning,
-    value: ({ track }) => track.play.optimum,
-    text: orAbsent((v) => counted(v, 'step')),
-  },
+  outcome,
+  score,
+  best,
+  countOf('exploration', (play) => play.exploration_steps, { has: hasRuns }),
+  countOf('speed run', (play) => play.speed_steps, { has: hasRuns }),
+  countOf('shortest run', (play) => play.optimum, { meaning: () => optimumMeaning }),
   {
     label: 'first lost step',
     meaning: () => 'the first that falls behind a shortest way to the goal; N goes there',
     text: ({ track }) => (track.lossFrame < 0 ? absent : String(track.lossFrame + 1)),
     has: ({ track }) => track.play.loses.length > 0,
   },
-  {
-    label: 'cells discovered',
-    value: ({ track }) => track.play.discovered,
-    text: orAbsent(percent),
-    has: ({ track }) => track.play.discovered !== null,
-  },
-  {
-    label: 'cells visited',
-    value: ({ track }) => track.play.visited,
-    text: orAbsent(percent),
-    has: ({ track }) => track.play.visited !== null,
-  },
+  shareOf('cells discovered', (play) => play.discovered),
+  visited,
 ];
 
 function countRows(sides: Side[]): Row[] {
@@ -141,28 +127,15 @@ const driven: Row[] = [
     text: orAbsent(speedText),
   },
   { label: 'acceleration', text: ({ scene }) => accelerationText(scene.moment?.a ?? 0) },
-  {
-    label: 'best so far',
-    value: (side) => numberOr(side.track.score[side.scene.past.frame]),
-    text: orAbsent((v) => `${decimal(v)} s`),
-    score: true,
-  },
-  { label: 'outcome', text: ({ track }) => track.play.outcome },
-  { label: 'score', value: ({ track }) => track.play.score, text: orAbsent((v) => `${decimal(v)} s`), score: true },
-  {
-    label: 'best possible',
-    meaning: ({ track }) => track.play.traits.bound,
-    value: ({ track }) => track.play.bound,
-    text: orAbsent((v) => `${decimal(v)} s`),
-    score: true,
-  },
-  {
-    label: 'fastest, from rest',
-    meaning: () => 'the fastest run for who knows the maze, from rest at the start to the middle of a goal',
-    value: ({ track }) => track.play.optimum,
-    text: orAbsent((v) => `${decimal(v)} s`),
-    score: true,
-  },
+  scoreRow('best so far', (side) => numberOr(side.track.score[side.scene.past.frame])),
+  outcome,
+  score,
+  best,
+  scoreRow(
+    'fastest, from rest',
+    ({ track }) => track.play.optimum,
+    () => 'the fastest run for who knows the maze, from rest at the start to the middle of a goal',
+  ),
   { label: 'robot', text: ({ track }) => track.play.drive?.robot.name ?? absent },
   {
     label: 'rules',
@@ -174,7 +147,7 @@ const driven: Row[] = [
     value: ({ track }) => track.play.drive?.decisions ?? null,
     text: (side, v) => `${v ?? 0}, ${side.track.play.drive?.replanned ?? 0} replanned`,
   },
-  { label: 'cells visited', value: ({ track }) => track.play.visited, text: orAbsent(percent) },
+  visited,
 ];
 
 const numberOr = (value: number) => (Number.isNaN(value) ? null : value);
