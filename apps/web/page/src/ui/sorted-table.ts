@@ -15,46 +15,34 @@ export interface Column<Row> {
   class?: string;
 }
 
-export interface SortedTable<Row> {
-  element: HTMLTableElement;
-  /** Shows only rows that pass; all are there for sorting. */
-  filter(pass: (row: Row) => boolean): void;
-}
-
-export interface TableOptions<Row> {
-  caption: string;
+interface TableOptions<Row> {
+  /** Seen, or only heard. */
+  caption: HTMLTableCaptionElement | string;
   columns: Column<Row>[];
   rows: Row[];
   /** The column by which it is sorted at first. */
   by: number;
   rowClass?: (row: Row) => string;
+  /** Told of a row that was clicked. */
+  pick?: (row: Row) => void;
   /** Told the new order after each sorting. */
   onOrder?: (rows: Row[]) => void;
 }
 
 /** The first column names the row. */
-export function sortedTable<Row>({
-  caption,
-  columns,
-  rows,
-  by,
-  rowClass,
-  onOrder,
-}: TableOptions<Row>): SortedTable<Row> {
+export function sortedTable<Row>({ caption, columns, rows: first, by, rowClass, pick, onOrder }: TableOptions<Row>) {
   let direction = columns[by].best;
-  const lines = new Map(
-    rows.map((row) => [
-      row,
-      h(
-        'tr',
-        { class: rowClass?.(row) || null },
-        ...columns.map(({ value, show, class: name }, place) => {
-          const content = show ? show(row) : value(row);
-          return place === 0 ? h('th', { scope: 'row', class: name }, content) : h('td', { class: name }, content);
-        }),
-      ),
-    ]),
-  );
+  const rows = [...first];
+  const lineOf = (row: Row) =>
+    h(
+      'tr',
+      { class: rowClass?.(row) || null, onclick: pick && (() => pick(row)) },
+      ...columns.map(({ value, show, class: name }, place) => {
+        const content = show ? show(row) : value(row);
+        return place === 0 ? h('th', { scope: 'row', class: name }, content) : h('td', { class: name }, content);
+      }),
+    );
+  const lines = new Map(rows.map((row) => [row, lineOf(row)]));
   const heads = columns.map(({ title, meaning, head, class: name }, place) =>
     h(
       'th',
@@ -80,9 +68,20 @@ export function sortedTable<Row>({
   }
   arrange();
   return {
-    element: h('table.sorted', h('caption.unseen', caption), h('thead', h('tr', ...heads)), body),
-    filter(pass) {
+    element: h(
+      'table.sorted',
+      typeof caption === 'string' ? h('caption.unseen', caption) : caption,
+      h('thead', h('tr', ...heads)),
+      body,
+    ),
+    /** Shows only rows that pass; all are there for sorting. */
+    filter(pass: (row: Row) => boolean) {
       for (const [row, line] of lines) line.hidden = !pass(row);
+    },
+    add(row: Row) {
+      rows.push(row);
+      lines.set(row, lineOf(row));
+      arrange();
     },
   };
 }

@@ -1,7 +1,6 @@
 import { expect, it } from 'vitest';
 import type { Play } from '../../src/core/types';
 import { comparisonInWords, type Walk } from '../../src/live/comparison';
-import { compareValues } from '../../src/live/table';
 import { isSameMaze } from '../../src/maze/same';
 
 const walk = (spec: string, score: number | null, action: string[], more: Partial<Walk> = {}): Walk => ({
@@ -38,11 +37,4 @@ it('compares walks of one maze only, whatever its name', () => {
   expect(isSameMaze(one, other)).toBe(true);
   other.maze.start = [1, 0];
   expect(isSameMaze(one, other)).toBe(false);
-});
-
-it('sorts what is not there last, up and down', () => {
-  const values = [3, null, 1, 2];
-  expect([...values].sort((a, b) => compareValues(a, b, false))).toEqual([1, 2, 3, null]);
-  expect([...values].sort((a, b) => compareValues(a, b, true))).toEqual([3, 2, 1, null]);
-  expect(['b', 'a'].sort((a, b) => compareValues(a, b, false))).toEqual(['a', 'b']);
 });
