@@ -6,19 +6,11 @@ import { field } from '../ui/field';
 import { createGenerator } from '../ui/generator';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../page/page';
+import { errorText } from '../ui/format';
 
 type Source = 'built-in' | 'generator' | 'drawing' | 'given';
 
-export interface MazeChoice {
-  element: HTMLElement;
-  /** Chooses that maze, which came from elsewhere. */
-  give(maze: MazeData): void;
-  /** Chooses the built-in maze of that name. */
-  choose(name: string): void;
-  /** Asks for the chosen maze again; a drawing may have changed. */
-  refresh(): void;
-  isDrawing(): boolean;
-}
+export type MazeChoice = ReturnType<typeof createMazeChoice>;
 
 /** The built-in maze to begin with. */
 const usual = 'capstone-1';
@@ -47,7 +39,7 @@ function createPanels(page: Page) {
 }
 
 /** `chosen` hears of each maze. */
-export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): MazeChoice {
+export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void) {
   let given: MazeData | null = null;
   let now: MazeData | null = null;
   const source = h('select', ...sources.map((one) => h('option', { value: one.source }, one.label)));
@@ -75,8 +67,7 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
     note.replaceChildren(`${maze.name || 'a maze'}, ${maze.width} × ${maze.height} cells`);
     chosen(maze);
   }
-  const failed = (error: unknown) => complain(error instanceof Error ? error.message : String(error));
-  const latest = createLatest(fetchMaze, take, failed, 150);
+  const latest = createLatest(fetchMaze, take, (error) => complain(errorText(error)), 150);
   function ask() {
     showPanel();
     latest.ask(source.value as Source);
@@ -95,12 +86,15 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
   generator.element.addEventListener('input', ask);
   return {
     element: h('section.card', { 'aria-label': 'Maze' }, ...content),
+    /** Chooses that maze, which came from elsewhere. */
     give,
-    choose(name) {
+    /** Chooses the built-in maze of that name. */
+    choose(name: string) {
       source.value = 'built-in';
       builtin.value = name;
       ask();
     },
+    /** Asks for the chosen maze again; a drawing may have changed. */
     refresh: ask,
     isDrawing: () => source.value === 'drawing',
   };

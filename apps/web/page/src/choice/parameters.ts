@@ -4,15 +4,6 @@ import { h } from '../ui/dom';
 import { field, type Field } from '../ui/field';
 import { valueOf, type Values } from './spec';
 
-export interface ParameterForm {
-  element: HTMLElement;
-  /** The table of another mouse, or other values. */
-  show(mouse: Mouse, values: Values): void;
-  /** Says at that parameter what is wrong with it; false where the mouse has none of that name. */
-  complain(name: string, message: string): boolean;
-  clear(): void;
-}
-
 type Control = HTMLInputElement | HTMLSelectElement;
 
 /** More choices than that are easier to find by typing. */
@@ -62,7 +53,7 @@ function helpFor(parameter: Parameter): HTMLElement {
 }
 
 /** `changed` hears of the values that are not the default. */
-export function createParameters(changed: (values: Values) => void): ParameterForm {
+export function createParameters(changed: (values: Values) => void) {
   const element = h('div.parameters');
   const fields = new Map<string, Field>();
   let shown = '';
@@ -89,7 +80,8 @@ export function createParameters(changed: (values: Values) => void): ParameterFo
   }
   return {
     element,
-    show(mouse, values) {
+    /** The table of another mouse, or other values. */
+    show(mouse: Mouse, values: Values) {
       // A form that shows this already is left alone, with the focus in it.
       names = mouse.parameters.map(({ name }) => name);
       const now = keyOf(mouse.name, values);
@@ -100,7 +92,8 @@ export function createParameters(changed: (values: Values) => void): ParameterFo
       element.replaceChildren(...mouse.parameters.map((one) => rowOf(mouse.name, one, given)));
       if (mouse.parameters.length === 0) element.append(h('p.note', 'This mouse has no parameters.'));
     },
-    complain(name, message) {
+    /** Says at that parameter what is wrong with it; false where the mouse has none of that name. */
+    complain(name: string, message: string) {
       fields.get(name)?.complain(message);
       return fields.has(name);
     },

@@ -13,17 +13,8 @@ export interface Choice {
   on: boolean;
 }
 
-export interface Picks {
-  element: HTMLElement;
-  chosen(): string[];
-  /** Chooses those and no others; of what is not offered it says so. */
-  choose(names: string[]): void;
-  /** Offers other things; what was chosen among those that stay is kept. */
-  offer(choices: Choice[]): void;
-}
-
 /** A list that is folded away. */
-export function picks(title: string, choices: Choice[]): Picks {
+export function picks(title: string, choices: Choice[]) {
   const on = new Map<string, HTMLInputElement>();
   const list = h('div.list');
   const boxes = () => [...on.values()];
@@ -63,19 +54,21 @@ export function picks(title: string, choices: Choice[]): Picks {
       ),
     ),
     chosen,
-    choose(names) {
+    /** Chooses those and no others; of what is not offered it says so. */
+    choose(names: string[]) {
       const missing = names.find((name) => !on.has(name));
       if (missing !== undefined) throw new Error(`This link cannot be followed: there is no '${missing}' here.`);
       for (const [name, box] of on) box.checked = names.includes(name);
       count();
     },
+    /** Offers other things; what was chosen among those that stay is kept. */
     offer,
   };
 }
 
 /** Each under a name of its own, which is how results tell mazes apart. */
-export function namedApart(mazes: MazeData[], taken: string[]): MazeData[] {
-  const names = new Set(taken);
+export function namedApart(mazes: MazeData[], taken: { name: string }[]): MazeData[] {
+  const names = new Set(taken.map(({ name }) => name));
   return mazes.map((maze) => {
     const first = maze.name || 'drawing';
     let name = first;
@@ -93,10 +86,7 @@ export function mazePicks(title: string, { mazes }: About, mine: () => MazeData[
   let own = new Map<string, MazeData>();
   /** Offers those that there are by now. */
   function refresh() {
-    const found = namedApart(
-      mine(),
-      builtin.map(({ name }) => name),
-    );
+    const found = namedApart(mine(), builtin);
     own = new Map(found.map((maze) => [maze.name, maze]));
     const offered = found.map(({ name, width, height }) => ({ name, about: `${width}×${height}, yours`, on }));
     list.offer([...offered, ...builtin]);

@@ -7,16 +7,6 @@ import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { controlOf, read } from './parameters';
 
-export interface WorldChoice {
-  element: HTMLElement;
-  /** The world, and what is set of it: nothing of the home world, whose settings are the view's own. */
-  chosen(): { world: WorldInPage; settings: Settings };
-  /** What a contest that is driven needs; null in worlds where nothing is. */
-  drive(): { robot: string; rules: string } | null;
-  /** Chooses that world, or the home world where there is no name. A setting that is none stays as it was. */
-  choose(name?: string, settings?: Settings): void;
-}
-
 interface Row {
   element: HTMLElement;
   read(): string | number | boolean;
@@ -109,7 +99,7 @@ function rowOf(setting: Parameter, about: About, changed: () => void): Row {
 }
 
 /** `worlds` are offered. */
-export function createWorldChoice(about: About, changed: () => void, worlds = about.worlds): WorldChoice {
+export function createWorldChoice(about: About, changed: () => void, worlds = about.worlds) {
   const select = h(
     'select',
     { onchange: () => (update(), changed()) },
@@ -144,12 +134,15 @@ export function createWorldChoice(about: About, changed: () => void, worlds = ab
   update();
   return {
     element,
+    /** The world, and what is set of it: nothing of the home world, whose settings are the view's own. */
     chosen,
+    /** What a contest that is driven needs; null in worlds where nothing is. */
     drive() {
       const { world, settings } = chosen();
       return world.call === 'drive' ? { robot: String(settings.robot), rules: String(settings.rules) } : null;
     },
-    choose(name = home.name, settings = {}) {
+    /** Chooses that world, or the home world where there is no name. A setting that is none stays as it was. */
+    choose(name: string = home.name, settings: Settings = {}) {
       select.value = name;
       for (const [key, value] of Object.entries(settings)) rows.get(name)?.get(key)?.write(value);
       update();

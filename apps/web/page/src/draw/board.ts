@@ -9,19 +9,7 @@ import { nearestWall } from './nearest';
 import { paintDrawing, type Overlay } from './painter';
 import { beginStroke, drawn, type Stroke, type Tool } from './strokes';
 
-export interface Board {
-  element: HTMLElement;
-  stage: Stage;
-  /** Which keys there are. */
-  keys: HTMLElement;
-  /** Shows the drawing as it is now. */
-  show(): void;
-  /** What the pointer draws; or that it looks around. */
-  setTool(tool: Tool | 'look'): void;
-  setRoute(route: Cell[] | null): void;
-  /** Scrolls to it, where it is out of sight. */
-  reveal(): void;
-}
+export type Board = ReturnType<typeof createBoard>;
 
 /** A finger hides what it touches: it may be farther away. */
 const reachOf = (event: PointerEvent) => (event.pointerType === 'touch' ? 0.4 : 0.3);
@@ -147,7 +135,7 @@ function listenToKeys(editor: Editor, stage: Stage, hand: Hand) {
   });
 }
 
-export function createBoard(editor: Editor): Board {
+export function createBoard(editor: Editor) {
   const said = h('p.draw-said', { 'aria-live': 'polite' });
   const overlay: Overlay = { hover: null, cursor: null, route: null };
   const say = (words: string) => said.textContent !== words && said.replaceChildren(words);
@@ -186,17 +174,21 @@ export function createBoard(editor: Editor): Board {
   return {
     element: h('div.draw-board', stage.element, said),
     stage,
+    /** Which keys there are. */
     keys: h('p.draw-keys', { id: 'draw-keys' }, help),
+    /** Shows the drawing as it is now. */
     show,
-    setTool(next) {
+    /** What the pointer draws; or that it looks around. */
+    setTool(next: Tool | 'look') {
       hand.tool = next;
       canvas.classList.toggle('looking', next === 'look');
       hover(editor, stage, hand, null);
     },
-    setRoute(route) {
+    setRoute(route: Cell[] | null) {
       overlay.route = route;
       stage.redraw();
     },
+    /** Scrolls to it, where it is out of sight. */
     reveal: () => stage.element.scrollIntoView({ block: 'nearest' }),
   };
 }

@@ -1,6 +1,5 @@
 // All around one drawing: the board, its tools, what the core says of it, and where it goes.
 import type { MazeData } from '../core/types';
-import type { Camera } from '../maze/camera';
 import { button } from '../ui/controls';
 import { h } from '../ui/dom';
 import { field } from '../ui/field';
@@ -17,17 +16,7 @@ import { createKey, type Key } from './key';
 import { createKeeper } from './storage';
 import { createTools } from './tools';
 
-export interface Desk {
-  element: HTMLElement;
-  drawing(): MazeData;
-  /** Where one looks at it from. */
-  look(): Camera;
-  lookFrom(camera: Camera): void;
-  /** Another maze in place of the drawing, as a step that can be undone. */
-  load(maze: MazeData): void;
-  /** A key that was pressed anywhere in the view; true where it was for the desk. */
-  key(event: KeyboardEvent): boolean;
-}
+export type Desk = ReturnType<typeof createDesk>;
 
 const isEqual = (one: MazeData, other: MazeData) => JSON.stringify(one) === JSON.stringify(other);
 
@@ -74,7 +63,7 @@ function createRoute(board: Board, key: Key) {
 
 const card = (label: string, ...content: HTMLElement[]) => h('section.card', { 'aria-label': label }, ...content);
 
-export function createDesk(page: Page, first: MazeData): Desk {
+export function createDesk(page: Page, first: MazeData) {
   const editor = createEditor(first, () => changed());
   const board = createBoard(editor);
   const room = h('div.desk');
@@ -116,9 +105,12 @@ export function createDesk(page: Page, first: MazeData): Desk {
   return {
     element: room,
     drawing: editor.maze,
+    /** Where one looks at it from. */
     look: board.stage.camera,
     lookFrom: board.stage.look,
+    /** Another maze in place of the drawing, as a step that can be undone. */
     load,
-    key: (event) => undoes(event, editor),
+    /** A key that was pressed anywhere in the view; true where it was for the desk. */
+    key: (event: KeyboardEvent) => undoes(event, editor),
   };
 }

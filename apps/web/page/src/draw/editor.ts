@@ -2,22 +2,10 @@
 import type { MazeData } from '../core/types';
 import { createHistory } from './history';
 
-export interface Editor {
-  /** The drawing, with the stroke that is being made. */
-  maze(): MazeData;
-  /** A step, or nothing where the maze is the same one. */
-  change(maze: MazeData): void;
-  /** What a stroke has made so far; `settle` makes it one step, `undo` takes it back. */
-  sketch(maze: MazeData): void;
-  settle(): void;
-  undo(): void;
-  redo(): void;
-  canUndo(): boolean;
-  canRedo(): boolean;
-}
+export type Editor = ReturnType<typeof createEditor>;
 
 /** `changed` hears of every change, a sketch included. */
-export function createEditor(first: MazeData, changed: () => void): Editor {
+export function createEditor(first: MazeData, changed: () => void) {
   const history = createHistory(first);
   let stroke: MazeData | null = null;
   function settle() {
@@ -26,12 +14,15 @@ export function createEditor(first: MazeData, changed: () => void): Editor {
     changed();
   }
   return {
+    /** The drawing, with the stroke that is being made. */
     maze: () => stroke ?? history.now(),
-    change(maze) {
+    /** A step, or nothing where the maze is the same one. */
+    change(maze: MazeData) {
       stroke = maze === history.now() ? null : maze;
       settle();
     },
-    sketch(maze) {
+    /** What a stroke has made so far; `settle` makes it one step, `undo` takes it back. */
+    sketch(maze: MazeData) {
       stroke = maze;
       changed();
     },

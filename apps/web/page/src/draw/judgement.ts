@@ -5,31 +5,25 @@ import { meanings } from '../ui/meanings';
 import { boundMeaning, mmsBoundMeaning, optimumMeaning } from '../ui/terms';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../page/page';
-
-export interface Judgement {
-  element: HTMLElement;
-  judge(maze: MazeData): void;
-}
+import { counted, errorText, number } from '../ui/format';
 
 /** After so many milliseconds without an answer, the last one is taken back: it speaks of another drawing. */
 const patience = 200;
 
-const number = (value: number | null, digits = 0) => (value === null ? '–' : value.toFixed(digits));
-const counted = (value: number | null, one: string) =>
-  value === null ? '–' : `${value} ${one}${value === 1 ? '' : 's'}`;
+const countOf = (value: number | null, one: string) => (value === null ? '–' : counted(value, one));
 const arrives = (value: boolean) => (value ? 'arrives' : 'does not arrive');
 
 /** The figures, each with what it means. */
 function figures(found: Inspection, cells: number): [string, string, string][] {
   return [
-    ['Shortest run', counted(found.optimum, 'step'), optimumMeaning],
+    ['Shortest run', countOf(found.optimum, 'step'), optimumMeaning],
     ['Best possible', number(found.bound, 3), boundMeaning],
     ['Best in mms', number(found.mms_score, 3), mmsBoundMeaning],
-    ['Shortest path', counted(found.shortest_cells, 'cell'), 'from the start to the nearest goal'],
+    ['Shortest path', countOf(found.shortest_cells, 'cell'), 'from the start to the nearest goal'],
     ['Reachable', `${found.reachable} of ${cells} cells`, 'from the start'],
-    ['Dead ends', number(found.dead_ends), 'cells with only one way in'],
-    ['Junctions', number(found.junctions), 'cells with three or four ways'],
-    ['Loops', number(found.loops), 'walls that could be closed without cutting off any cell'],
+    ['Dead ends', number(found.dead_ends, 0), 'cells with only one way in'],
+    ['Junctions', number(found.junctions, 0), 'cells with three or four ways'],
+    ['Loops', number(found.loops, 0), 'walls that could be closed without cutting off any cell'],
     ['Left hand', arrives(found.left_follower_arrives), 'a mouse with its left hand on the wall'],
     ['Right hand', arrives(found.right_follower_arrives), 'a mouse with its right hand on the wall'],
   ];
@@ -56,7 +50,7 @@ function rulesList(found: Inspection) {
 }
 
 /** `route` hears of the shortest run of the drawing, and of null while it is not known. */
-export function createJudgement(page: Page, route: (found: Inspection | null) => void): Judgement {
+export function createJudgement(page: Page, route: (found: Inspection | null) => void) {
   const words = h('p.verdict', { role: 'status' });
   const table = h('dl.figures');
   const explained = h('div');
@@ -94,13 +88,13 @@ export function createJudgement(page: Page, route: (found: Inspection | null) =>
       route(found);
     },
     (error) => {
-      tell(error instanceof Error ? error.message : String(error), 'bad');
+      tell(errorText(error), 'bad');
       route(null);
     },
   );
   return {
     element,
-    judge(maze) {
+    judge(maze: MazeData) {
       late ??= setTimeout(() => {
         element.classList.add('stale');
         route(null);

@@ -2,15 +2,11 @@
 import { sample, type SampleName } from '../player/samples';
 import { h } from '../ui/dom';
 
-export interface Key {
-  element: HTMLElement;
-  /** Whether the shortest run is drawn. */
-  setRoute(drawn: boolean): void;
-}
+export type Key = ReturnType<typeof createKey>;
 
 const entry = (name: SampleName, words: string) => h('li', sample(name), h('span', words));
 
-export function createKey(): Key {
+export function createKey() {
   const route = entry('exploration', 'a shortest run');
   route.classList.add('route');
   const element = h(
@@ -21,5 +17,5 @@ export function createKey(): Key {
     entry('goal', 'goal'),
     route,
   );
-  return { element, setRoute: (drawn) => (route.hidden = !drawn) };
+  return { element /** Whether the shortest run is drawn. */, setRoute: (drawn: boolean) => (route.hidden = !drawn) };
 }

@@ -4,6 +4,7 @@ import { h } from '../ui/dom';
 import { createGenerator } from '../ui/generator';
 import type { Page } from '../page/page';
 import { withAllClosed } from './model';
+import { errorText } from '../ui/format';
 
 const closed = 'closed';
 
@@ -20,7 +21,7 @@ export function createMaking(page: Page, made: (maze: MazeData) => void): HTMLEl
       const { maze } = await page.core.call('make_maze', of);
       made(order.generator === closed ? withAllClosed({ ...maze, name: `closed-${maze.width}x${maze.height}` }) : maze);
     } catch (error) {
-      generator.complain(error instanceof Error ? error.message : String(error));
+      generator.complain(errorText(error));
     }
   }
   return h(

@@ -7,23 +7,16 @@ import { savePicture } from '../maze/saved';
 import { createCopyable } from '../ui/copy';
 import { h } from '../ui/dom';
 import { showError } from '../ui/field';
+import { errorText } from '../ui/format';
 import type { Page } from '../page/page';
 
 /** Of the longer side of a saved picture, at most. */
 const pixels = 1600;
 
-const wordsOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
-
 /** The page's own address with a maze in it. */
 const addressWith = (link: string) => `${location.href.split('#')[0]}#maze=${link}`;
 
-export interface Saving {
-  element: HTMLElement;
-  /** The drawing has changed: what was said of an earlier one no longer holds. */
-  changed(): void;
-}
-
-export function createSaving(page: Page, drawing: () => MazeData): Saving {
+export function createSaving(page: Page, drawing: () => MazeData) {
   const refusal = h('p.field-error', { role: 'alert' });
   const link = createCopyable('Link containing the maze', 'Copy again');
   link.element.hidden = true;
@@ -32,7 +25,7 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
   const trying = (does: () => Promise<void>) => () => {
     refusal.replaceChildren();
     does().catch((error: unknown) => {
-      refusal.replaceChildren(wordsOf(error));
+      refusal.replaceChildren(errorText(error));
       showError(refusal);
     });
   };
@@ -73,6 +66,7 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
       refusal,
       link.element,
     ),
+    /** The drawing has changed: what was said of an earlier one no longer holds. */
     changed() {
       refusal.replaceChildren();
       link.element.hidden = true;

@@ -17,15 +17,7 @@ const tools: { tool: Tool | 'look'; label: string; title: string }[] = [
   },
 ];
 
-export interface Tools {
-  element: HTMLElement;
-  /** Changes of the whole. */
-  changes: HTMLElement;
-  /** Undo and redo as the history now allows. */
-  show(): void;
-}
-
-export function createTools(editor: Editor, choose: (tool: Tool | 'look') => void, looks: HTMLElement): Tools {
+export function createTools(editor: Editor, choose: (tool: Tool | 'look') => void, looks: HTMLElement) {
   const radios = tools.map(({ tool, label, title }, i) =>
     h(
       'label',
@@ -49,6 +41,7 @@ export function createTools(editor: Editor, choose: (tool: Tool | 'look') => voi
       h('span.draw-changes', undo, redo),
       looks,
     ),
+    /** Changes of the whole. */
     changes: h(
       'div.row',
       { role: 'group', 'aria-label': 'Change all of it' },
@@ -56,6 +49,7 @@ export function createTools(editor: Editor, choose: (tool: Tool | 'look') => voi
       button('Mirror', 'Swap east and west', changing(mirrored)),
       button('Rotate', 'Turn the whole maze a quarter clockwise', changing(rotated)),
     ),
+    /** Undo and redo as the history now allows. */
     show() {
       undo.disabled = !editor.canUndo();
       redo.disabled = !editor.canRedo();

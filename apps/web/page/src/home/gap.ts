@@ -1,5 +1,7 @@
 // Who is ahead, and by how much: before a goal in cells, then in the seconds of the best run so far.
 
+import { counted } from '../ui/format';
+
 export interface Standing {
   name: string;
   /** Seconds of the best run so far; NaN before the first. */
@@ -7,8 +9,6 @@ export interface Standing {
   /** Cells that are left to the goal, as they truly are. */
   left: number;
 }
-
-const cells = (count: number) => `${count} ${count === 1 ? 'cell' : 'cells'}`;
 
 /** In a few words: "flood is 3 cells nearer to the goal". */
 export function gapInWords(one: Standing, other: Standing): string {
@@ -21,5 +21,7 @@ export function gapInWords(one: Standing, other: Standing): string {
   }
   if (runs || others) return `${(runs ? one : other).name} was at the goal first`;
   const by = Math.abs(one.left - other.left);
-  return by === 0 ? 'side by side' : `${(one.left < other.left ? one : other).name} is ${cells(by)} nearer to the goal`;
+  return by === 0
+    ? 'side by side'
+    : `${(one.left < other.left ? one : other).name} is ${counted(by, 'cell')} nearer to the goal`;
 }

@@ -7,24 +7,13 @@ import { usualLayers, type Layers } from '../player/layers';
 import { createScene } from '../player/scene';
 import { prepare } from '../player/track';
 import { h } from '../ui/dom';
-import type { Standing } from './gap';
 import type { Met } from './pairs';
 
 const doing = { search: 'searches', home: 'goes back to the start', fast: 'runs' };
 
-export interface Lane {
-  element: HTMLElement;
-  name: string;
-  track: ReturnType<typeof prepare>;
-  standing(): Standing;
-  /** Goes to that time, in seconds. */
-  show(time: number): void;
-  /** What is seen, in words. */
-  describe(): void;
-  close(): void;
-}
+export type Lane = ReturnType<typeof createLane>;
 
-export function createLane(core: Core, { play }: Met, hue: Tone): Lane {
+export function createLane(core: Core, { play }: Met, hue: Tone) {
   const track = prepare(play);
   // A search is told by the map that it draws; a run by its speed.
   const layers: Layers = { ...usualLayers, speed: false };
@@ -46,7 +35,8 @@ export function createLane(core: Core, { play }: Met, hue: Tone): Lane {
     name: play.mouse,
     track,
     standing: () => ({ name: play.mouse, best: bestNow(), left: scene.distanceOf(scene.cell()) }),
-    show(time) {
+    /** Goes to that time, in seconds. */
+    show(time: number) {
       const run = track.drive!.runs[runAt(track.drive!, time)];
       const runs = run?.kind === 'fast';
       if (runs !== layers.speed) {
@@ -57,6 +47,7 @@ export function createLane(core: Core, { play }: Met, hue: Tone): Lane {
       say(what, run && time < track.time[track.last] ? doing[run.kind] : 'is done');
       say(best, Number.isNaN(bestNow()) ? 'no run yet' : `best run ${bestNow().toFixed(3)} s`);
     },
+    /** What is seen, in words. */
     describe: () =>
       scene.stage.describe(`${play.mouse} in ${play.maze.name}: ${what.textContent}, ${best.textContent}`),
     close: () => scene.stage.close(),

@@ -15,17 +15,6 @@ const lead = 10;
 /** Of a clock that nothing has set: as high as one that is. */
 const unset = '\u00a0';
 
-export interface FrontRace {
-  element: HTMLElement;
-  /** Puts two mice where they are after so many seconds, or shortly before they part: what comes before looks the same. */
-  set(core: Core, pair: [Met, Met], from?: number): void;
-  run(): void;
-  pause(): void;
-  isRunning(): boolean;
-  /** Where the race is, in seconds. */
-  time(): number;
-}
-
 const say = (place: HTMLElement, text: string) => place.textContent !== text && (place.textContent = text);
 
 /** What stands above the lanes: the gap, the clock and the controls. */
@@ -54,12 +43,11 @@ function beginOf([{ play }, other]: [Met, Met], { track }: Lane): number {
 }
 
 /** `ended` hears when a race was shown to its end; the controls stand beside the clock. */
-export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): FrontRace {
+export function createFrontRace(ended: () => void, ...controls: HTMLElement[]) {
   const lanes = h('div.lanes');
   const meter = createMeter();
   const board = createBoard(controls);
-  const element = h('div.front-race', board.element, lanes);
-  Object.assign(element, { meter });
+  const element = Object.assign(h('div.front-race', board.element, lanes), { meter });
   let two: Lane[] = [];
   let time = 0;
   let end = 0;
@@ -93,7 +81,8 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
   }
   return {
     element,
-    set(core, pair, from) {
+    /** Puts two mice where they are after so many seconds, or shortly before they part: what comes before looks the same. */
+    set(core: Core, pair: [Met, Met], from?: number) {
       for (const lane of two) lane.close();
       two = [createLane(core, pair[0], 'to-goal'), createLane(core, pair[1], 'route')];
       lanes.replaceChildren(...two.map((lane) => lane.element));
@@ -110,6 +99,7 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
     },
     pause,
     isRunning: () => asked !== 0,
+    /** Where the race is, in seconds. */
     time: () => time,
   };
 }

@@ -1,12 +1,14 @@
 // Runs what is chosen, at once on every change, and shows the walk.
-import type { MazeData, Play } from '../core/types';
+import type { MazeData } from '../core/types';
+import { contestOf } from '../link/contest';
 import { isSameMaze } from '../maze/same';
 import type { Camera } from '../maze/camera';
-import { createPlayer, type Player } from '../player/player';
+import { createPlayer } from '../player/player';
 import { h } from '../ui/dom';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../page/page';
 import { comparisonInWords, type Walk } from './comparison';
+import { errorText } from '../ui/format';
 
 export interface Order {
   spec: string;
@@ -17,14 +19,7 @@ export interface Order {
   drive: { robot: string; rules: string } | null;
 }
 
-export interface Bench {
-  element: HTMLElement;
-  run(order: Order): void;
-  /** What is run next is shown at that moment, and not at its end. */
-  begin(moment: { time?: number; look?: Camera }): void;
-  moment: Player['moment'];
-  stop(): void;
-}
+export type Bench = ReturnType<typeof createBench>;
 
 const score = (value: number | null, unit: string) => (value === null ? 'none' : value.toFixed(3) + unit);
 
@@ -35,20 +30,17 @@ function outcomeInWords({ spec, play }: Walk): string {
   return `${spec} in ${play.maze.name || 'this maze'}: ${play.outcome}, score ${score(play.score, unit)}, ${known}`;
 }
 
-const runIn = (page: Page, { spec, maze, seed, budget, drive }: Order): Promise<{ play: Play; record: string }> =>
-  drive
-    ? page.core.call('drive', { mouse: spec, maze, seed, ...drive })
-    : page.core.call('run', { mouse: spec, maze, seed, budget });
+const runIn = ({ core }: Page, { spec, drive, ...order }: Order) =>
+  contestOf(core, { ...order, mouse: spec, drive: drive ?? undefined });
 
 /** `refused` hears why a run could not be, and an empty text where it could. */
-export function createBench(page: Page, refused: (message: string) => void): Bench {
+export function createBench(page: Page, refused: (message: string) => void) {
   const outcome = h('p.verdict', { role: 'status' });
   const compare = h('input', { type: 'checkbox', onchange: () => show() });
   const beside = h('label.check', compare, 'Compare with before');
   const words = h('p.comparison', { 'aria-live': 'polite' });
-  const row = h('div.row', beside, words);
   const title = h('h2.unseen', 'The walk');
-  const lead = h('div.outcome', outcome, row);
+  const lead = h('div.outcome', outcome, h('div.row', beside, words));
   const player = createPlayer(page, lead);
   // Beside the numbers of a walk; until there is one, in place of it.
   const element = h('div.bench', title, outcome, player.element);
@@ -60,12 +52,8 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
   const stale = (is: boolean) => player.element.classList.toggle('stale', is);
   function show() {
     if (!now) return;
-    player.show(
-      compare.checked && before ? [before, now] : [now],
-      next?.time === undefined ? 'end' : 'start',
-      next?.time,
-      next?.look,
-    );
+    const at = next?.time === undefined ? 'end' : 'start';
+    player.show(compare.checked && before ? [before, now] : [now], at, next?.time, next?.look);
     next = null;
   }
   function take(walk: Walk) {
@@ -85,7 +73,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     async ({ maze, ...order }: Order): Promise<Walk> => ({ ...order, ...(await runIn(page, { maze, ...order })) }),
     take,
     (error) => {
-      const message = error instanceof Error ? error.message : String(error);
+      const message = errorText(error);
       stale(true);
       outcome.dataset.state = 'bad';
       outcome.title = '';
@@ -95,5 +83,12 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     250,
   );
   compare.disabled = true;
-  return { element, run: latest.ask, begin: (moment) => (next = moment), moment: player.moment, stop: player.stop };
+  return {
+    element,
+    run: latest.ask,
+    /** What is run next is shown at that moment, and not at its end. */
+    begin: (moment: { time?: number; look?: Camera }) => (next = moment),
+    moment: player.moment,
+    stop: player.stop,
+  };
 }

@@ -4,6 +4,7 @@ import { button } from '../ui/controls';
 import { h } from '../ui/dom';
 import type { Page } from '../page/page';
 import { createTable, type Row } from './table';
+import { errorText } from '../ui/format';
 
 export interface Task {
   maze: MazeData;
@@ -13,14 +14,7 @@ export interface Task {
   spec: string;
 }
 
-export interface Everyone {
-  /** The race: its progress and its table; hidden before there is one. */
-  element: HTMLElement;
-  /** Begins it. */
-  button: HTMLElement;
-  /** What the table says is of another maze, seed or budget: it goes. */
-  clear(): void;
-}
+export type Everyone = ReturnType<typeof createEveryone>;
 
 const isReference = (name: string) => name === 'oracle';
 
@@ -32,7 +26,7 @@ async function contest(page: Page, spec: string, { maze, seed, budget }: Task): 
     const result: ContestResult = mouse.results[0];
     return { ...base, result, ratio: mouse.mean_ratio, outcome: result.outcome };
   } catch (error) {
-    return { ...base, result: null, ratio: null, outcome: error instanceof Error ? error.message : String(error) };
+    return { ...base, result: null, ratio: null, outcome: errorText(error) };
   }
 }
 
@@ -43,11 +37,7 @@ const specsOf = ({ about }: Page, { spec }: Task) => {
 };
 
 /** `pick` hears of a mouse whose walk is to be shown, by its SPEC and its seed. */
-export function createEveryone(
-  page: Page,
-  task: () => Task | null,
-  pick: (spec: string, seed: number) => void,
-): Everyone {
+export function createEveryone(page: Page, task: () => Task | null, pick: (spec: string, seed: number) => void) {
   const table = createTable((row) => row.result && pick(row.spec, Number(row.result.seed)));
   const progress = h('progress', { hidden: true, 'aria-label': 'Mice that have raced' });
   const said = h('p.note', { role: 'status' });
@@ -90,8 +80,11 @@ export function createEveryone(
     finish(`${specs.length} mice have raced. Click one to see its walk.`);
   }
   return {
+    /** The race: its progress and its table; hidden before there is one. */
     element,
+    /** Begins it. */
     button: begin,
+    /** What the table says is of another maze, seed or budget: it goes. */
     clear() {
       number += 1;
       finish('');

@@ -70,22 +70,6 @@ export function cellAt(g: Geometry, x: number, y: number): Cell | null {
   return column >= 0 && row >= 0 && column < g.width && row < g.height ? [column, row] : null;
 }
 
-/** The wall of that cell which is nearest, and how far its middle line is, as a share of a cell. */
-export function sideAt(g: Geometry, x: number, y: number): { cell: Cell; side: HeadingName; distance: number } | null {
-  const cell = cellAt(g, x, y);
-  if (!cell) return null;
-  const east = (x * g.ratio - columnAt(g, cell[0])) / g.pitch;
-  const north = (rowAt(g, cell[1]) - y * g.ratio) / g.pitch;
-  const sides: [HeadingName, number][] = [
-    ['north', 1 - north],
-    ['east', 1 - east],
-    ['south', north],
-    ['west', east],
-  ];
-  const [side, distance] = sides.reduce((least, one) => (one[1] < least[1] ? one : least));
-  return { cell, side, distance };
-}
-
 /**
  * The position of a wall in lists over walls: the north side of cell i at i, its east side at cells + i. -1 for the
  * southern and the western border, which have none.

@@ -1,4 +1,4 @@
-// Whether two mazes are one.
+// Whether a thing is a maze, and whether two mazes are one.
 import type { MazeData } from '../core/types';
 
 /** Whether two plays are in one maze, whatever its name, so that they can be compared. */
@@ -7,3 +7,6 @@ export function isSameMaze({ maze: one }: { maze: MazeData }, { maze: other }: {
     JSON.stringify([width, height, walls, start, heading, goals]);
   return sides(one) === sides(other);
 }
+
+export const isMaze = (thing: unknown): thing is MazeData =>
+  typeof thing === 'object' && thing !== null && Array.isArray((thing as MazeData).walls);

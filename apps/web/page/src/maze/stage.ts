@@ -10,29 +10,7 @@ import type { Context } from './painter';
 /** Device pixels to a pixel of the page, at least, while it is printed. */
 const printRatio = 3;
 
-export interface Stage {
-  /** Its room, which the style sheets give it; the canvas in it has role=img. */
-  element: HTMLElement;
-  canvas: HTMLCanvasElement;
-  geometry(): Geometry;
-  palette(): Palette;
-  /** For another maze, which is seen as a whole. */
-  resize(maze: MazeSize): void;
-  /** Paints before the next frame of the browser, however often it is called; `now` at once. */
-  redraw(): void;
-  now(): void;
-  camera(): Camera;
-  /** Looks at it from there; nobody is told. */
-  look(camera: Camera): void;
-  /** Nearer by that factor, around a place of the canvas or its middle. */
-  zoomBy(factor: number, x?: number, y?: number): void;
-  /** Aside, in pixels of the page. */
-  panBy(x: number, y: number): void;
-  whole(): void;
-  /** What the picture shows, for those who do not see it. */
-  describe(text: string): void;
-  close(): void;
-}
+export type Stage = ReturnType<typeof createStage>;
 
 export interface StageOptions extends Partial<Gestures> {
   /** Numbers of columns and rows beside the maze need room. */
@@ -171,7 +149,7 @@ function watch({ element, measure, recolour, ...view }: StageView): () => void {
   };
 }
 
-export function createStage(maze: MazeSize, paint: Paint, options: StageOptions = {}): Stage {
+export function createStage(maze: MazeSize, paint: Paint, options: StageOptions = {}) {
   const view = createView(maze, paint, options);
   const { canvas, element, geometry, palette, camera, look, resize, redraw, now } = view;
   function move(next: Camera) {
@@ -189,19 +167,26 @@ export function createStage(maze: MazeSize, paint: Paint, options: StageOptions 
   );
   const unwatch = watch(view);
   return {
+    /** Its room, which the style sheets give it; the canvas in it has role=img. */
     element,
     canvas,
     geometry,
     palette,
+    /** For another maze, which is seen as a whole. */
     resize,
+    /** Paints before the next frame of the browser, however often it is called; `now` at once. */
     redraw,
     now,
     camera,
+    /** Looks at it from there; nobody is told. */
     look,
+    /** Nearer by that factor, around a place of the canvas or its middle. */
     zoomBy,
+    /** Aside, in pixels of the page. */
     panBy,
     whole: () => move({ ...camera(), scale: 1 }),
-    describe(text) {
+    /** What the picture shows, for those who do not see it. */
+    describe(text: string) {
       if (canvas.getAttribute('aria-label') !== text) canvas.setAttribute('aria-label', text);
     },
     close() {

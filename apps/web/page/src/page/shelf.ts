@@ -8,17 +8,7 @@ const keepingKey = 'labmouse-keep';
 /** What begins so in the other storage, which answers at once, goes with the rest: programs that were written. */
 export const besides = 'labmouse-write';
 
-export interface Shelf {
-  /** Whether anything is to be kept. */
-  keeps(): boolean;
-  /** Off also empties it. */
-  setKeeps(keeps: boolean): Promise<void>;
-  empty(): Promise<void>;
-  /** What lies there, whatever it may be; null for nothing. Who reads it checks it like a file. */
-  read(key: string): Promise<unknown>;
-  /** Nothing is kept where that fails. */
-  write(key: string, value: unknown): Promise<void>;
-}
+export type Shelf = ReturnType<typeof createShelf>;
 
 function isOff(): boolean {
   try {
@@ -28,7 +18,7 @@ function isOff(): boolean {
   }
 }
 
-export function createShelf(): Shelf {
+export function createShelf() {
   let off = isOff();
   let store: UseStore | null = null;
   /** The browser may refuse in any step, and in words of its own. */
@@ -48,8 +38,10 @@ export function createShelf(): Shelf {
     await quietly(clear, undefined);
   }
   return {
+    /** Whether anything is to be kept. */
     keeps: () => !off,
-    async setKeeps(keeps) {
+    /** Off also empties it. */
+    async setKeeps(keeps: boolean) {
       off = !keeps;
       try {
         if (keeps) localStorage.removeItem(keepingKey);
@@ -60,12 +52,14 @@ export function createShelf(): Shelf {
       if (!keeps) await empty();
     },
     empty,
-    async read(key) {
+    /** What lies there, whatever it may be; null for nothing. Who reads it checks it like a file. */
+    async read(key: string) {
       if (off) return null;
       const found = await quietly((from) => get<{ version: number; value: unknown }>(key, from), undefined);
       return typeof found === 'object' && found?.version === version ? (found.value ?? null) : null;
     },
-    async write(key, value) {
+    /** Nothing is kept where that fails. */
+    async write(key: string, value: unknown) {
       if (!off) await quietly((into) => set(key, { version, value }, into), undefined);
     },
   };

@@ -9,13 +9,7 @@ import type { Actions, Side, State } from './state';
 const stepped = uPlot.paths.stepped!({ align: 1 });
 const height = 190;
 
-export interface Curves {
-  element: HTMLElement;
-  /** After the frame has changed, some times a second while it plays. */
-  update(): void;
-  /** Moves the mark of the present moment; in every frame of the browser. */
-  tick(): void;
-}
+export type Curves = ReturnType<typeof createCurves>;
 
 /** Seconds since the run began, m/s, m/s². */
 export function curveData({ path, runs }: DriveTrack, run: number): [number[], number[], number[]] {
@@ -79,18 +73,16 @@ function inWords(name: string, [times, speeds]: number[][]): string {
 const readingOf = ({ time, v, a }: Moment, begin: number) =>
   `${clockText(time - begin)} s: ${speedText(v)}, ${accelerationText(a)}`;
 
-export function createCurves(state: State, actions: Actions): Curves {
+export function createCurves(state: State, actions: Actions) {
   const picture = h('div.speeds', { role: 'img' });
-  const title = h('h3', 'Speed and acceleration');
+  const label = 'Speed and acceleration';
+  const title = h('h3', label);
   const text = h('p.reading');
   const mark = h('div.now');
-  const label = 'Speed and acceleration';
   const element = h('section.drive-curves', { hidden: true, 'aria-label': label }, title, text, picture);
   let plot: uPlot | null = null;
   let side: Side | null = null;
-  let run = -1;
-  let place = NaN;
-
+  let [run, place] = [-1, NaN];
   const drive = () => side?.track.drive;
   const begin = () => (drive()?.runs[run]?.begin ?? 0) / 1e6;
 
@@ -122,7 +114,9 @@ export function createCurves(state: State, actions: Actions): Curves {
   onTones(() => element.hidden || draw());
   return {
     element,
+    /** Moves the mark of the present moment; in every frame of the browser. */
     tick,
+    /** After the frame has changed, some times a second while it plays. */
     update() {
       const chosen = state.sides[state.chosen];
       const { moment } = chosen.scene;

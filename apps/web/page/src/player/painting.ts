@@ -1,7 +1,7 @@
 // One play, painted at any moment on any canvas: on the stage, for a picture, for a film.
 import { paintGround, paintLetters, paintNumbers } from '../maze/painter';
-import { createMoment, goTo, type Moment } from './drive';
-import { createPose, poseAt, type Pose } from './motion';
+import { createMoment, goTo } from './drive';
+import { createPose, poseAt } from './motion';
 import type { Brush } from './paint/brush';
 import { paintBodies } from './paint/bodies';
 import { paintCandidates } from './paint/candidates';
@@ -19,21 +19,17 @@ import type { Track } from './track';
 const mouseInSeconds = 0.6;
 
 /** Where the mouse of a play is. */
-export interface Place {
-  pose: Pose;
-  /** Null in other worlds than that of seconds. */
-  moment: Moment | null;
-  /** Goes to that time, which is in that frame or, by a share, on the way to the next one. */
-  look(time: number, frame: number, share: number): void;
-}
+export type Place = ReturnType<typeof createPlace>;
 
-export function createPlace(track: Track): Place {
+export function createPlace(track: Track) {
   const pose = createPose();
   const moment = track.drive ? createMoment() : null;
   return {
     pose,
+    /** Null in other worlds than that of seconds. */
     moment,
-    look(time, frame, share) {
+    /** Goes to that time, which is in that frame or, by a share, on the way to the next one. */
+    look(time: number, frame: number, share: number) {
       poseAt(track, frame, share, pose);
       if (!track.drive || !moment) return;
       goTo(track.drive, time, moment);

@@ -27,20 +27,7 @@ import { Steps } from './steps';
 import { Transport } from './transport';
 import { momentText, namesOf } from './words';
 
-export interface Player {
-  element: HTMLElement;
-  /** Shows one or two of them, from the beginning or at the end, or from that time on; what was shown before is gone. */
-  show(plays: Shown[], at?: 'start' | 'end', time?: number, look?: Camera): void;
-  /** The time of the clock, and where one looks at the chosen maze from. */
-  moment(): { time: number; look?: Camera };
-  /** Calls whenever the clock stands still in another moment. */
-  rested(listener: () => void): void;
-  /** Plays on from where it is. */
-  play(): void;
-  /** Pauses: call it when the player is hidden. */
-  stop(): void;
-  seek(time: number): void;
-}
+export type Player = ReturnType<typeof createPlayer>;
 
 /** The same for all players, and kept from play to play. */
 const layers: Layers = { ...usualLayers };
@@ -91,10 +78,7 @@ function createPanels(page: EarlyPage, state: State, actions: Actions, element: 
   const transport = h('div.transport');
   const parts = h('div.parts');
   const curves = createCurves(state, actions);
-  element.append(
-    h('div.theatre', sides, transport),
-    h('div.panel', ...lead, parts),
-  );
+  element.append(h('div.theatre', sides, transport), h('div.panel', ...lead, parts));
   function refresh() {
     for (const side of state.sides) side.update();
     render(<Transport state={state} actions={actions} />, transport);
@@ -194,7 +178,7 @@ function setShape(element: HTMLElement, { sides }: State) {
 }
 
 /** `lead` stands above the numbers. */
-export function createPlayer(page: EarlyPage, ...lead: Lead[]): Player {
+export function createPlayer(page: EarlyPage, ...lead: Lead[]) {
   const clock = createClock();
   const state: State = { clock, layers, sides: [], chosen: 0, folded: false };
   const element = h('div.player', { hidden: true });
@@ -221,9 +205,12 @@ export function createPlayer(page: EarlyPage, ...lead: Lead[]): Player {
   listen(element, state, actions);
   return {
     element,
-    rested: (listener) => void (restedListener = listener),
+    /** Calls whenever the clock stands still in another moment. */
+    rested: (listener: () => void) => void (restedListener = listener),
+    /** The time of the clock, and where one looks at the chosen maze from. */
     moment: () => ({ time: clock.time, look: state.sides[state.chosen]?.scene.stage.camera() }),
-    show(plays, at = 'start', time = 0, look) {
+    /** Shows one or two of them, from the beginning or at the end, or from that time on; what was shown before is gone. */
+    show(plays: Shown[], at: 'start' | 'end' = 'start', time: number = 0, look?: Camera) {
       setSides(state, plays, lookTogether);
       setShape(element, state);
       panels.sides.replaceChildren(...state.sides.map((side) => side.element));
@@ -238,10 +225,12 @@ export function createPlayer(page: EarlyPage, ...lead: Lead[]): Player {
       }
       wake();
     },
+    /** Plays on from where it is. */
     play() {
       start(clock);
       wake();
     },
+    /** Pauses: call it when the player is hidden. */
     stop() {
       clock.playing = false;
       wake();

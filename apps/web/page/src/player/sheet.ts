@@ -22,14 +22,6 @@ export interface Pictured {
   geometry: Geometry;
 }
 
-export interface Sheet {
-  /** Device pixels. */
-  width: number;
-  height: number;
-  paint(context: CanvasRenderingContext2D, time: number): void;
-  svg(time: number): string;
-}
-
 /** In pixels of the page. */
 const gap = 16;
 const line = 22;
@@ -65,7 +57,7 @@ function sideBySide(plays: Pictured[], between: number): [lefts: number[], width
   return [lefts, width];
 }
 
-export function createSheet(plays: Pictured[], layers: Layers, palette: Palette): Sheet {
+export function createSheet(plays: Pictured[], layers: Layers, palette: Palette) {
   const ratio = plays[0].geometry.ratio;
   const px = (length: number) => Math.round(length * ratio);
   const painters = plays.map((one) => painterOf(one, layers, palette));
@@ -98,16 +90,17 @@ export function createSheet(plays: Pictured[], layers: Layers, palette: Palette)
     context.fillText(words, width - px(gap), height - px(gap / 2));
   }
   return {
+    /** Device pixels. */
     width,
     height,
-    paint(context, time) {
+    paint(context: CanvasRenderingContext2D, time: number) {
       paintWords(context, time);
       painters.forEach((paint, i) => {
         paint(canvases[i], time);
         context.drawImage(canvases[i].canvas, lefts[i], top);
       });
     },
-    svg(time) {
+    svg(time: number) {
       const words = new SvgContext();
       paintWords(words.asContext(), time);
       const mazes = painters.map((paint, i) => {

@@ -16,10 +16,7 @@ const [axisRoom, labelRoom] = [70, 32];
 const stepped = uPlot.paths.stepped!({ align: 1 });
 const limits = [1.001, 1.05, 1.1, 1.25, 1.5, 2, 3];
 
-export interface Curves {
-  element: HTMLElement;
-  arrange(): void;
-}
+export type Curves = ReturnType<typeof curves>;
 
 /** Those up to `end` whose labels do not touch on a logarithmic axis of that room. */
 function marksApart(end: number, room: number): number[] {
@@ -99,7 +96,7 @@ function createPick(board: Board, changed: () => void) {
   };
 }
 
-export function curves(board: Board): Curves {
+export function curves(board: Board) {
   const data = board.mice.map(({ index }) => ratiosOf(board, index));
   const chart = createLineChart(
     'Percentage of contests within a score / best, for each mouse. The table below has the same numbers.',

@@ -8,13 +8,8 @@ import type { Board } from '../results/contests';
 import { paintBars, type Bars } from './duel-bars';
 import { failureDifferences, pairsOf, type Pair } from './duel-data';
 import { duelWords, failureWords } from './duel-words';
-import { number, scoreText, signed } from '../ui/format';
+import { errorText, number, scoreText, signed } from '../ui/format';
 import { sortedTable } from '../ui/sorted-table';
-
-export interface Duel {
-  element: HTMLElement;
-  arrange(): void;
-}
 
 interface Compared {
   a: number;
@@ -119,7 +114,7 @@ function createBars(board: Board, open: Open) {
 }
 
 /** `open` shows both contests beside each other. */
-export function duel(page: EarlyPage, board: Board, open: Open): Duel {
+export function duel(page: EarlyPage, board: Board, open: Open) {
   // What comes late, for a pair that is no longer chosen, is dropped.
   let asked = 0;
   const words = h('p.words', { 'aria-live': 'polite' });
@@ -148,7 +143,7 @@ export function duel(page: EarlyPage, board: Board, open: Open): Duel {
     bars.show(found);
   }
   function tryToChoose() {
-    choose().catch((error) => (words.textContent = error instanceof Error ? error.message : String(error)));
+    choose().catch((error) => (words.textContent = errorText(error)));
   }
   const labels = ['First', 'second'].map((label, i) => h('label.row', label, choices[i]));
   const row = h('div.row.controls', ...labels);

@@ -110,11 +110,6 @@ function lossWords({ maze, found }: Shown, losses: number[], kind: Kind): string
   return `The mean contest loses ${amount(sum, kind)}, most of it in ${where}.${without}`;
 }
 
-export interface Heat {
-  element: HTMLElement;
-  arrange(): void;
-}
-
 /** The losses on a stage, in words, and as files. */
 function createHeatMap(page: EarlyPage) {
   let stage: Stage | null = null;
@@ -183,7 +178,7 @@ async function findLosses(page: EarlyPage, race: LoadedRace, board: Board, at: n
   return { maze, found, title };
 }
 
-export function heat(page: EarlyPage, race: LoadedRace, board: Board): Heat {
+export function heat(page: EarlyPage, race: LoadedRace, board: Board) {
   const map = createHeatMap(page);
   const mazes = select(board.mazes.map(({ short, index }) => [index, short]));
   const finder = button('Show where', find);

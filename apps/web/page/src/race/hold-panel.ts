@@ -20,18 +20,6 @@ const whole = (label: string | Node, value: number, most: number) => {
   };
 };
 
-export interface HoldPanel {
-  element: HTMLElement;
-  /** Offers the mazes that there are by now. */
-  refresh(): void;
-  /** What is chosen. */
-  order(): Order;
-  /** Chooses that. */
-  set(order: Order): void;
-  /** Holds the race that is chosen. */
-  start(): void;
-}
-
 /** Holds races, and shows how far they are; `begin` is the button that begins one. */
 function createRunning(page: EarlyPage, begin: HTMLButtonElement) {
   const bar = h('progress', { max: 1, value: 0, 'aria-label': 'Progress of the race' });
@@ -117,7 +105,7 @@ function createOrderForm(page: EarlyPage, about: About) {
 }
 
 /** The form, once it is known what the core brings. */
-export function holdPanel(page: EarlyPage, about: About): HoldPanel {
+export function holdPanel(page: EarlyPage, about: About) {
   const form = createOrderForm(page, about);
   const begin = h('button.main', { type: 'submit' }, 'Start the race');
   const running = createRunning(page, begin);
@@ -134,5 +122,15 @@ export function holdPanel(page: EarlyPage, about: About): HoldPanel {
     h('div.row', ...form.numbers, begin),
     running.element,
   );
-  return { element, refresh: form.refresh, order: form.read, set: form.set, start };
+  return {
+    element,
+    /** Offers the mazes that there are by now. */
+    refresh: form.refresh,
+    /** What is chosen. */
+    order: form.read,
+    /** Chooses that. */
+    set: form.set,
+    /** Holds the race that is chosen. */
+    start,
+  };
 }

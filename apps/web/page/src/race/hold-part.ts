@@ -1,13 +1,10 @@
 // The part of the view in which a race is held, once the core has started.
 import type { EarlyPage } from '../page/page';
 import { h } from '../ui/dom';
-import { holdPanel, type HoldPanel } from './hold-panel';
+import { holdPanel } from './hold-panel';
 import { part } from './parts';
 
-export interface HoldPart {
-  element: HTMLElement;
-  panel: Promise<HoldPanel>;
-}
+export type HoldPart = ReturnType<typeof holdPart>;
 
 const fromCommandLine = () =>
   h(
@@ -24,7 +21,7 @@ const fromCommandLine = () =>
   );
 
 /** `first`: there is no race yet, so it is not folded away. */
-export function holdPart(page: EarlyPage, first: boolean): HoldPart {
+export function holdPart(page: EarlyPage, first: boolean) {
   const note = (text: string) => h('p.note', text);
   const room = h('div', note('Starting …'));
   const panel = page.ready.then((about) => holdPanel(page, about));

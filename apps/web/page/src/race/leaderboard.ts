@@ -6,11 +6,7 @@ import { columnsOf, orderedBy } from './leaderboard-columns';
 import { legendOf, sortedTable } from '../ui/sorted-table';
 import { isHome, worldOf } from '../results/worlds';
 
-export interface Leaderboard {
-  world: string;
-  element: HTMLElement;
-  filter(text: string): void;
-}
+export type Leaderboard = ReturnType<typeof leaderboard>;
 
 /** What `labmouse race` says below its table; where the results lack it, what it always says. */
 function notesOf({ notes, world, formula }: RaceGroup): string[] {
@@ -23,7 +19,7 @@ function notesOf({ notes, world, formula }: RaceGroup): string[] {
 }
 
 /** `onOrder` is told the positions of the mice in their new order; `own` are marked: one's mouse, and what it was before. */
-export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void, own: string[] = []): Leaderboard {
+export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void, own: string[] = []) {
   const label = `Leaderboard${worldOf(group).title}`;
   const { bound } = worldOf(group);
   const columns = columnsOf(group, group.mazes.filter((maze) => isNumber(bound(maze))).length, own);
@@ -45,6 +41,6 @@ export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void
       h('p.note.lines', notesOf(group).join('\n')),
       legendOf(columns),
     ),
-    filter: (text) => table.filter((row) => row.name.toLowerCase().includes(text.toLowerCase())),
+    filter: (text: string) => table.filter((row) => row.name.toLowerCase().includes(text.toLowerCase())),
   };
 }

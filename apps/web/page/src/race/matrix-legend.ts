@@ -2,18 +2,15 @@
 import { h, svg } from '../ui/dom';
 import { toneLabels, toneName } from './scale';
 
-const sign = (path: string, name?: string) =>
-  svg(
-    'svg',
-    { width: 14, height: 14, viewBox: '0 0 14 14', 'aria-hidden': 'true', class: name },
-    svg('path', { d: path }),
-  );
+const picture = (name: string | undefined, ...content: SVGElement[]) =>
+  svg('svg', { width: 14, height: 14, viewBox: '0 0 14 14', 'aria-hidden': 'true', class: name }, ...content);
+
+const sign = (path: string, name?: string) => picture(name, svg('path', { d: path }));
 
 /** Some failed: the corner in its two tones, as it is on light and on dark cells. */
 const corner = (step: number, tone: string) =>
-  svg(
-    'svg',
-    { width: 14, height: 14, viewBox: '0 0 14 14', 'aria-hidden': 'true', class: 'corner' },
+  picture(
+    'corner',
     svg('rect', { width: 14, height: 14, class: toneName(step) }),
     svg('path', { d: 'M0 0 L7 0 L0 7 Z', class: tone }),
   );

@@ -9,14 +9,7 @@ import { matrixLegend } from './matrix-legend';
 import { paintMatrix } from './matrix-paint';
 import { mazeOrders, orderedMazes, type MazeOrder } from './maze-order';
 
-export interface Matrix {
-  element: HTMLElement;
-  /** The rows, as positions of mice. */
-  order(mice: number[]): void;
-  filter(text: string): void;
-  /** Paints anew, for the room that is there now. */
-  arrange(): void;
-}
+export type Matrix = ReturnType<typeof matrix>;
 
 type Open = (mouse: number, maze: number, contest: number) => void;
 
@@ -152,7 +145,7 @@ function bringIntoSight(box: HTMLElement, room: number, { cursor, layout: { cell
 }
 
 /** `open` shows the contest of that mouse in that maze; the last is its position among several. */
-export function matrix(board: Board, open: Open): Matrix {
+export function matrix(board: Board, open: Open) {
   let order = board.mice.map(({ index }) => index);
   let filterText = '';
   let width: Width | null = null;
@@ -195,8 +188,10 @@ export function matrix(board: Board, open: Open): Matrix {
   const [by, cells] = [h('label.row', 'Mazes by', orders), h('label.row', wide, 'wide cells')];
   return {
     element: h('div', h('div.row.controls', by, cells), box, reading.line, reading.runs, matrixLegend()),
-    order: (to) => ((order = to), rearrange()),
-    filter: (text) => ((filterText = text), rearrange()),
+    /** The rows, as positions of mice. */
+    order: (to: number[]) => ((order = to), rearrange()),
+    filter: (text: string) => ((filterText = text), rearrange()),
+    /** Paints anew, for the room that is there now. */
     arrange,
   };
 }

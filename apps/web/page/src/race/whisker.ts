@@ -8,16 +8,11 @@ const margin = 14;
 const rowHeight = 22;
 const headHeight = 18;
 
-export interface Whiskers {
-  head(): SVGElement;
-  row(mean: unknown, interval: unknown): SVGElement;
-}
-
 const isInterval = (value: unknown): value is [number, number] =>
   Array.isArray(value) && value.length === 2 && value.every(isNumber);
 
 /** For rows with those means and intervals. */
-export function whiskers(rows: { mean: unknown; interval: unknown }[]): Whiskers {
+export function whiskers(rows: { mean: unknown; interval: unknown }[]) {
   const values = rows.flatMap(({ mean, interval }) => [
     ...(isNumber(mean) ? [mean] : []),
     ...(isInterval(interval) ? interval : []),
@@ -39,7 +34,7 @@ export function whiskers(rows: { mean: unknown; interval: unknown }[]): Whiskers
           svg('text', { x: at(mark), y: headHeight - 6, 'text-anchor': 'middle' }, number(mark, digits)),
         ),
       ),
-    row(mean, interval) {
+    row(mean: unknown, interval: unknown) {
       const middle = rowHeight / 2;
       const parts: SVGElement[] = [];
       if (isInterval(interval)) {

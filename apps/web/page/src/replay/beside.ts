@@ -4,11 +4,7 @@ import { h } from '../ui/dom';
 import type { Page } from '../page/page';
 import type { Shown } from '../player/side';
 
-export interface Beside {
-  element: HTMLElement;
-  /** What is shown now; nothing is offered beside two. */
-  show(plays: Shown[]): void;
-}
+export type Beside = ReturnType<typeof createBeside>;
 
 const usual = 'ariadne';
 
@@ -19,7 +15,7 @@ function holdAgain(page: Page, { maze, seed, again }: Play, mouse: string): Prom
 }
 
 /** `shown` hears of both plays. */
-export function createBeside(page: Page, shown: (plays: Shown[]) => void): Beside {
+export function createBeside(page: Page, shown: (plays: Shown[]) => void) {
   const select = h('select');
   let first: Shown | null = null;
   async function play() {
@@ -39,7 +35,8 @@ export function createBeside(page: Page, shown: (plays: Shown[]) => void): Besid
   const element = h('p.beside.row', { hidden: true }, h('label', 'Beside it: ', select), button);
   return {
     element,
-    show(plays) {
+    /** What is shown now; nothing is offered beside two. */
+    show(plays: Shown[]) {
       const again = plays[0]?.play.again;
       element.hidden = plays.length !== 1 || !again;
       first = element.hidden ? null : plays[0];

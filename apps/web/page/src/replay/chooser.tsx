@@ -22,16 +22,6 @@ export interface Picked {
   maze: string;
 }
 
-export interface Chooser {
-  element: HTMLElement;
-  /** Plays what is chosen. */
-  play(): Promise<void>;
-  /** Offers what there is by now; open while what is shown was chosen here. */
-  refresh(open: boolean): void;
-  /** What is shown came from elsewhere: a contest that still runs is not wanted any more. */
-  forget(): void;
-}
-
 const seed = 1;
 const usualMouse = 'ariadne';
 
@@ -214,7 +204,7 @@ function createHolding({ core, about }: Page) {
 }
 
 /** `shown` hears of what was played, and whether somebody asked for just that. */
-export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean, time?: number) => void): Chooser {
+export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean, time?: number) => void) {
   const { core, about } = page;
   const hold = createHolding(page);
   const room = h('div');
@@ -225,7 +215,6 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
   /** Counts up with each choice; what comes of an older one is not wanted. */
   let number = 0;
   let mazes: MazeData[] = [];
-
   function choose(changes: Partial<Picked>) {
     change(picked, changes, about);
     if (changes.world !== undefined) unusual = null;
@@ -262,12 +251,13 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
   return {
     element,
     play: () => play(false),
-    refresh(open) {
-      const names = about.mazes.map(({ name }) => name);
-      mazes = namedApart(page.mazes(), names);
+    /** Offers what there is by now; open while what is shown was chosen here. */
+    refresh(open: boolean) {
+      mazes = namedApart(page.mazes(), about.mazes);
       element.open = open;
       draw();
     },
+    /** What is shown came from elsewhere: a contest that still runs is not wanted any more. */
     forget() {
       number += 1;
       rest();

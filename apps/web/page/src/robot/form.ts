@@ -1,18 +1,11 @@
 // The numbers of a robot as a form, built from the keys that the core lists.
 import type { RobotKey, RobotSentence, RobotValue } from '../core/types';
 import { h } from '../ui/dom';
-import { field, type Field } from '../ui/field';
+import { field } from '../ui/field';
 
 export type Values = Record<string, RobotValue>;
 
-export interface RobotForm {
-  element: HTMLElement;
-  /** The values of another robot; the keys are those that have a meaning beside them. */
-  show(values: Values, keys: string[]): void;
-  values(): Values;
-  /** Says each sentence at its field; gives back those without one. */
-  say(problems: RobotSentence[], remarks: RobotSentence[]): RobotSentence[];
-}
+export type RobotForm = ReturnType<typeof createRobotForm>;
 
 const titles: Record<string, string> = {
   '': 'Robot',
@@ -27,12 +20,7 @@ const titles: Record<string, string> = {
 const sectionOf = (key: string) => (key.includes('.') ? key.split('.', 1)[0] : '');
 const shortOf = (key: string) => key.slice(key.indexOf('.') + 1).replaceAll('_', ' ');
 
-interface Row {
-  element: Field;
-  remark: HTMLElement;
-  /** Undefined where nothing is given; a text where the browser can make no number of it. */
-  read(): RobotValue | undefined;
-}
+type Row = ReturnType<typeof createRow>;
 
 function numberRow(key: RobotKey, value: RobotValue | undefined, input: () => void) {
   const control = h('input', {
@@ -76,7 +64,7 @@ function choiceRow(key: RobotKey, value: RobotValue | undefined, input: () => vo
   return { control, beside: false as const, read };
 }
 
-function createRow(key: RobotKey, value: RobotValue | undefined, changed: () => void): Row {
+function createRow(key: RobotKey, value: RobotValue | undefined, changed: () => void) {
   const isChoice = key.kind === 'yes_or_no' || key.kind === 'end';
   const { control, beside, read } = (isChoice ? choiceRow : numberRow)(key, value, changed);
   const unit = key.unit && ` (${key.unit})`;
@@ -85,11 +73,16 @@ function createRow(key: RobotKey, value: RobotValue | undefined, changed: () => 
   control.dataset.key = key.name;
   const remark = h('span.field-remark', { role: 'status' });
   element.append(...(beside ? [beside] : []), remark);
-  return { element, remark, read };
+  return {
+    element,
+    remark,
+    /** Undefined where nothing is given; a text where the browser can make no number of it. */
+    read,
+  };
 }
 
 /** `changed` hears of every edit; `again` where other keys have a meaning after it. */
-export function createRobotForm(keys: RobotKey[], changed: () => void): RobotForm {
+export function createRobotForm(keys: RobotKey[], changed: () => void) {
   const element = h('div.robot-form');
   const rows = new Map<string, Row>();
   let shown = '';
@@ -112,22 +105,16 @@ export function createRobotForm(keys: RobotKey[], changed: () => void): RobotFor
   }
   return {
     element,
-    show(values, wanted) {
+    /** The values of another robot; the keys are those that have a meaning beside them. */
+    show(values: Values, wanted: string[]) {
       const now = JSON.stringify([values, wanted]);
       if (now === shown) return;
       shown = now;
       rows.clear();
       const of = keys.filter(({ name }) => wanted.includes(name));
       const sections = [...new Set(of.map(({ name }) => sectionOf(name)))];
-      element.replaceChildren(
-        ...sections.map((section) =>
-          sectionElement(
-            section,
-            of.filter(({ name }) => sectionOf(name) === section),
-            values,
-          ),
-        ),
-      );
+      const within = (section: string) => of.filter(({ name }) => sectionOf(name) === section);
+      element.replaceChildren(...sections.map((section) => sectionElement(section, within(section), values)));
     },
     values() {
       const values: Values = {};
@@ -138,7 +125,8 @@ export function createRobotForm(keys: RobotKey[], changed: () => void): RobotFor
       shown = '';
       return values;
     },
-    say(problems, remarks) {
+    /** Says each sentence at its field; gives back those without one. */
+    say(problems: RobotSentence[], remarks: RobotSentence[]) {
       for (const [name, { element: row, remark }] of rows) {
         const mine = ({ key }: RobotSentence) => key === name;
         row.complain(problems.find(mine)?.text ?? '');

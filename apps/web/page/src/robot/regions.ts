@@ -7,6 +7,7 @@ import { complainAt, field } from '../ui/field';
 import { scrolling, table } from '../ui/table';
 import type { Page } from '../page/page';
 import type { Values } from './form';
+import { errorText } from '../ui/format';
 
 /** The robot and the maze that are asked about. */
 export interface Subject {
@@ -21,15 +22,7 @@ export interface Question {
   and?: VariedRange;
 }
 
-export interface Regions {
-  element: HTMLElement;
-  /** Offers the numbers of a robot in a maze; what was found goes where it is of another one. */
-  offer(values: Values, maze: MazeData | null): void;
-  /** What is shown here, or on its way; nothing where nothing is. */
-  question(): Question;
-  /** Puts that into the form and finds it; throws in words where the robot has no such number. */
-  find(question: Question): void;
-}
+export type Regions = ReturnType<typeof createRegions>;
 
 /** Grip, which decides most about routes. */
 const usualKey = 'curve.lateral_acceleration';
@@ -224,7 +217,7 @@ function createFound(page: Page) {
  * `subject` is null while there is no robot or no maze; `changed` hears before and after each question that is
  * asked here.
  */
-export function createRegions(page: Page, keys: RobotKey[], subject: Subjects, changed: () => void): Regions {
+export function createRegions(page: Page, keys: RobotKey[], subject: Subjects, changed: () => void) {
   const form = createForm(keys);
   const found = createFound(page);
   const ask = () => (changed(), void start().finally(changed));
@@ -256,14 +249,15 @@ export function createRegions(page: Page, keys: RobotKey[], subject: Subjects, c
       if (mine !== number) return;
       const isStopped = error instanceof Stopped;
       begin({}, isStopped ? 'Stopped.' : '');
-      if (!isStopped) form.complain(error instanceof Error ? error.message : String(error));
+      if (!isStopped) form.complain(errorText(error));
     } finally {
       if (mine === number) busy(false);
     }
   }
   return {
     element: sectionOf(form.rows, [find, stop], found.says, found.element),
-    offer(values, maze) {
+    /** Offers the numbers of a robot in a maze; what was found goes where it is of another one. */
+    offer(values: Values, maze: MazeData | null) {
       const now = JSON.stringify([values, maze]);
       if (now === offered) return;
       offered = now;
@@ -274,8 +268,10 @@ export function createRegions(page: Page, keys: RobotKey[], subject: Subjects, c
       busy(false);
       begin({}, isOld ? 'The robot or the maze is another one now: find it again.' : '');
     },
+    /** What is shown here, or on its way; nothing where nothing is. */
     question: () => asked,
-    find(question) {
+    /** Puts that into the form and finds it; throws in words where the robot has no such number. */
+    find(question: Question) {
       form.choose(question);
       void start();
     },

@@ -3,14 +3,7 @@ import type { DrivePath, MazeData } from '../core/types';
 import { fit, halfX, halfY, numbered, type Geometry } from '../maze/geometry';
 import { paintMaze, type Context } from '../maze/painter';
 import { readPalette, type Palette } from '../maze/palette';
-import { createStage, type Stage } from '../maze/stage';
-
-export interface RouteStage {
-  stage: Stage;
-  show(maze: MazeData, path: DrivePath | null, before: DrivePath | null, words: string): void;
-  /** The same for a file: its size, and what paints it. */
-  picture(): { g: Geometry; paint: (context: Context) => void };
-}
+import { createStage } from '../maze/stage';
 
 /** Of the longer side of a saved picture, at most. */
 const pixels = 1600;
@@ -24,7 +17,7 @@ function trace(context: Context, g: Geometry, { x, y }: DrivePath) {
   context.stroke();
 }
 
-export function createRouteStage(): RouteStage {
+export function createRouteStage() {
   let maze: MazeData | null = null;
   let path: DrivePath | null = null;
   let before: DrivePath | null = null;
@@ -47,7 +40,7 @@ export function createRouteStage(): RouteStage {
   const stage = createStage({ width: 16, height: 16 }, paint, { numbers: true });
   return {
     stage,
-    show(now, newPath, oldPath, words) {
+    show(now: MazeData, newPath: DrivePath | null, oldPath: DrivePath | null, words: string) {
       const other = !maze || maze.width !== now.width || maze.height !== now.height;
       maze = now;
       path = newPath;
@@ -56,9 +49,10 @@ export function createRouteStage(): RouteStage {
       if (other) stage.resize(now);
       else stage.redraw();
     },
+    /** The same for a file: its size, and what paints it. */
     picture() {
       const [g, palette] = [fit(maze ?? { width: 1, height: 1 }, pixels, pixels, 1, numbered), readPalette()];
-      return { g, paint: (context) => paint(context, g, palette) };
+      return { g, paint: (context: Context) => paint(context, g, palette) };
     },
   };
 }

@@ -1,6 +1,7 @@
 // What happens with files that reach the page: each goes to the core, and then to the view that it belongs to.
 import type { MazeData, Play, RaceResults } from '../core/types';
 import type { Page } from '../page/page';
+import { counted } from '../ui/format';
 import type { Notices } from './notices';
 import { openIn, sortOut, type OneFile, type Open, type SortedOut } from './sorting-out';
 
@@ -26,8 +27,6 @@ async function read(file: File): Promise<OneFile> {
     );
   return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
 }
-
-const counted = (count: number, one: string) => `${count} ${one}${count === 1 ? '' : 's'}`;
 
 /** What was opened, in words, and what of it is to be known at once. */
 export function summary({ mazes, plays, results, robots }: SortedOut): string {

@@ -14,31 +14,11 @@ export interface Opened {
   moment: Moment | null;
 }
 
-export interface Keeper {
-  mazes(mazes: MazeData[]): void;
-  plays(plays: { play: Play; record: string }[]): void;
-  /** Where the replay is, as `addressOf` has it. */
-  moment(address: string): void;
-  results(results: RaceResults, raced: MazeData[]): void;
-}
-
-export interface Finder {
-  mazes(): Promise<MazeData[]>;
-  plays(): Promise<Opened>;
-  /** What Live showed, as its address. */
-  live(): Promise<string | null>;
-  results(): Promise<{ results: RaceResults; raced: MazeData[] } | null>;
-  /** The robot that was edited, with what it began from. */
-  robot(): Promise<KeptRobot | null>;
-  /** What Robot showed beside that, as its address. */
-  robotAt(): Promise<string | null>;
-}
-
 const isText = (value: unknown): value is string => typeof value === 'string' && value.length <= most;
 const texts = (value: unknown): string[] => (Array.isArray(value) ? value.filter(isText) : []);
 const bytesOf = (text: string) => new TextEncoder().encode(text);
 
-export function createKeeper(core: Core, shelf: Shelf): Keeper {
+export function createKeeper(core: Core, shelf: Shelf) {
   const linksOf = (mazes: MazeData[]) =>
     Promise.all(mazes.slice(-mostMazes).map(async (maze) => (await core.call('link', { maze })).link));
   /** What cannot be kept is not: that is no news for anybody. */
@@ -50,16 +30,17 @@ export function createKeeper(core: Core, shelf: Shelf): Keeper {
       );
   };
   return {
-    mazes: (mazes) => keep('mazes', () => linksOf(mazes)),
-    plays(plays) {
+    mazes: (mazes: MazeData[]) => keep('mazes', () => linksOf(mazes)),
+    plays(plays: { play: Play; record: string }[]) {
       const kept = plays.filter(({ record }) => record !== '' && record.length <= most);
       keep('plays', async () => {
         const mazes = await linksOf(kept.map(({ play }) => play.maze));
         return kept.map(({ record }, i) => ({ record, maze: mazes[i] }));
       });
     },
-    moment: (address) => keep('moment', async () => address),
-    results: (results, raced) =>
+    /** Where the replay is, as `addressOf` has it. */
+    moment: (address: string) => keep('moment', async () => address),
+    results: (results: RaceResults, raced: MazeData[]) =>
       keep('results', async () => {
         const text = JSON.stringify(results);
         return text.length > most ? null : { text, raced: await linksOf(raced) };
@@ -79,7 +60,7 @@ async function robotOf(core: Core, kept: unknown): Promise<KeptRobot | null> {
   return { name, text, origin: { name: from.name, text: isText(from.text) ? from.text : null } };
 }
 
-export function createFinder(core: Core, shelf: Shelf): Finder {
+export function createFinder(core: Core, shelf: Shelf) {
   const mazeOf = (link: string) =>
     core.call('read_link', { link }).then(
       ({ maze }) => maze,
@@ -117,7 +98,9 @@ export function createFinder(core: Core, shelf: Shelf): Finder {
       for (const one of Array.isArray(list) ? list.slice(0, 2) : []) plays.push(...(await playOf(one)));
       return { plays, moment: await momentOf() };
     },
+    /** What Live showed, as its address. */
     live: () => addressAt('live'),
+    /** What Robot showed beside that, as its address. */
     robotAt: () => addressAt('robot', 'robot-at'),
     async results() {
       const { text, raced } = ((await shelf.read('results')) ?? {}) as { text?: unknown; raced?: unknown };
@@ -125,6 +108,7 @@ export function createFinder(core: Core, shelf: Shelf): Finder {
       const opened = await core.call('open', { name: 'results' }, bytesOf(text)).catch(() => null);
       return opened?.kind === 'results' ? { results: opened.results, raced: await mazesOf(raced) } : null;
     },
+    /** The robot that was edited, with what it began from. */
     robot: async () => robotOf(core, await shelf.read('robot')),
   };
 }

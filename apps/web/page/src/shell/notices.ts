@@ -2,6 +2,7 @@
 import { CoreError } from '../core/client';
 import type { CallName, Problem } from '../core/types';
 import { h } from '../ui/dom';
+import { errorText } from '../ui/format';
 
 const mostProblems = 12;
 const mostAlerts = 4;
@@ -20,7 +21,7 @@ export function problemLine({ line, column, reason }: Problem): string {
 
 /** What an error says: its message, and the places that it names. */
 export function linesOf(error: unknown): { message: string; places: string[] } {
-  const message = error instanceof Error ? error.message : String(error);
+  const message = errorText(error);
   const problems = error instanceof CoreError ? error.problems : [];
   const places = problems
     .slice(0, mostProblems)
@@ -30,18 +31,7 @@ export function linesOf(error: unknown): { message: string; places: string[] } {
   return { message, places };
 }
 
-export interface Notices {
-  /** Offers to stop what takes long. */
-  work: HTMLElement;
-  /** The name of a call that takes long, or null when it is over. */
-  busy(name: CallName | null): void;
-  onStop(stop: () => void): void;
-  status: HTMLElement;
-  alerts: HTMLElement;
-  tell(message: string, ...remedies: Remedy[]): void;
-  complain(error: unknown, ...remedies: Remedy[]): void;
-  clear(): void;
-}
+export type Notices = ReturnType<typeof createNotices>;
 
 /** What went wrong, in a box: its message and the buttons in one line, its places below. */
 function alertOf(error: unknown, remedies: Remedy[], close: (alert: HTMLElement) => void): HTMLElement {
@@ -71,7 +61,7 @@ const works: Partial<Record<CallName, string>> = {
   losses: 'Finding where steps are lost …',
 };
 
-export function createNotices(): Notices {
+export function createNotices() {
   const status = h('p.status', { role: 'status' });
   const alerts = h('div.alerts', { role: 'alert' });
   /** All that are not dismissed, the newest last. Only the newest are shown. */
@@ -93,15 +83,17 @@ export function createNotices(): Notices {
   const stop = h('button', { type: 'button' }, 'Stop this');
   const work = h('p.work', { hidden: true }, what, stop);
   return {
+    /** Offers to stop what takes long. */
     work,
-    busy(name) {
+    /** The name of a call that takes long, or null when it is over. */
+    busy(name: CallName | null) {
       work.hidden = name === null;
       if (name) what.textContent = works[name] ?? 'Working …';
     },
-    onStop: (act) => stop.addEventListener('click', act),
+    onStop: (act: () => void) => stop.addEventListener('click', act),
     status,
     alerts,
-    tell: (message, ...remedies) =>
+    tell: (message: string, ...remedies: Remedy[]) =>
       status.replaceChildren(
         h(
           'span',
@@ -112,7 +104,7 @@ export function createNotices(): Notices {
           ]),
         ),
       ),
-    complain(error, ...remedies) {
+    complain(error: unknown, ...remedies: Remedy[]) {
       open.push(alertOf(error, remedies, dismiss));
       show();
     },

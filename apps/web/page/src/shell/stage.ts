@@ -3,34 +3,21 @@ import { h } from '../ui/dom';
 import type { View } from '../page/page';
 import type { Frame } from './frame';
 import { routeOf, type ViewName } from '../link/routes';
+import { errorText } from '../ui/format';
 
 /** Where a link leads, for the view that it names. */
 export class Link {
   constructor(readonly hash: string) {}
 }
 
-export interface Stage {
-  add(name: ViewName, view: View): void;
-  /**
-   * Shows that view and hands it `thing`, if any; then the address names the view, unless it is to be kept. What is new is
-   * shown from its top, all else where it was left.
-   */
-  show(name: ViewName, thing?: unknown, keepAddress?: boolean): void;
-  /** Keeps `thing` for when that view is shown next. */
-  keep(name: ViewName, thing: unknown): void;
-  /** The same for a view that has been given nothing so far; where it is on stage it is shown at once. */
-  offer(name: ViewName, thing: unknown): void;
-  /** The view on stage. */
-  current(): ViewName | null;
-  view(name: ViewName): View | undefined;
-}
+export type Stage = ReturnType<typeof createStage>;
 
 /** A view that fails over a strange file must not take the page with it. */
 function safely(act: () => void, complain: (message: string) => void) {
   try {
     act();
   } catch (error) {
-    complain(`This could not be shown: ${error instanceof Error ? error.message : String(error)}`);
+    complain(`This could not be shown: ${errorText(error)}`);
   }
 }
 
@@ -41,7 +28,7 @@ function nameInAddress(name: ViewName) {
   else if (route.more) history.replaceState(null, '', `#${name}`);
 }
 
-export function createStage(frame: Frame, complain: (error: unknown) => void): Stage {
+export function createStage(frame: Frame, complain: (error: unknown) => void) {
   const views = new Map<ViewName, View>();
   const things = new Map<ViewName, unknown>();
   const given = new Set<ViewName>();
@@ -64,14 +51,15 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
     if (thing instanceof Link) view.follow?.(thing.hash).catch(complain);
   }
   return {
-    add(name, view) {
+    add(name: ViewName, view: View) {
       views.set(name, view);
       view.element.hidden = current !== name;
       frame.main.append(view.element);
       starting.hidden = current === null || views.has(current);
       give(name);
     },
-    show(name, thing, keepAddress = false) {
+    /** Shows that view, with `thing` from its top; then the address names the view, unless it is to be kept. */
+    show(name: ViewName, thing?: unknown, keepAddress = false) {
       if (thing !== undefined) set(name, thing);
       const top = things.has(name) ? 0 : (places.get(name) ?? 0);
       if (current !== null && current !== name) {
@@ -86,13 +74,16 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
       give(name);
       scrollTo({ top, behavior: 'instant' });
     },
-    keep: (name, thing) => void set(name, thing),
-    offer(name, thing) {
+    /** Keeps `thing` for when that view is shown next. */
+    keep: (name: ViewName, thing: unknown) => void set(name, thing),
+    /** The same for a view that has been given nothing so far; where it is on stage it is shown at once. */
+    offer(name: ViewName, thing: unknown) {
       if (given.has(name)) return;
       set(name, thing);
       if (current === name) give(name);
     },
+    /** The view on stage. */
     current: () => current,
-    view: (name) => views.get(name),
+    view: (name: ViewName) => views.get(name),
   };
 }

@@ -1,14 +1,7 @@
 // A text to be copied: a button, and the text itself for where there is no clipboard.
 import { h } from './dom';
 
-export interface Copyable {
-  element: HTMLElement;
-  show(text: string): void;
-  /** Copies what is shown; where the browser does not let it, the text is selected. */
-  copy(): Promise<void>;
-}
-
-export function createCopyable(label: string, button = 'Copy'): Copyable {
+export function createCopyable(label: string, button = 'Copy') {
   const text = h('input', { type: 'text', readonly: true, 'aria-label': label, spellcheck: 'false' });
   const said = h('span.copied', { role: 'status' });
   async function copy() {
@@ -23,11 +16,12 @@ export function createCopyable(label: string, button = 'Copy'): Copyable {
   }
   return {
     element: h('div.copyable', text, h('button', { type: 'button', onclick: copy }, button), said),
-    show(value) {
+    show(value: string) {
       if (text.value === value) return;
       text.value = value;
       said.replaceChildren();
     },
+    /** Copies what is shown; where the browser does not let it, the text is selected. */
     copy,
   };
 }

@@ -18,3 +18,6 @@ export const scoreText = (value: unknown) => number(value, isNumber(value) && Nu
 
 export const counted = (count: number, one: string, many = `${one}s`) =>
   `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
+
+/** What went wrong, in words. */
+export const errorText = (error: unknown) => (error instanceof Error ? error.message : String(error));

@@ -11,15 +11,8 @@ export interface Order {
   loops: number;
 }
 
-export interface GeneratorForm {
-  element: HTMLElement;
-  order(): Order;
-  /** Says what is wrong with the order, at its field where the message names one; nothing where it is empty. */
-  complain(message: string): void;
-}
-
 /** `first` is chosen first; `more` are kinds beside those of the core. */
-export function createGenerator(about: About, { first, more = [] }: { first: string; more?: Named[] }): GeneratorForm {
+export function createGenerator(about: About, { first, more = [] }: { first: string; more?: Named[] }) {
   const kinds = [...about.generators, ...more];
   const kind = h('select', ...kinds.map(({ name }) => h('option', { value: name, selected: name === first }, name)));
   const summary = () => kinds.find(({ name }) => name === kind.value)?.summary ?? '';
@@ -54,6 +47,7 @@ export function createGenerator(about: About, { first, more = [] }: { first: str
       seed: seeded.hidden ? 1 : seed.valueAsNumber,
       loops: seeded.hidden ? 0 : loops.valueAsNumber,
     }),
-    complain: (message) => complainAt(fields, 'generator', message),
+    /** Says what is wrong with the order, at its field where the message names one; nothing where it is empty. */
+    complain: (message: string) => complainAt(fields, 'generator', message),
   };
 }

@@ -3,6 +3,7 @@ import { createDesk, type Desk } from '../draw/desk';
 import { restoreDrawing } from '../draw/storage';
 import { addressOf, readAddress } from '../link/address';
 import { mazeAt, placeOf } from '../link/mazes';
+import { isMaze } from '../maze/same';
 import { h } from '../ui/dom';
 import type { Page, View } from '../page/page';
 import '../styles/forms.css';
@@ -12,9 +13,6 @@ import '../styles/draw.css';
 export interface DrawView extends View {
   maze(): MazeData | null;
 }
-
-const isMaze = (thing: unknown): thing is MazeData =>
-  typeof thing === 'object' && thing !== null && Array.isArray((thing as MazeData).walls);
 
 const isText = (target: EventTarget | null) =>
   target instanceof HTMLElement && target.matches('input:not([type=radio]):not([type=checkbox]), textarea');

@@ -8,6 +8,7 @@ import { createMazeChoice } from '../choice/maze-choice';
 import { createWorldChoice } from '../choice/world-choice';
 import { createMouseChoice } from '../choice/mouse-choice';
 import { withoutRemarks } from '../link/my-robot';
+import { isMaze } from '../maze/same';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
 import { createLatest } from '../ui/latest';
@@ -27,9 +28,6 @@ const oracle: Mouse = {
   throws_dice: false,
   parameters: [],
 };
-
-const isMaze = (thing: unknown): thing is MazeData =>
-  typeof thing === 'object' && thing !== null && Array.isArray((thing as MazeData).walls);
 
 /** The forms at the side: mouse, maze, world, seed and budget. */
 function createForms(page: Page, changed: () => void, everyone: () => Everyone) {

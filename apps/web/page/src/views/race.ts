@@ -11,6 +11,7 @@ import { h } from '../ui/dom';
 import { onTones } from '../ui/tones';
 import '../styles/forms.css';
 import '../styles/race.css';
+import { errorText } from '../ui/format';
 
 /** Where a race is shown, or the form while there is none. */
 function createRaceRoom(page: EarlyPage) {
@@ -105,7 +106,7 @@ export function createRace(page: EarlyPage): View {
       render(race);
     } catch (error) {
       render(null);
-      page.complain(`These results cannot be shown: ${error instanceof Error ? error.message : String(error)}`);
+      page.complain(`These results cannot be shown: ${errorText(error)}`);
     }
   }
   return {

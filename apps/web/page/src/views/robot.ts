@@ -16,6 +16,7 @@ import { createStartCard } from '../robot/start-card';
 import { h } from '../ui/dom';
 import '../styles/forms.css';
 import '../styles/robot.css';
+import { errorText } from '../ui/format';
 
 /** The parts of the view, and what they do to each other. */
 function createParts(page: Page) {
@@ -37,7 +38,7 @@ function createParts(page: Page) {
   });
   const asking = createAsking(page, draft, form, answered, (error) => {
     outcome.rest();
-    start.complain(error instanceof Error ? error.message : String(error));
+    start.complain(errorText(error));
   });
 
   const keep = () => void keepRobot(page, draft, regions.question()).catch(page.complain);

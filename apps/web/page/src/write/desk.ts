@@ -11,22 +11,7 @@ import { reference } from './reference';
 import type { Language } from './runtime';
 import { before, createStored, kept, type Stored } from './stored';
 
-export interface Desk {
-  element: HTMLElement;
-  /** What is written, or null while it may not run. */
-  work(): Work | null;
-  /** Saves it as a file. */
-  save(): void;
-  /** The text behind `#` that leads to what is written. */
-  address(): Promise<string>;
-  /** Shows the program of a link, which runs only once somebody has allowed it; rejected in words where there is none. */
-  receive(link: string): Promise<void>;
-  /** Shows the program of a file. */
-  open(file: File): Promise<void>;
-  fail(line: number | null): void;
-  /** Says at the name what is wrong with it; nothing where that is empty. */
-  complain(message: string): void;
-}
+export type Desk = ReturnType<typeof createDesk>;
 
 const usualName = 'my-mouse';
 const both = 'Another tab also wrote a program. Both are kept: “Start with …” has the other one.';
@@ -212,6 +197,8 @@ function createLink(address: () => Promise<string>) {
   return { element, address, share, hide: () => void (element.hidden = true) };
 }
 
+const unseen = (label: string, control: HTMLElement) => h('label', h('span.unseen', label), control);
+
 /**
  * `changed` hears when what is written is another program, and when somebody has allowed that of a link to run. `moment` is
  * what a link says beside the program, from its first `&` on; `below` stands below the editor.
@@ -221,7 +208,7 @@ export function createDesk(
   changed: (allowed: boolean) => void,
   moment: () => Promise<string>,
   below: HTMLElement,
-): Desk {
+) {
   const link = createLink(async () => `write=${await linkOf(draft.work)}${await moment()}`);
   const { draft, keeping, warning, head, wrote, put, take } = createProgram(page, changed, link.hide);
   const host = h('div.editor');
@@ -240,7 +227,6 @@ export function createDesk(
     take(work);
   }
   const save = () => page.save(draft.work.language.fileName, draft.work.text);
-  const unseen = (label: string, control: HTMLElement) => h('label', h('span.unseen', label), control);
   const bar = h(
     'div.row.bar',
     languages.length > 1 && unseen('Language', head.language),
@@ -250,15 +236,18 @@ export function createDesk(
     button('Share', () => link.share().catch(page.complain)),
     head.nameRow,
   );
-  const keys = 'Ctrl+Enter runs, Ctrl+S saves; Escape, then Tab leads on. ';
   const api = h('details.api', h('summary', 'What it reads and answers'), head.help);
-  const note = h('p.note', keys, keeping.says);
+  const note = h('p.note', 'Ctrl+Enter runs, Ctrl+S saves; Escape, then Tab leads on. ', keeping.says);
   return {
     element: h('div.desk-editor', bar, warning, link.element, host, note, below, api),
+    /** What is written, or null while it may not run. */
     work: () => (draft.foreign ? null : draft.work),
+    /** Saves it as a file. */
     save,
+    /** The text behind `#` that leads to what is written. */
     address: link.address,
-    async receive(text) {
+    /** Shows the program of a link, which runs only once somebody has allowed it; rejected in words where there is none. */
+    async receive(text: string) {
       const work = await readLink(text);
       if (!work) throw new Error('This link does not contain a whole program. Copy the whole link again.');
       draft.foreign = true;
@@ -266,8 +255,9 @@ export function createDesk(
       put(work);
     },
     open,
-    fail: (line) => draft.editor?.fail(line),
-    complain(message) {
+    fail: (line: number | null) => draft.editor?.fail(line),
+    /** Says at the name what is wrong with it; nothing where that is empty. */
+    complain(message: string) {
       head.nameRow.complain(message);
       if (message) head.name.focus();
     },

@@ -10,6 +10,7 @@ import type { Display } from './display';
 import type { Work } from './keeping';
 import { raceProgram, type Version } from './racing';
 import { createCage, type Cage } from './sandbox/cage';
+import { errorText } from '../ui/format';
 
 /** As `labmouse run` and `labmouse race` have it. */
 const seed = 1;
@@ -43,7 +44,7 @@ function createTurns(page: Page, desk: Desk, controls: Controls, cage: Cage) {
       await act(work, () => mine === number);
     } catch (error) {
       if (mine !== number || error instanceof Stopped) return;
-      const message = error instanceof Error ? error.message : String(error);
+      const message = errorText(error);
       controls.verdict.hidden = true;
       if (/\bname\b/.test(message)) desk.complain(message);
       else page.complain(error);

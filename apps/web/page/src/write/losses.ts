@@ -1,9 +1,8 @@
 // What a program lost where, maze by maze; each contest is a click away from its replay.
 import { button } from '../ui/controls';
+import { number } from '../ui/format';
 import { scrolling, table } from '../ui/table';
 import type { Held } from './contest';
-
-const number = (value: number | null) => (value === null ? '–' : value.toFixed(1));
 
 /** How far a contest stayed behind the best possible score; a failed one lost all. */
 const lossOf = ({ play }: Held) => (play.score === null || play.bound === null ? Infinity : play.score - play.bound);
@@ -25,9 +24,9 @@ export function losses(contests: Held[], open: (held: Held) => void): HTMLElemen
     const loss = lossOf(held);
     return [
       button(play.maze.name, () => open(held)),
-      play.solved ? number(play.score) : play.outcome,
-      number(play.bound),
-      loss === Infinity ? '–' : number(loss),
+      play.solved ? number(play.score, 1) : play.outcome,
+      number(play.bound, 1),
+      number(loss, 1),
       play.solved ? String(play.exploration_steps) : '–',
       play.solved && play.optimum !== null ? String(play.speed_steps - play.optimum) : '–',
     ];

@@ -17,9 +17,8 @@ export function createMazeSelect(page: Page) {
   /** Offers the mazes that there are by now. */
   function refresh(chosen = element.value || usualMaze) {
     const { mazes: builtin } = page.about;
-    const names = builtin.map(({ name }) => name);
-    const own = namedApart([...page.mazes(), ...(foreign ? [foreign] : [])], names);
-    mazes = [...own, ...names];
+    const own = namedApart([...page.mazes(), ...(foreign ? [foreign] : [])], builtin);
+    mazes = [...own, ...builtin.map(({ name }) => name)];
     element.replaceChildren(
       ...own.map(({ name }) => h('option', { value: name }, `${name} · yours`)),
       ...builtin.map(({ name, width, height }) => h('option', { value: name }, `${name} · ${width} × ${height}`)),

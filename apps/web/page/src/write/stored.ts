@@ -9,18 +9,7 @@ export interface Other {
   work: Work;
 }
 
-export interface Stored {
-  /** What was written last, or last in that language; null for nothing. It is what this tab goes on from. */
-  load(id?: string): Work | null;
-  /** Whether it could be kept; a page from a disk may have no storage. What another tab wrote is kept, too. */
-  keep(work: Work): boolean;
-  /** Keeps what stood there before something else is written. */
-  keepBefore(work: Work): void;
-  others(): Other[];
-  forget(other: Other): void;
-  /** Calls when the program of this tab was overwritten by another tab, after it was kept under the id of this one. */
-  onOverwritten(listener: () => void): void;
-}
+export type Stored = ReturnType<typeof createStored>;
 
 /** The name of what stood there before. */
 export const before = 'before';
@@ -63,7 +52,7 @@ function othersIn(storage: Storage): Other[] {
 }
 
 /** Of one tab; `place` is the storage that it shares with others. */
-export function createStored(place: () => Storage = () => localStorage): Stored {
+export function createStored(place: () => Storage = () => localStorage) {
   const me = Math.random().toString(36).slice(2, 12);
   /** By name: what this tab read or wrote there last. */
   const seen = new Map<string, string | null>();
@@ -91,22 +80,26 @@ export function createStored(place: () => Storage = () => localStorage): Stored 
     return json;
   }
   return {
-    load: (id) =>
+    /** What was written last, or last in that language; null for nothing. It is what this tab goes on from. */
+    load: (id?: string) =>
       quietly((storage) => {
         const work = readWork(storage.getItem(id ? keyOf(id) : key) ?? '');
         if (work) note(storage, work.language.id);
         note(storage, before);
         return work;
       }, null),
-    keep: (work) =>
+    /** Whether it could be kept; a page from a disk may have no storage. What another tab wrote is kept, too. */
+    keep: (work: Work) =>
       quietly((storage) => {
         storage.setItem(key, write(storage, work.language.id, work));
         return true;
       }, false),
-    keepBefore: (work) => quietly((storage) => void write(storage, before, work), undefined),
+    /** Keeps what stood there before something else is written. */
+    keepBefore: (work: Work) => quietly((storage) => void write(storage, before, work), undefined),
     others: () => quietly(othersIn, []),
-    forget: ({ name }) => quietly((storage) => storage.removeItem(name), undefined),
-    onOverwritten: (listener) =>
+    forget: ({ name }: Other) => quietly((storage) => storage.removeItem(name), undefined),
+    /** Calls when the program of this tab was overwritten by another tab, after it was kept under the id of this one. */
+    onOverwritten: (listener: () => void) =>
       window.addEventListener('storage', ({ key: changed, oldValue, newValue }) => {
         if (!changed?.startsWith(keyOf('')) || oldValue === null || newValue === null) return;
         if (writerOf(oldValue) !== me || writerOf(newValue) === me || changed.startsWith(asideKey)) return;

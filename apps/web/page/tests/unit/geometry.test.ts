@@ -9,7 +9,6 @@ import {
   halfY,
   numbered,
   rowAt,
-  sideAt,
   wallIndex,
 } from '../../src/maze/geometry';
 import { maze } from './plays';
@@ -43,9 +42,6 @@ describe('a maze on a canvas', () => {
     expect(cellAt(g, ...at(2.5, 1.5))).toEqual([2, 1]);
     expect(cellAt(g, ...at(3.2, 0.5))).toBeNull();
     expect(cellAt(g, ...at(-0.1, 0.5))).toBeNull();
-    expect(sideAt(g, ...at(1.5, 0.9))).toMatchObject({ cell: [1, 0], side: 'north' });
-    expect(sideAt(g, ...at(1.05, 0.5))).toMatchObject({ cell: [1, 0], side: 'west' });
-    expect(sideAt(g, ...at(9, 9))).toBeNull();
   });
 });
 

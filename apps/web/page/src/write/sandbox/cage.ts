@@ -15,11 +15,7 @@ export interface Session {
   end(): void;
 }
 
-export interface Cage {
-  start(language: Language, program: string): Promise<Session>;
-  /** Ends all that runs in it. */
-  close(): void;
-}
+export type Cage = ReturnType<typeof createCage>;
 
 /** Nothing may load; a worker inherits this from the frame that starts it. The page's policy holds for both, too. */
 const policy = (usesWasm: boolean) =>
@@ -62,7 +58,7 @@ function sessionOf(port: MessagePort): Session {
   };
 }
 
-export function createCage(): Cage {
+export function createCage() {
   let frame: Promise<HTMLIFrameElement> | null = null;
   let allowsWasm = false;
   const sessions: Session[] = [];
@@ -72,7 +68,7 @@ export function createCage(): Cage {
     frame = null;
   }
   return {
-    async start(language, program) {
+    async start(language: Language, program: string) {
       if (frame && language.usesWasm !== allowsWasm) close();
       allowsWasm = language.usesWasm;
       frame ??= createFrame(allowsWasm);
@@ -83,6 +79,7 @@ export function createCage(): Cage {
       sessions.push(session);
       return session;
     },
+    /** Ends all that runs in it. */
     close,
   };
 }

@@ -1,9 +1,5 @@
 /** How long a program may be silent, in milliseconds of a page that runs. */
-export interface Patience {
-  isLeft(): boolean;
-  /** Waits for one piece, or until the function that it hands to `listen` is called. */
-  piece(listen: (arrived: () => void) => void): Promise<void>;
-}
+export type Patience = ReturnType<typeof createPatience>;
 
 /** A piece counts no longer than this, however long a busy machine took for it. */
 const piece = 50;
@@ -12,12 +8,13 @@ const piece = 50;
 const mostTimes = 5;
 
 /** Time in which a busy machine does not run the page is not counted against the program. */
-export function createPatience(limit: number): Patience {
+export function createPatience(limit: number) {
   const began = performance.now();
   let left = limit;
   return {
     isLeft: () => left > 0 && performance.now() - began < mostTimes * limit,
-    async piece(listen) {
+    /** Waits for one piece, or until the function that it hands to `listen` is called. */
+    async piece(listen: (arrived: () => void) => void) {
       const before = performance.now();
       const longest = Math.min(piece, left);
       let timer: ReturnType<typeof setTimeout> | undefined;
