@@ -1,5 +1,7 @@
 #include "labmouse/lab/page/world_tables.hpp"
 
+#include <algorithm>
+
 #include "labmouse/lab/races/world_entry.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 
@@ -13,20 +15,20 @@ Json column_json(const Column& column) {
   return json;
 }
 
+/// Without its name, and without what is usual: the page is small.
 Json table_json(const WorldEntry& entry) {
   const auto world = entry.make({}).world;
   const ScorePlace place = world->score_place();
   const WorldFields& fields = world->fields();
-  Json json = {{"name", entry.name},
-               {"home", entry.is_home},
-               {"unit", world->unit()},
-               {"score", {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}}},
+  Json json = {{"unit", world->unit()},
                {"failure_score", world->failure_score() ? Json(*world->failure_score()) : Json(nullptr)},
                {"bound", fields.bound},
                {"bound_meaning", fields.bound_meaning},
                {"columns", Json::array()}};
   for (const Column& column : fields.columns)
     if (!column.key.empty()) json["columns"].push_back(column_json(column));
+  if (!place.inner.empty()) json["score"] = {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}};
+  if (entry.is_home) json["home"] = true;
   if (!entry.call.empty()) json["call"] = entry.call;
   return json;
 }
@@ -35,7 +37,15 @@ Json table_json(const WorldEntry& entry) {
 
 Json world_tables_json() {
   Json list = Json::array();
-  for (const WorldEntry* entry : all_worlds()) list.push_back(table_json(*entry));
+  for (const WorldEntry* entry : all_worlds()) {
+    Json table = table_json(*entry);
+    Json names = {entry->name};
+    const auto same = std::find_if(list.begin(), list.end(), [&](const Json& one) { return one["table"] == table; });
+    if (same == list.end())
+      list.push_back({{"names", std::move(names)}, {"table", std::move(table)}});
+    else
+      (*same)["names"].push_back(entry->name);
+  }
   return list;
 }
 

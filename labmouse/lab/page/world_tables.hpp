@@ -5,7 +5,8 @@
 
 namespace labmouse {
 
-/// All worlds: the units and fields of their scores, and the columns of their leaderboards. The page has it as a file,
+/// All worlds, those with the same table together: the units and fields of their scores, and the columns of their
+/// leaderboards. The page has it as a file,
 /// apps/web/page/src/core/worlds.json, because it shows results before its core has started.
 Json world_tables_json();
 

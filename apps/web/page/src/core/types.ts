@@ -619,24 +619,31 @@ export interface ShownColumn {
   higher_is_better?: boolean;
 }
 
-/** How races in a world are shown: `worlds.json` has all that the core knows. */
+/** How races in a world are shown. */
 export interface ShownWorld {
-  name: string;
-  /** Whether its race stands at the top of results. */
-  home: boolean;
   /** Of scores and their differences. */
   unit: string;
-  /** The field of a contest with its score, or the field inside of that, and what it is multiplied by. */
-  score: { key: string; inner: string; unit: number };
   /** What a contest without a score counts in means; null where it has no place there. */
   failure_score: number | null;
   /** The field of a maze with its best possible score. */
   bound: string;
   bound_meaning: string;
   columns: ShownColumn[];
+  /**
+   * Where it is not the field `score` of a contest: the field inside of which field, and what it is multiplied by.
+   */
+  score?: { key: string; inner: string; unit: number };
+  /** Whether its race stands at the top of results. */
+  home?: boolean;
   /** What runs a contest there again. */
   call?: 'run' | 'drive' | 'contest';
 }
+
+/** `worlds.json`: the tables of all worlds that the core knows. */
+export type ShownWorlds = {
+  names: string[];
+  table: ShownWorld;
+}[];
 
 /** `compare`: what the differences of two mice in the same mazes show. */
 export interface PairedDifference {

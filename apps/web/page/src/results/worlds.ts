@@ -1,7 +1,7 @@
 // How races are shown, in any world: as the tables of the core say (core/worlds.json), or for a world that is not among
 // them, as its results do.
 import type { Core } from '../core/client';
-import type { Fields, MazeData, Play, RaceGroup, ShownColumn, ShownWorld } from '../core/types';
+import type { Fields, MazeData, Play, RaceGroup, ShownColumn, ShownWorld, ShownWorlds } from '../core/types';
 import tables from '../core/worlds.json';
 import { isNumber, number, orNull } from '../ui/format';
 import type { Column } from '../ui/sorted-table';
@@ -96,10 +96,15 @@ const asked: Record<NonNullable<ShownWorld['call']>, (conditions: Fields) => Fie
 
 /** What the page shows of the world of a race. */
 export function worldOf(group: RaceGroup): RacedWorld {
-  const table = (tables as ShownWorld[]).find((one) => calledOf(one) === group.world);
+  const isIts = ({ names, table }: ShownWorlds[number]) => (table.home ? isHome(group) : names.includes(group.world));
+  const table = (tables as ShownWorlds).find(isIts)?.table;
   const said = table ?? (group as Partial<ShownWorld>);
   const { unit = 'points', bound = 'bound', failure_score, call } = said;
-  const { key = 'score', inner: field = '', unit: factor = 1 } = (said.score ?? {}) as Partial<ShownWorld['score']>;
+  const {
+    key = 'score',
+    inner: field = '',
+    unit: factor = 1,
+  } = (said.score ?? {}) as Partial<NonNullable<ShownWorld['score']>>;
   const noise = isNumber(group.noise) ? `, noise ${group.noise}` : '';
   const mean = table?.columns.find(isMean) ?? usualMean;
   const own = table?.columns.filter((column) => column !== mean).map(columnOf);
