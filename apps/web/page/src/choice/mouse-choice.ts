@@ -7,19 +7,6 @@ import { field } from '../ui/field';
 import { createParameters } from './parameters';
 import { readSpec, specOf, type Values } from './spec';
 
-export interface MouseChoice {
-  element: HTMLElement;
-  /** The form of the parameters, which can be long. */
-  parameters: HTMLElement;
-  spec(): string;
-  /** Shows the parameters that count there. */
-  playIn(unit: 'steps' | 'seconds'): void;
-  /** Another mouse, by its SPEC, right or wrong. */
-  choose(spec: string): void;
-  /** Says at the field that a message of the core speaks of what is wrong; nothing where it is empty. */
-  complain(message: string): void;
-}
-
 /** The one to begin with: it has parameters, and reasons. */
 const isUsual = (name: string) => name === 'ariadne';
 
@@ -40,7 +27,7 @@ const cardsOf = (row: HTMLElement, spec: HTMLElement, reset: HTMLElement, parame
   ),
 });
 
-export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoice {
+export function createMouseChoice(mice: Mouse[], changed: () => void) {
   let mouse = (mice.find(({ name }) => isUsual(name)) ?? mice[0]).name;
   let values: Values = {};
   let unit: 'steps' | 'seconds' = 'steps';
@@ -84,15 +71,15 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
   return {
     ...cardsOf(row, copyable.element, reset, parameters.element),
     spec,
-    playIn(where) {
-      unit = where;
-      update();
-    },
-    choose(text) {
+    /** Shows the parameters that count there. */
+    playIn: (where: typeof unit) => ((unit = where), update()),
+    /** Another mouse, by its SPEC, right or wrong. */
+    choose(text: string) {
       const { mouse, values } = readSpec(text);
       set(mouse, values);
     },
-    complain(message) {
+    /** Says at the field that a message of the core speaks of what is wrong; nothing where it is empty. */
+    complain(message: string) {
       parameters.clear();
       row.complain('');
       const named = /parameter '([^']*)'/.exec(message)?.[1];

@@ -1,6 +1,6 @@
 // The races of the home page: which two mice meet where. Each has a story that can be seen.
 import type { Core } from '../core/client';
-import type { Play } from '../core/types';
+import type { Shown } from '../player/side';
 
 export interface Pair {
   maze: string;
@@ -18,10 +18,7 @@ export const pairs: Pair[] = [
 const robot = 'classic';
 const rules = 'all-japan';
 
-export interface Met {
-  play: Play;
-  record: string;
-}
+export type Met = Shown;
 
 export async function meet(core: Core, { maze: name, mice }: Pair): Promise<[Met, Met]> {
   const { maze } = await core.call('builtin_maze', { name });
