@@ -31,11 +31,15 @@ PageReply answer_unpack(const ReadJson& json, std::string_view) {
   const NamedMaze maze = request.maze();
   if (!request.has("record")) request.reject("'record' is missing");
   if (!request.error().empty()) return failed(request.error());
-  OpenedRecord opened = kind_of_packed(json["record"]).unpack(json["record"], maze);
+  const ReadJson& packed = json["record"];
+  const RecordKind& kind = kind_of_packed(packed);
+  OpenedRecord opened = kind.unpack(packed, maze);
   if (!opened.problems.empty())
-    return failed("the report has a record that cannot be read", std::move(opened.problems));
-  if (PageFailure failure = failure_of(fmt::format("the record in {}", maze.name), opened); !failure.error.empty())
-    return {nullptr, "", std::move(failure)};
+    return failed(fmt::format("the report has {} that cannot be read", kind.name), std::move(opened.problems));
+  const bool is_named = packed.contains("mouse") && packed["mouse"].is_string();
+  const std::string name =
+      fmt::format("the record of {} in {}", is_named ? packed["mouse"].get<std::string>() : "a mouse", maze.name);
+  if (PageFailure failure = failure_of(name, opened); !failure.error.empty()) return {nullptr, "", std::move(failure)};
   add_reasons(*opened.replay);
   return answered({{"play", opened.replay->play()}, {"record", opened.replay->text()}});
 }

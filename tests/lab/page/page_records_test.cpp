@@ -65,7 +65,7 @@ TEST(PageUnpacks, RecordsOfMmsAsTheyAreOpened) {
   EXPECT_EQ(unpacked["play"], answer("open", {{"name", "r"}}, text)["play"]);
   EXPECT_EQ(unpacked["record"], text);
   const json cut = failure("unpack", of_maze(test::loop(), {{"record", {{"mms", text.substr(0, 20)}}}}));
-  EXPECT_THAT(cut["error"].get<std::string>(), Says("report", "mms record"));
+  EXPECT_THAT(cut["error"].get<std::string>(), Says("report", "record of mms"));
   EXPECT_EQ(cut["problems"][0]["line"], 1);
 }
 
