@@ -882,7 +882,7 @@ export interface Calls {
     answer: PairedDifference;
   };
   /**
-   * Where contests in steps in one maze lose their steps; labmouse/lab/steps/lost_steps.hpp says what that means.
+   * Where contests in steps in one maze lose their steps; labmouse/lab/plays/lost_steps.hpp says what that means.
    * Lists run over cells; those that were not solved are left out of all but `contests`. `points` is what the mean
    * contest loses of its score in that cell; they add up to `mean_score` - `bound`.
    */
