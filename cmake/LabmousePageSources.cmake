@@ -28,6 +28,6 @@ foreach(wing IN ITEMS drawing steps drive mms worlds plays page)
     message(FATAL_ERROR "labmouse/lab/${wing} has no sources")
   endif()
   # What only terminals and files show.
-  list(FILTER sources EXCLUDE REGEX "/(draw_text|draw_plot|mms_summary)[.]cpp$")
+  list(FILTER sources EXCLUDE REGEX "/(draw_text|draw_plot)[.]cpp$")
   list(APPEND LABMOUSE_PAGE_SOURCES ${sources})
 endforeach()

@@ -37,7 +37,7 @@ class Watching {
     // What is only drawn takes no time; it shows with the next move.
     if (event.pose == pose_) return;
     pose_ = event.pose;
-    frames_.show(mms_frame(maze_, event, host, colours()));
+    frames_.show(mms_frame(maze_, event, host, text_drawer(colours())));
     if (frames_.moving()) pause(event.clock - clock_);
     clock_ = event.clock;
   }
@@ -81,7 +81,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
     };
   MmsRun run = run_mms(std::get<MmsProgram>(mouse.kind), maze.maze, options.mms, listener);
   if (recorder) save(options.record, recorder->finish(run));
-  const std::string drawing = mms_drawing_of(maze.maze, run.canvas, run.pose, colours());
+  const std::string drawing = mms_drawing_of(maze.maze, run.canvas, run.pose, text_drawer(colours()));
   if (watching)
     watching->show_end(drawing);
   else

@@ -18,7 +18,7 @@ struct ScoreOptions {
 /// Draws the mouse after each of its moves, and at last what is printed without that.
 void watch(const Replay& replay, int delay, const std::string& summary) {
   const Frames frames(replay.subject().maze.maze.size(), 2);
-  replay.animate(colours(), [&](const std::string& frame) {
+  replay.animate(text_drawer(colours()), [&](const std::string& frame) {
     frames.show(frame);
     if (frames.moving()) std::this_thread::sleep_for(std::chrono::milliseconds(delay));
   });
@@ -49,7 +49,7 @@ void add_watch(Command& command, bool& watch, int& delay) {
 int show_replay(const ReplayOptions& options, const std::string& text) {
   const auto replay = open_record(options.file, text, options.maze);
   if (!replay) return exit_finding;
-  const std::string summary = replay->summary(colours());
+  const std::string summary = replay->summary(text_drawer(colours()));
   if (options.watch)
     watch(*replay, options.delay, summary);
   else

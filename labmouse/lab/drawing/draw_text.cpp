@@ -194,4 +194,8 @@ std::string draw_text(const Maze& maze, const DrawingLayers& layers, bool colour
   return TextDrawing(maze, layers).draw(colours);
 }
 
+TextDrawer text_drawer(bool colours) {
+  return [colours](const Maze& maze, const DrawingLayers& layers) { return draw_text(maze, layers, colours); };
+}
+
 }  // namespace labmouse

@@ -60,4 +60,8 @@ std::string draw_svg(const Maze& maze, const DrawingLayers& layers);
 /// what labels and title bring; with ANSI colours only where asked for.
 std::string draw_text(const Maze& maze, const DrawingLayers& layers, bool colours);
 
+/// draw_text with or without colours, for what may be shown where there is no terminal, too.
+using TextDrawer = std::function<std::string(const Maze&, const DrawingLayers&)>;
+TextDrawer text_drawer(bool colours);
+
 }  // namespace labmouse

@@ -17,12 +17,12 @@ std::string draw_mms_run(const std::string& mouse, const NamedMaze& maze, const 
   return draw_svg(as_in_mms(maze.maze), layers);
 }
 
-std::string mms_drawing_of(const Maze& maze, const MmsCanvas& canvas, const HalfPose& pose, bool colours) {
-  return draw_text(as_in_mms(maze), mms_layers(canvas, pose), colours);
+std::string mms_drawing_of(const Maze& maze, const MmsCanvas& canvas, const HalfPose& pose, const TextDrawer& draw) {
+  return draw(as_in_mms(maze), mms_layers(canvas, pose));
 }
 
-std::string mms_frame(const Maze& maze, const MmsEvent& event, const MmsHost& host, bool colours) {
-  return fmt::format("{}{:>7.2f} s  {}  {}{}\n", mms_drawing_of(maze, host.canvas(), event.pose, colours), event.clock,
+std::string mms_frame(const Maze& maze, const MmsEvent& event, const MmsHost& host, const TextDrawer& draw) {
+  return fmt::format("{}{:>7.2f} s  {}  {}{}\n", mms_drawing_of(maze, host.canvas(), event.pose, draw), event.clock,
                      place_text(event.pose), shown(event.line),
                      event.reply.empty() ? "" : fmt::format(" -> {}", event.reply));
 }

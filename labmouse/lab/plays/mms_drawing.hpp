@@ -4,6 +4,7 @@
 #include <string>
 
 #include "labmouse/guests/mms/run.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/plays/mms_walk.hpp"
 
@@ -13,9 +14,9 @@ namespace labmouse {
 std::string draw_mms_run(const std::string& mouse, const NamedMaze& maze, const MmsRun& run, const MmsWalk& walk);
 
 /// The maze with what the mouse drew on it, for a terminal.
-std::string mms_drawing_of(const Maze& maze, const MmsCanvas& canvas, const HalfPose& pose, bool colours);
+std::string mms_drawing_of(const Maze& maze, const MmsCanvas& canvas, const HalfPose& pose, const TextDrawer& draw);
 
 /// The same after a line that moved the mouse, with the time, the place and the line below it.
-std::string mms_frame(const Maze& maze, const MmsEvent& event, const MmsHost& host, bool colours);
+std::string mms_frame(const Maze& maze, const MmsEvent& event, const MmsHost& host, const TextDrawer& draw);
 
 }  // namespace labmouse

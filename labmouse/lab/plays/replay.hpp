@@ -52,15 +52,15 @@ class Replay {
 
   /// One self-contained SVG picture.
   virtual std::string picture() const = 0;
-  /// A drawing or a table, and how the contest went, in lines.
-  virtual std::string summary(bool colours) const = 0;
+  /// A drawing or a table, and how the contest went, in lines for a terminal.
+  virtual std::string summary(const TextDrawer& draw) const = 0;
   /// The result and its score in one line with its end.
   virtual std::string result() const = 0;
   /// Why the mouse did what it did, with so many candidates of each choice at most, or what happened to it, in lines.
   /// Empty where the record has no reasons.
   virtual std::string reasons(int candidates) const = 0;
   /// Draws the mouse after each of its moves, and calls `show` with each drawing.
-  virtual void animate(bool colours, const std::function<void(const std::string&)>& show) const = 0;
+  virtual void animate(const TextDrawer& draw, const std::function<void(const std::string&)>& show) const = 0;
 
   /// The layers from which drawing() may be asked to choose; empty where all drawings are the same.
   virtual const LayerSet& layers() const = 0;

@@ -68,15 +68,15 @@ class DriveReplay final : public Replay {
   }
   Json play() const override { return play_json(file_); }
   std::string picture() const override { return draw_contest(file_); }
-  std::string summary(bool /*colours*/) const override { return summary_of(file_); }
+  std::string summary(const TextDrawer& /*draw*/) const override { return summary_of(file_); }
   std::string result() const override { return result_line(file_) + "\n"; }
   std::string reasons(int /*candidates*/) const override { return story_of(file_); }
-  void animate(bool colours, const std::function<void(const std::string&)>& show) const override {
+  void animate(const TextDrawer& draw, const std::function<void(const std::string&)>& show) const override {
     Scene scene(file_);
     for_each_place(file_.record, [&](const DriveRun& run, MazeTime time, const Pose& pose) {
       scene.advance(time, pose);
-      show(fmt::format("{}{:>9.3f} s  {}  at ({},{}) heading {}\n", draw_text(*file_.maze, scene.layers(), colours),
-                       in_seconds(time), name_of(run.kind), pose.cell.x, pose.cell.y, name_of(pose.heading)));
+      show(fmt::format("{}{:>9.3f} s  {}  at ({},{}) heading {}\n", draw(*file_.maze, scene.layers()), in_seconds(time),
+                       name_of(run.kind), pose.cell.x, pose.cell.y, name_of(pose.heading)));
     });
   }
 

@@ -21,20 +21,20 @@ class ReplayOfMms final : public Replay {
   Json packed() const override { return {{"mouse", file_.mouse}, {"maze", file_.maze_name}, {"mms", text_}}; }
   Json play() const override { return play_json(file_); }
   std::string picture() const override { return draw_mms_run(file_.mouse, maze_, replay_.run, replay_.walk); }
-  std::string summary(bool colours) const override {
-    return mms_drawing_of(maze_.maze, replay_.run.canvas, replay_.run.pose, colours) +
+  std::string summary(const TextDrawer& draw) const override {
+    return mms_drawing_of(maze_.maze, replay_.run.canvas, replay_.run.pose, draw) +
            report_of(file_.mouse, maze_, replay_.run);
   }
   std::string result() const override { return mms_score_line(file_.mouse, maze_, replay_.run); }
   std::string reasons(int /*candidates*/) const override { return ""; }
-  void animate(bool colours, const std::function<void(const std::string&)>& show) const override {
+  void animate(const TextDrawer& draw, const std::function<void(const std::string&)>& show) const override {
     HalfPose last;
     replay(file_, [&](std::size_t i, const MmsHost& host) {
       const RecordedMmsEvent& event = file_.events[i];
       // What is only drawn takes no time; it shows with the next move.
       if (event.pose == last) return;
       last = event.pose;
-      show(mms_frame(maze_.maze, {event.line, event.reply, event.pose, event.clock}, host, colours));
+      show(mms_frame(maze_.maze, {event.line, event.reply, event.pose, event.clock}, host, draw));
     });
   }
 

@@ -22,14 +22,14 @@ class StepsReplay final : public Replay {
   Json packed() const override { return pack_record(file_); }
   Json play() const override { return play_json(file_); }
   std::string picture() const override { return picture_of(file_); }
-  std::string summary(bool colours) const override {
+  std::string summary(const TextDrawer& draw) const override {
     const std::string checked = checked_line(file_);
-    return summary_of(file_, colours) + (checked.empty() ? "" : checked + "\n");
+    return summary_of(file_, draw) + (checked.empty() ? "" : checked + "\n");
   }
   std::string result() const override { return result_line(file_) + "\n"; }
   std::string reasons(int candidates) const override { return explanation_of(file_, candidates); }
-  void animate(bool colours, const std::function<void(const std::string&)>& show) const override {
-    labmouse::animate(file_, colours, show);
+  void animate(const TextDrawer& draw, const std::function<void(const std::string&)>& show) const override {
+    labmouse::animate(file_, draw, show);
   }
 
   const LayerSet& layers() const override { return all_layers(); }

@@ -46,14 +46,14 @@ std::string step_words(const RunRecord& run, int number) {
                      action_words(found->action));
 }
 
-std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowledge& knowledge, bool colours) {
+std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowledge& knowledge,
+                     const TextDrawer& draw) {
   DrawingLayers layers;
   layers.coordinates = true;
   layers.mouse = step.pose;
   layers.unknown = knowledge.unknown();
-  return fmt::format("{}step {:>4}  {} run  at ({},{}) heading {}  sees {} {} {}  {}{}{}\n",
-                     draw_text(*file.maze, layers, colours), step.step,
-                     step.run == Run::speed ? "speed" : "exploration", step.pose.cell.x, step.pose.cell.y,
+  return fmt::format("{}step {:>4}  {} run  at ({},{}) heading {}  sees {} {} {}  {}{}{}\n", draw(*file.maze, layers),
+                     step.step, step.run == Run::speed ? "speed" : "exploration", step.pose.cell.x, step.pose.cell.y,
                      name_of(step.pose.heading), step.sighting.left, step.sighting.ahead, step.sighting.right,
                      action_words(step.action), has_void_rotation(step.action) ? " (invalid turn)" : "",
                      step.blocked ? "  blocked" : "");
@@ -175,18 +175,17 @@ std::string misstep_lines(const RecordFile& file) {
   return lines;
 }
 
-void animate(const RecordFile& file, bool colours, const std::function<void(const std::string&)>& show) {
+void animate(const RecordFile& file, const TextDrawer& draw, const std::function<void(const std::string&)>& show) {
   Knowledge knowledge(file.maze->size());
   for (const StepRecord& step : file.run.steps) {
     // A record need not make sense: what contradicts is drawn as it was known before.
     [[maybe_unused]] const bool learned = knowledge.learn(step.pose, step.sighting);
-    show(frame_of(file, step, knowledge, colours));
+    show(frame_of(file, step, knowledge, draw));
   }
 }
 
-std::string summary_of(const RecordFile& file, bool colours) {
-  return draw_text(*file.maze, layers_of(file, summary_layers(file.run)), colours) + exploration_line(file) + "\n" +
-         end_lines(file);
+std::string summary_of(const RecordFile& file, const TextDrawer& draw) {
+  return draw(*file.maze, layers_of(file, summary_layers(file.run))) + exploration_line(file) + "\n" + end_lines(file);
 }
 
 }  // namespace labmouse

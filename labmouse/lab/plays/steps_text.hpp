@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/lab/records/record_file.hpp"
 
 namespace labmouse {
@@ -39,9 +40,9 @@ std::string misstep_lines(const RecordFile& file);
 
 /// The maze with the speed run, a line on what the exploration saw, what the mouse counted, steps that were not
 /// performed as it asked, and how the contest went.
-std::string summary_of(const RecordFile& file, bool colours);
+std::string summary_of(const RecordFile& file, const TextDrawer& draw);
 
 /// Draws every step with what the mouse knows by then.
-void animate(const RecordFile& file, bool colours, const std::function<void(const std::string&)>& show);
+void animate(const RecordFile& file, const TextDrawer& draw, const std::function<void(const std::string&)>& show);
 
 }  // namespace labmouse

@@ -261,8 +261,8 @@ TEST_P(AWorld, HasRecordsThatAreOpenedAndShown) {
     EXPECT_EQ(replay.subject().mouse, race.mice[contest.mouse].name);
     EXPECT_EQ(replay.subject().maze.maze.open_walls(), maze.maze.open_walls());
     EXPECT_EQ(replay.picture(), held.picture);
-    EXPECT_THAT(replay.summary(false), testing::EndsWith(replay.result()));
-    replay.animate(false, [&](const std::string& drawing) { drawings += drawing.empty() ? 0 : 1; });
+    EXPECT_THAT(replay.summary(text_drawer(false)), testing::EndsWith(replay.result()));
+    replay.animate(text_drawer(false), [&](const std::string& drawing) { drawings += drawing.empty() ? 0 : 1; });
     const RecordDrawing drawing = replay.drawing(replay.layers(), 0);
     EXPECT_EQ(drawing.error, "");
     EXPECT_EQ(drawing.line, replay.result());
