@@ -7,7 +7,7 @@ foreach(name IN ITEMS
     numbers/maze_interval numbers/sign_flips numbers/statistics numbers/student numbers/verdict numbers/wilson pictures/drive_path pictures/path_data pictures/drive_picture pictures/trace_path pictures/mms_picture pictures/picture_layers
     races/race races/race_paths races/value races/world_entry records/drive_json records/drive_notation
     records/drive_record_fields records/drive_record_reader records/drive_record_replay records/drive_record_text
-    records/drive_record_writer records/drive_route_check records/explanation records/mms_record
+    records/drive_record_writer records/drive_route_check records/drive_story records/explanation records/mms_record
     records/mms_record_reader records/mms_record_replay records/packed_record records/physical_lines records/physical_replay records/record_maze records/record_parts
     records/record_reader records/record_reasons records/record_replay records/record_writer robots/drive_rules_file
     robots/hardware_keys robots/robot_family robots/robot_file robots/robot_files robots/robot_json robots/robot_keys robots/robot_remarks robots/robot_table
