@@ -19,7 +19,7 @@ foreach(name IN ITEMS
     text/printable text/toml_text)
   list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/lab/${name}.cpp)
 endforeach()
-foreach(name IN ITEMS dialogue mms/canvas mms/command mms/host mms/statistics protocol quoted_line verdict)
+foreach(name IN ITEMS dialogue mms/canvas mms/command mms/host mms/outcome mms/statistics protocol quoted_line verdict)
   list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/guests/${name}.cpp)
 endforeach()
 foreach(wing IN ITEMS drawing steps drive mms worlds plays page)
