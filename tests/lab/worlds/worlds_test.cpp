@@ -262,7 +262,9 @@ TEST_P(AWorld, HasRecordsThatAreOpenedAndShown) {
     EXPECT_EQ(replay.subject().maze.maze.open_walls(), maze.maze.open_walls());
     EXPECT_EQ(replay.picture(), held.picture);
     EXPECT_THAT(replay.summary(text_drawer(false)), testing::EndsWith(replay.result()));
-    replay.animate(text_drawer(false), [&](const std::string& drawing) { drawings += drawing.empty() ? 0 : 1; });
+    // Of one contest: some have thousands of moves.
+    if (drawings == 0)
+      replay.animate(text_drawer(false), [&](const std::string& drawing) { drawings += drawing.empty() ? 0 : 1; });
     const RecordDrawing drawing = replay.drawing(replay.layers(), 0);
     EXPECT_EQ(drawing.error, "");
     EXPECT_EQ(drawing.line, replay.result());
@@ -274,7 +276,7 @@ TEST_P(AWorld, HasRecordsThatAreOpenedAndShown) {
     EXPECT_EQ(unpacked.replay->result(), replay.result());
     EXPECT_EQ(unpacked.replay->play()["x"], replay.play()["x"]);
   };
-  hold_race(mice(), mazes(), order(), hooks);
+  hold_race(mice(), {test::loop(), test::corridor()}, order(), hooks);
   EXPECT_GT(drawings, 0);
 }
 
