@@ -9,7 +9,6 @@
 
 #include "bench_mazes.hpp"
 #include "labmouse/contest/drive.hpp"
-#include "labmouse/contest/fallible.hpp"
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/lab/hazards/hazard_file.hpp"
