@@ -44,8 +44,8 @@ struct Trial {
 Trial try_in_steps(const Contestant& mouse, const Maze& maze) {
   const Rules rules;
   constexpr std::uint64_t seed = 1;
-  const auto mind = mouse.strategy(maze, brief(maze, rules, seed));
-  const RunRecord record = labmouse::run(maze, rules, *mind);
+  const auto strategy = mouse.strategy(maze, brief(maze, rules, seed));
+  const RunRecord record = labmouse::run(maze, rules, *strategy);
   const Score result = score(record, rules);
   Trial trial;
   for (const StepRecord& step : record.steps)
@@ -107,8 +107,8 @@ Trial try_physically(const ControllerProgram& program, const Maze& maze) {
 Trial try_in_seconds(const Contestant& mouse, const Maze& maze) {
   const DriveModel model = find_robot("kerise").model;
   const DriveRules rules = find_rules("all-japan").rules;
-  const auto mind = mouse.strategy(maze, brief(maze, rules, model, 1));
-  const DriveRecord record = drive(maze, rules, model, *mind);
+  const auto strategy = mouse.strategy(maze, brief(maze, rules, model, 1));
+  const DriveRecord record = drive(maze, rules, model, *strategy);
   const auto score = labmouse::score(record, rules).value();
   Trial trial;
   for (const DriveRun& run : record.runs) {

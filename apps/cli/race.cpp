@@ -128,7 +128,7 @@ bool same_worlds(const std::vector<Entry>& entries) {
 void check_noises(const RaceOptions& options, const std::vector<Entry>& entries) {
   if (!options.curves.empty() && !same_worlds(entries))
     throw UsageError(
-        "error: --curves draws what becomes of mice as noise grows; give several, as in `labmouse race --world "
+        "error: --curves draws how mice do as noise grows; give several, as in `labmouse race --world "
         "fallible --noise 0,1,2,3,4 --curves FILE`");
   if (!options.out.empty() && same_worlds(entries))
     throw UsageError("error: --out keeps the records of one race; give one --noise, or leave --out away");

@@ -52,8 +52,8 @@ PageReply answer_drive(const ReadJson& json, std::string_view) {
   share_route_tables(robot.model);
   file.model = std::make_shared<DriveModel>(std::move(robot.model));
   file.rules = std::move(*rules);
-  const auto mind = mouse.strategy(maze.maze, brief(maze.maze, file.rules, *file.model, seed));
-  file.record = drive(maze.maze, file.rules, *file.model, *mind);
+  const auto strategy = mouse.strategy(maze.maze, brief(maze.maze, file.rules, *file.model, seed));
+  file.record = drive(maze.maze, file.rules, *file.model, *strategy);
   return answered({{"play", play_json(file)}, {"record", write_drive_record(file)}});
 }
 

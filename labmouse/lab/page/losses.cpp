@@ -66,8 +66,8 @@ PageReply answer_losses(const ReadJson& json, std::string_view) {
   int solved = 0;
   double score_sum = 0;
   for (const Entrant& entrant : entrants) {
-    const auto mind = entrant.mouse.strategy(maze.maze, brief(maze.maze, rules, entrant.seed));
-    const RunRecord record = run(maze.maze, rules, *mind);
+    const auto strategy = entrant.mouse.strategy(maze.maze, brief(maze.maze, rules, entrant.seed));
+    const RunRecord record = run(maze.maze, rules, *strategy);
     const std::optional<LostSteps> lost = meter.lost(record);
     if (!lost) continue;
     ++solved;

@@ -67,9 +67,9 @@ PageReply answer_run(const ReadJson& json, std::string_view) {
   if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; name exactly one", spec));
   const Contestant& mouse = mice.contestants.front();
   if (std::string reason = refuse_to_walk(mouse); !reason.empty()) return failed(std::move(reason));
-  const auto mind = mouse.strategy(maze.maze, brief(maze.maze, rules, seed));
-  mind->keep_reasons();
-  const RecordFile file = record_file_of(mouse, maze, rules, seed, run(maze.maze, rules, *mind));
+  const auto strategy = mouse.strategy(maze.maze, brief(maze.maze, rules, seed));
+  strategy->keep_reasons();
+  const RecordFile file = record_file_of(mouse, maze, rules, seed, run(maze.maze, rules, *strategy));
   return answered({{"play", play_json(file)}, {"record", write_record(file)}});
 }
 

@@ -92,6 +92,14 @@ struct RecordKind {
   OpenedRecord (*unpack)(const ReadJson& packed, const NamedMaze& maze);
 };
 
+/// Puts a record into another maze, where there is one.
+template <class File>
+void put_into(const NamedMaze* maze, File& file) {
+  if (maze == nullptr) return;
+  file.maze = maze->maze;
+  file.maze_name = maze->name;
+}
+
 extern const RecordKind steps_records, drive_records, mms_records;
 
 }  // namespace labmouse

@@ -99,10 +99,7 @@ class DriveReplay final : public Replay {
 OpenedRecord open_drive(std::string_view text, const NamedMaze* maze) {
   ReadDriveRecordResult read = read_drive_record(text);
   if (!read.file) return {nullptr, std::move(read.problems), ""};
-  if (maze != nullptr) {
-    read.file->maze = maze->maze;
-    read.file->maze_name = maze->name;
-  }
+  put_into(maze, *read.file);
   if (std::string disagreement = replay(*read.file); !disagreement.empty())
     return {nullptr, {}, std::move(disagreement)};
   return {std::make_unique<DriveReplay>(std::move(*read.file), text), {}, ""};

@@ -57,10 +57,7 @@ class ReplayOfMms final : public Replay {
 OpenedRecord open_mms(std::string_view text, const NamedMaze* maze) {
   ReadMmsRecordResult read = read_mms_record(text);
   if (!read.file) return {nullptr, std::move(read.problems), ""};
-  if (maze != nullptr) {
-    read.file->maze = maze->maze;
-    read.file->maze_name = maze->name;
-  }
+  put_into(maze, *read.file);
   MmsReplay replay = replay_of(*read.file);
   if (!replay.disagreement.empty()) return {nullptr, {}, std::move(replay.disagreement)};
   return {std::make_unique<ReplayOfMms>(std::move(*read.file), std::move(replay), text), {}, ""};

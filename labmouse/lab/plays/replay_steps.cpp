@@ -55,9 +55,9 @@ class StepsReplay final : public Replay {
 
   void add_reasons(const Contestant& mouse) override {
     if (!refuse_to_walk(mouse).empty()) return;
-    const auto mind = mouse.strategy(*file_.maze, brief(*file_.maze, file_.rules, file_.seed));
-    mind->keep_reasons();
-    RunRecord again = run(*file_.maze, file_.rules, *mind);
+    const auto strategy = mouse.strategy(*file_.maze, brief(*file_.maze, file_.rules, file_.seed));
+    strategy->keep_reasons();
+    RunRecord again = run(*file_.maze, file_.rules, *strategy);
     if (again.steps == file_.run.steps) file_.run.reasons = std::move(again.reasons);
   }
 
@@ -80,10 +80,7 @@ OpenedRecord played_steps(RecordFile file, bool packed) {
 OpenedRecord open_steps(std::string_view text, const NamedMaze* maze) {
   ReadRecordResult read = read_record(text);
   if (!read.file) return {nullptr, std::move(read.problems), ""};
-  if (maze != nullptr) {
-    read.file->maze = maze->maze;
-    read.file->maze_name = maze->name;
-  }
+  put_into(maze, *read.file);
   if (!read.file->maze) return {nullptr, {{0, 0, "the record does not contain its maze"}}, "", true};
   return played_steps(std::move(*read.file), false);
 }

@@ -23,7 +23,7 @@
 namespace labmouse {
 namespace {
 
-/// A mouse with a stopwatch, which minds themselves may not have.
+/// A mouse with a stopwatch, which strategies themselves may not have.
 class Timed final : public ForwardingStrategy {
  public:
   using ForwardingStrategy::ForwardingStrategy;
@@ -44,12 +44,12 @@ class Timed final : public ForwardingStrategy {
 PlayedContest contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
                          bool reasons, const std::atomic<bool>* stop) {
   if (const auto* played = std::get_if<PlayedContests>(&mouse.kind)) return played->at({maze.name, seed});
-  const auto mind = mouse.strategy(maze.maze, brief(maze.maze, rules, seed));
-  if (reasons) mind->keep_reasons();
-  Stoppable stoppable(*mind, stop);
+  const auto strategy = mouse.strategy(maze.maze, brief(maze.maze, rules, seed));
+  if (reasons) strategy->keep_reasons();
+  Stoppable stoppable(*strategy, stop);
   Timed timed(stoppable);
   RunRecord record = run(maze.maze, rules, timed);
-  return {std::move(record), mind->started(), mind->microseconds().value_or(timed.measured())};
+  return {std::move(record), strategy->started(), strategy->microseconds().value_or(timed.measured())};
 }
 
 ForfeitReason reason_of(const RunRecord& record) {

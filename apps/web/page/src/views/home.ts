@@ -14,7 +14,7 @@ const introOf = (watch: HTMLElement) =>
     'div.intro',
     h(
       'p',
-      h('strong', 'In labmouse, micromouse minds race through mazes that they have never seen'),
+      h('strong', 'In labmouse, micromouse programs race through mazes that they have never seen'),
       ': each draws its own map, follows the way that it believes in (the dots), then runs as fast as it dares.',
     ),
     h('div.row', watch, h('a.button', { href: '#race' }, 'Race'), h('a.button', { href: '#write' }, 'Write your own')),
