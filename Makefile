@@ -7,9 +7,9 @@
 # The Python package:
 #   make wheel   builds a wheel, and the sources to install from, in build/dist
 # And, when a mouse has changed:
-#   make reports runs every system of the five reports and writes docs/reports.md
+#   make reports runs every system of the five reports and writes docs/research/reports.md
 # And, before a release:
-#   make proof   the checks that take too long for .ci/run: docs/checks.md
+#   make proof   the checks that take too long for .ci/run: docs/contributing/checks.md
 # One build tree, build/release, serves both: a race builds the program alone, so that it never waits for tests.
 .PHONY: race check page wheel reports proof
 

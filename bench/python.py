@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How fast the Python package is: prints the table of docs/python.md.
+"""How fast the Python package is: prints the table of docs/reference/python.md.
 
 usage: PYTHONPATH=build/release/python build/python-tools/bin/python bench/python.py
 

@@ -1,5 +1,5 @@
 # Compiling several files at once, with the largest headers compiled before, takes a third of the time: most of it goes
-# into reading headers and into instantiating what stands in them. docs/building.md has the figures.
+# into reading headers and into instantiating what stands in them. docs/contributing/building.md has the figures.
 #
 # A batch holds whole folders, small ones together, or an even part of one that is larger. Two files of a batch may not
 # declare the same name for themselves, unless as overloads: the compiler says where they do. A world's folder is a batch of

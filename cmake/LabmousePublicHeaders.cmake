@@ -1,4 +1,4 @@
-# The headers that other projects may include: what they declare is documented and kept, docs/library.md describes them,
+# The headers that other projects may include: what they declare is documented and kept, docs/how-to/use-the-library.md describes them,
 # and tests/consumer uses them.
 set(LABMOUSE_PUBLIC_HEADERS
   labmouse/grid/cell.hpp

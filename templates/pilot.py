@@ -2,7 +2,7 @@
 
 It floods to the goal, drives home, and then goes by what it has seen, straight on as fast as it dares. It stops to
 turn. Meanwhile it keeps to the middle by the walls beside it, and knows how far it has come by where these end and by
-walls ahead. docs/pilots.md has the lines that it reads and writes.
+walls ahead. docs/reference/protocols.md has the lines that it reads and writes.
 """
 import math
 import sys

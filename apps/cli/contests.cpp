@@ -46,6 +46,7 @@ void stop_or_end(int number) {
 }  // namespace
 
 void add_contests(Command& command, Contests& contests) {
+  command.group(groups::mazes);
   command
       .add_option("--mazes", contests.mazes,
                   "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
@@ -53,19 +54,22 @@ void add_contests(Command& command, Contests& contests) {
       ->expected(1, 1 << 20)
       ->take_all();
   add_places(command, contests.places);
+  command.group(groups::contests);
   command
       .add_integer(
           "--runs", [&contests](std::uint64_t runs) { contests.runs = static_cast<int>(runs); },
           "Contests in each maze for each stochastic mouse, and for each mouse in a stochastic world; default: " +
               usual_runs_text())
       ->check(in_range(1, 1'000'000));
+  command.group(groups::world);
   contests.world.add_to(command);
+  command.group(groups::contests);
   command.add_option("--seed", contests.order.seed, "Seed for all random choices")
       ->check(seed_number())
       ->capture_default_str();
   command
       .add_option("--store", contests.store_path,
-                  "File that keeps all contests: those that are there are not held again (docs/store.md)")
+                  "File that keeps all contests: stored ones are not run again (docs/how-to/clusters-and-stores.md)")
       ->type_name("FILE");
   command.add_option("--jobs", contests.order.jobs, "Number of threads; 0 uses all processors")
       ->check(in_range(0, 1024))
@@ -121,7 +125,8 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
 }
 
 void add_lineups(Command& command, std::vector<std::string>& lineups) {
-  command.add_option("--lineup", lineups, "File that names mice: docs/lineups.md (repeatable)")
+  command.group(groups::mice);
+  command.add_option("--lineup", lineups, "File that names mice: docs/reference/files.md (repeatable)")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();

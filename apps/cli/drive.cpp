@@ -98,7 +98,7 @@ int drive(const DriveOptions& options) {
 void add_drive(Command& app, int& exit) {
   auto options = std::make_shared<DriveOptions>();
   Command* command = app.add_subcommand(
-      "drive", "Drive known ways in the physical world: how often the pilot crashes, strays and misreads");
+      "drive", "Test the controller on known routes: rates of crashes, tracking errors and wrong wall readings");
   command
       ->add_option("--mazes", options->mazes,
                    "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")

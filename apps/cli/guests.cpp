@@ -39,12 +39,14 @@ SandboxUse sandbox_use(const std::string& word) {
 }  // namespace
 
 void add_python(Command& command, GuestOptions& guests) {
+  command.group(groups::programs);
   command.add_option("--python", guests.python, "Python interpreter for capstone robots; default: the python3 in PATH")
       ->type_name("INTERPRETER");
 }
 
 void add_guest_options(Command& command, GuestOptions& guests) {
   GuestLimits& limits = guests.limits;
+  command.group(groups::programs);
   command.add_option("--directory", guests.directory, "Working directory of the programs; default: the current one")
       ->type_name("DIR")
       ->check(existing_directory());
@@ -83,9 +85,9 @@ void add_racing_guests(Command& command, GuestOptions& guests) {
   add_guest_options(command, guests);
   command
       .add_option("--label", guests.label,
-                  "In a store of contests, stands for the files of guests: the same label is the same mouse")
+                  "In a store of contests, stands for the files of external mice: the same label is the same mouse")
       ->type_name("TEXT");
-  command.add_option("--guest-runs", guests.runs, "Contests in each maze for each guest; for guests that throw dice")
+  command.add_option("--guest-runs", guests.runs, "Contests in each maze for each external mouse, for stochastic ones")
       ->type_name("N")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();

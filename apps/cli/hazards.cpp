@@ -35,7 +35,7 @@ struct HazardOptions {
   double within = 3.0, interval_within = 5.0;
 };
 
-/// Holds all contests in the fallible world, too; whether they end alike.
+/// Holds all contests in the failure model, too; whether they end alike.
 int check_hazards(const HazardOptions& options, HazardOrder order, const std::vector<Contestant>& mice,
                   const std::vector<NamedMaze>& mazes) {
   for (const std::string name : {"--pace", "--spread", "--search-speed", "--save", "--format"})
@@ -43,7 +43,7 @@ int check_hazards(const HazardOptions& options, HazardOrder order, const std::ve
   const FoundHazards hazards = find_hazards(options.check);
   if (!hazards.file) throw UsageError(hazards.error);
   const double most_noise = *std::max_element(order.noises.begin(), order.noises.end());
-  if (const std::string why = why_not_fallible(*order.model, most_noise, *hazards.file); !why.empty())
+  if (const std::string why = why_not_failures(*order.model, most_noise, *hazards.file); !why.empty())
     throw UsageError("error: " + why);
   const FidelityBars bars = {options.within / 100.0, options.interval_within / 100.0};
   const Interruptible interruptible;
@@ -115,7 +115,7 @@ int hazards(const HazardOptions& options) {
 void add_hazards(Command& app, int& exit) {
   auto options = std::make_shared<HazardOptions>();
   Command* command = app.add_subcommand(
-      "hazards", "Hold contests in the physical world and count at what mice stray, misread and crash");
+      "hazards", "Measure failure rates in the physical world: crashes, localization errors and wrong wall readings");
   command->add_option("--mice", options->mice, "Mice, as race takes them; default: flood-return and certify")
       ->type_name("SPEC")
       ->expected(1, 1 << 20)
@@ -136,23 +136,19 @@ void add_hazards(Command& app, int& exit) {
                    "Built-in rules in seconds, or a file whose name contains a slash or ends in .toml")
       ->type_name("RULES")
       ->capture_default_str();
-  command->add_option("--noise", options->noise, "Factors of all noise, separated by commas: 1 as it was measured")
+  command->add_option("--noise", options->noise, "Scales of all noise, separated by commas: 1 as measured")
       ->type_name("LIST")
       ->capture_default_str();
-  command
-      ->add_option("--pace", options->pace,
-                   "Parts of their usual pace at which mice are driven, separated by commas, up to 1")
+  command->add_option("--pace", options->pace, "Shares of the robot's usual speed, separated by commas, 0.2 to 1")
       ->type_name("LIST")
       ->capture_default_str();
-  command
-      ->add_option("--spread", options->spread,
-                   "How far contests are apart: factor of what each draws of the mouse itself")
+  command->add_option("--spread", options->spread, "Scale of the variation between mice (1 = as measured)")
       ->check(in_range(0.0, most_spread))
       ->capture_default_str();
-  command->add_option("--search-speed", options->speed, "Speed of a search in mm/s; 0: the robot's own")
+  command->add_option("--search-speed", options->speed, "Speed of the search run in mm/s; 0: the robot's own")
       ->check(search_speed())
       ->capture_default_str();
-  command->add_option("--map", options->map, "What mice do with a reading against their map: nothing, or weigh it")
+  command->add_option("--map", options->map, "How contradicting wall readings are handled: as --map of `labmouse race`")
       ->check(one_of({"first", "belief", "learned"}))
       ->capture_default_str();
   command->add_option("--runs", options->runs, "Contests of each mouse in each maze, under each noise")
@@ -165,13 +161,15 @@ void add_hazards(Command& app, int& exit) {
       ->check(in_range(0, 1024))
       ->capture_default_str();
   command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
-  command->add_option("--save", options->save, "Keep all counts in a file, for race --world fallible --hazards FILE")
+  command
+      ->add_option("--save", options->save,
+                   "Save the rates in a file, for `labmouse race --world failures --hazards FILE`")
       ->type_name("FILE");
   command
       ->add_option(
           "--check", options->check,
-          "Instead hold the same contests in the fallible world by these hazards, and exit with 1 where another "
-          "share of them is finished")
+          "Instead run the same contests in the failure model with these rates, and exit with 1 if the share of "
+          "finished ones differs")
       ->type_name("HAZARDS");
   command->add_option("--within", options->within, "With --check: points of 100 by which shares may differ")
       ->check(in_range(0.0, 100.0))

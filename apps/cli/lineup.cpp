@@ -213,11 +213,11 @@ void init(const std::string& folder, bool overwrite) {
 }  // namespace
 
 void add_lineup(Command& app, int& exit) {
-  Command* command = app.add_subcommand("lineup", "Write and try out a file that names mice");
+  Command* command = app.add_subcommand("lineup", "Write and test a file that names mice");
   command->require_subcommand();
   auto options = std::make_shared<CheckOptions>();
   Command* check_command = command->add_subcommand(
-      "check", "Run the commands of a lineup: each mouse twice in a small maze, and say what is wrong");
+      "check", "Run the commands of a mice file: each mouse twice in a small maze, and report what is wrong");
   check_command->add_option("file", options->file, "The lineup")->required()->type_name("FILE");
   add_python(*check_command, options->guests);
   add_guest_options(*check_command, options->guests);

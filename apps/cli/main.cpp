@@ -41,14 +41,28 @@ void set_memory_aside() {
   std::set_new_handler(give_back_and_fail);
 }
 
+constexpr const char* start_page =
+    R"(labmouse {}: a micromouse laboratory
+
+  labmouse race                                        race the built-in mice on the built-in mazes
+  labmouse race --mice flood,capstone:robot.py         race your capstone robot
+  labmouse race --mice flood 'mms:python3 mouse.py'    race your program for the simulator mms
+  labmouse run ariadne contest-05 --watch              watch one contest, step by step
+  labmouse run ariadne contest-05 --world physical     the same with a robot that slips and misreads walls
+  labmouse show contest-05                             draw a maze
+  labmouse mice                                        list the built-in mice
+
+All commands: labmouse --help. All options of a command: labmouse COMMAND --help.
+)";
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace labmouse::cli;
   let_writes_fail();
   set_memory_aside();
-  CommandLine line("labmouse", "labmouse: a laboratory for mice that explore mazes they have never seen",
-                   "labmouse " + std::string(labmouse::version()));
+  CommandLine line("labmouse", "labmouse: a micromouse laboratory", "labmouse " + std::string(labmouse::version()));
+  line.start_page(fmt::format(start_page, labmouse::version()));
   Command& app = line.root();
   app.footer(
       "Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 success, 1 a check failed, 2 bad usage or "

@@ -1,9 +1,11 @@
 // labmouse make: a maze from a generator. labmouse convert: a maze from one format into another.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "command.hpp"
+#include "labmouse/lab/system/streams.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -27,7 +29,14 @@ std::string suggestion(std::string_view word, const Things& things) {
 
 /// The format of that name; without a name the one that the path's ending suggests, or the drawing.
 const Format& choose_format(const std::string& name, const std::string& path) {
-  if (name.empty()) return path.ends_with(".maz") ? maz_format : path.ends_with(".num") ? num_format : drawing_format;
+  if (name.empty()) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (extension == ".maz") return maz_format;
+    if (extension == ".num") return num_format;
+    if (extension.empty() || extension == ".txt" || extension == ".maze" || is_stream(path)) return drawing_format;
+    throw UsageError(fmt::format("{}: error: the extension '{}' belongs to no maze format; add --format with one of {}",
+                                 path, extension, list_of(all_formats())));
+  }
   if (const Format* format = find_format(name)) return *format;
   throw UsageError(fmt::format("error: unknown format '{}'; {}", name, suggestion(name, all_formats())));
 }

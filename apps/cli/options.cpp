@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "command.hpp"
@@ -15,15 +16,43 @@
 namespace labmouse::cli {
 namespace {
 
+/// Options that people write, and what they mean.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> often_meant = {{{"--mouse", "--mice"},
+                                                                                        {"--maze", "--mazes"},
+                                                                                        {"--mazes", "--maze"},
+                                                                                        {"--output", "--out"},
+                                                                                        {"--threads", "--jobs"},
+                                                                                        {"--seeds", "--runs"},
+                                                                                        {"--json", "--format"},
+                                                                                        {"--csv", "--format"},
+                                                                                        {"-v", "--version"},
+                                                                                        {"-V", "--version"}}};
+
 /// The first word that a command did not expect, with the option that it may have been meant to be.
 std::string describe_unexpected(const CLI::App& command, const std::vector<std::string>& words) {
   auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.starts_with("-"); });
-  if (word == words.end()) return fmt::format("unexpected argument '{}'", words.front());
+  if (word == words.end())
+    return fmt::format("unexpected argument '{}'{}", words.front(),
+                       command.get_option_no_throw("--mice") == nullptr
+                           ? ""
+                           : fmt::format("; mice are named with --mice {}", words.front()));
+  for (const auto& [wrong, right] : often_meant)
+    if (*word == wrong && command.get_option_no_throw(std::string(right)) != nullptr)
+      return fmt::format("unknown option '{}'; did you mean '{}'?", *word, right);
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   const auto near = nearest_name(*word, std::vector<std::string_view>(names.begin(), names.end()));
   return fmt::format("unknown option '{}'{}", *word, near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+}
+
+/// The first example below the help of a command, to stand behind a message: "; for example `labmouse ...`".
+std::string example_of(std::string_view footer) {
+  constexpr std::string_view sign = "Example: ";
+  const auto begin = footer.find(sign);
+  if (begin == std::string_view::npos) return "";
+  const std::string_view example = footer.substr(begin + sign.size());
+  return fmt::format("; for example `{}`", example.substr(0, example.find('\n')));
 }
 
 /// Bad usage: one line that says what is wrong and where help is.
@@ -38,16 +67,22 @@ UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                           (command != &app && !command->get_subcommands({}).empty());
   const std::vector<std::string> words = app.remaining(true);
-  return UsageError(fmt::format("error: {} (see `{} --help`)",
-                                unexpected && !words.empty() ? describe_unexpected(*command, words) : error.what(),
-                                name));
+  const std::string problem = unexpected && !words.empty() ? describe_unexpected(*command, words) : error.what();
+  const bool missing = !unexpected && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  return UsageError(
+      fmt::format("error: {}{} (see `{} --help`)", problem, missing ? example_of(command->get_footer()) : "", name));
 }
 
 /// A first word that is no command, which CLI11 would only call a missing one.
 void refuse_unknown_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  if (word.starts_with('-')) {
+    if (app.get_option_no_throw(word) == nullptr)
+      throw UsageError(fmt::format("error: {} (see `{} --help`)", describe_unexpected(app, {word}), app.get_name()));
+    return;
+  }
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const auto near = nearest_name(word, candidates);
   throw UsageError(fmt::format("error: unknown command '{}'; {} (see `{} --help`)", word,
@@ -72,14 +107,15 @@ std::string read_number(const std::string& text, Whole& number) {
 }
 
 template <class Number>
-Check between(Number low, Number high, const char* type, const char* kind) {
+Check between(Number low, Number high, const char* kind) {
   const auto problem = [low, high, kind](const std::string& text) {
     Number number = 0;
     if (read_number(text, number).empty() && number >= low && number <= high) return std::string();
     return fmt::format("'{}' is not a {} from {} to {}", text, kind, low, high);
   };
-  return Check(CLI::Validator([problem](const std::string& text) { return problem(text); },
-                              fmt::format("{} in [{} - {}]", type, low, high)));
+  Check check(problem);
+  check.range = fmt::format("{} to {}", low, high);
+  return check;
 }
 
 /// CLI11 would read octal and hexadecimal numbers, infinities, and decimal signs of the locale.
@@ -91,7 +127,7 @@ CLI::Option* add_numeric(CLI::App& app, const std::string& name, const std::func
     if (std::string problem = read_number(text, number); !problem.empty()) throw CLI::ValidationError(name, problem);
     take(number);
   };
-  return app.add_option_function<std::string>(name, read, meaning)->type_name(CLI::detail::type_name<Number>());
+  return app.add_option_function<std::string>(name, read, meaning)->type_name("N");
 }
 
 template <class Number>
@@ -111,9 +147,9 @@ Check::Check(const CLI::Validator& validator) : validator_(std::make_shared<CLI:
 Check::Check(const std::function<std::string(const std::string&)>& problem)
     : Check(CLI::Validator([problem](const std::string& text) { return problem(text); }, "")) {}
 
-Check in_range(int low, int high) { return between(low, high, "INT", "whole number"); }
-Check in_range(std::uint64_t low, std::uint64_t high) { return between(low, high, "UINT", "whole number"); }
-Check in_range(double low, double high) { return between(low, high, "FLOAT", "number"); }
+Check in_range(int low, int high) { return between(low, high, "whole number"); }
+Check in_range(std::uint64_t low, std::uint64_t high) { return between(low, high, "whole number"); }
+Check in_range(double low, double high) { return between(low, high, "number"); }
 Check search_speed() {
   return Check([](const std::string& text) {
     double speed = 0.0;
@@ -124,8 +160,17 @@ Check search_speed() {
                               most_search_speed);
   });
 }
-Check one_of(const std::vector<std::string>& words) { return Check(CLI::IsMember(words)); }
-Check existing_directory() { return Check(CLI::ExistingDirectory); }
+Check one_of(const std::vector<std::string>& words) {
+  Check check([words](const std::string& text) {
+    const bool good = std::find(words.begin(), words.end(), text) != words.end();
+    return good ? "" : fmt::format("'{}' is not one of {}", text, fmt::join(words, ", "));
+  });
+  check.type = fmt::format("{}", fmt::join(words, "|"));
+  return check;
+}
+Check existing_directory() {
+  return Check([](const std::string& text) { return CLI::ExistingDirectory(text); });
+}
 
 Check seed_number() {
   return Check([](const std::string& text) {
@@ -168,6 +213,8 @@ Option* Option::take_all() {
 }
 Option* Option::check(const Check& check) {
   option_->check(check.validator());
+  if (!check.type.empty()) option_->type_name(check.type);
+  if (!check.range.empty()) option_->description(fmt::format("{} ({})", option_->get_description(), check.range));
   return this;
 }
 Option* Option::capture_default_str() {
@@ -191,7 +238,7 @@ Command* Command::add_subcommand(const std::string& name, const std::string& mea
 }
 void Command::require_subcommand() { app_->require_subcommand(1); }
 
-Option* Command::add(CLI::Option* option) { return &options_.emplace_back(*option->check(not_empty())); }
+Option* Command::add(CLI::Option* option) { return &options_.emplace_back(*option->check(not_empty())->group(group_)); }
 Option* Command::add_option(const std::string& name, std::string& value, const std::string& meaning) {
   return add(app_->add_option(name, value, meaning));
 }
@@ -220,10 +267,23 @@ Option* Command::add_word(const std::string& name, const std::function<void(cons
   return add(app_->add_option_function<std::string>(name, take, meaning));
 }
 Option* Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
-  return &options_.emplace_back(*app_->add_flag(name, value, meaning));
+  return &options_.emplace_back(*app_->add_flag(name, value, meaning)->group(group_));
 }
 
-void Command::footer(const std::string& text) { app_->footer(text); }
+void Command::refer(std::initializer_list<std::string> headings, const std::string& command) {
+  std::vector<std::string> left_out;
+  for (CLI::Option* option : app_->get_options())
+    if (std::find(headings.begin(), headings.end(), option->get_group()) != headings.end()) {
+      left_out.push_back("--" + option->get_lnames().front());
+      option->group("");
+    }
+  app_->footer(fmt::format("Also, as explained by `{} --help`: {}\n\n{}", command, fmt::join(left_out, " "), footer_));
+}
+
+void Command::footer(const std::string& text) {
+  footer_ = text;
+  app_->footer(text);
+}
 void Command::callback(const std::function<void()>& action) { app_->callback(action); }
 void Command::hand_over(const std::function<void(const std::vector<std::string>&)>& action) {
   app_->prefix_command();
@@ -243,7 +303,11 @@ CommandLine::CommandLine(const std::string& program, const std::string& meaning,
 CommandLine::~CommandLine() = default;
 
 bool CommandLine::run(int argc, char** argv) {
-  if (argc > 1) refuse_unknown_command(*app_, argv[1]);
+  if (argc <= 1) {
+    print(start_page_);
+    return true;
+  }
+  refuse_unknown_command(*app_, argv[1]);
   try {
     app_->parse(argc, argv);
     return false;

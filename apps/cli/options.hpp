@@ -19,7 +19,7 @@ class Validator;
 
 namespace labmouse::cli {
 
-/// What the value of an option has to be. Where it has a description, that stands behind the option in the help.
+/// What the value of an option has to be.
 class Check {
  public:
   explicit Check(const CLI::Validator& validator);
@@ -27,6 +27,9 @@ class Check {
   explicit Check(const std::function<std::string(const std::string&)>& problem);
 
   const CLI::Validator& validator() const { return *validator_; }
+
+  std::string type;   ///< what the help calls a value; empty where the option says it
+  std::string range;  ///< behind the meaning in the help: "1 to 1000000"; or empty
 
  private:
   std::shared_ptr<const CLI::Validator> validator_;
@@ -78,6 +81,16 @@ class Option {
   CLI::Option* option_;
 };
 
+/// Headings of the help under which options of several commands stand.
+namespace groups {
+inline constexpr const char* mice = "Mice";
+inline constexpr const char* mazes = "Mazes";
+inline constexpr const char* world = "World";
+inline constexpr const char* contests = "Contests";
+inline constexpr const char* programs = "Limits of external programs";
+inline constexpr const char* output = "Output";
+}  // namespace groups
+
 /// A command, or one of its own commands. It gives out pointers that live as long as it does.
 class Command {
  public:
@@ -104,6 +117,11 @@ class Command {
                    const std::string& meaning);
   Option* add_flag(const std::string& name, bool& value, const std::string& meaning);
 
+  /// The heading in the help under which all options stand that are added from now on.
+  void group(const std::string& heading) { group_ = heading; }
+  /// Leaves the options of these headings out of its help and names the command whose help has them.
+  void refer(std::initializer_list<std::string> headings, const std::string& command);
+
   /// Stands below its help.
   void footer(const std::string& text);
   /// What the command does once its options are read.
@@ -119,6 +137,8 @@ class Command {
   Option* add(CLI::Option* option);
 
   CLI::App* app_;
+  std::string group_ = "Options";
+  std::string footer_;
   std::list<Option> options_;
   std::list<Command> subcommands_;
 };
@@ -132,6 +152,8 @@ class CommandLine {
   ~CommandLine();
 
   Command& root() { return root_; }
+  /// What is printed where no word follows the name of the program.
+  void start_page(const std::string& text) { start_page_ = text; }
 
   /// Reads the words and does what the command named there does. Returns true where the help or the version was asked
   /// for and printed instead. Throws UsageError with one line that says what is wrong and where the help is.
@@ -140,6 +162,7 @@ class CommandLine {
  private:
   std::unique_ptr<CLI::App> app_;
   Command root_;
+  std::string start_page_;
 };
 
 }  // namespace labmouse::cli

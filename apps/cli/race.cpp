@@ -28,7 +28,7 @@ struct RaceOptions {
   std::vector<std::string> mice, lineups;
   Contests contests;
   GuestOptions guests;
-  std::string format = "table";
+  std::string format = "table", columns = "usual";
   std::string out;
   bool overwrite = false;
   std::string baseline;
@@ -92,21 +92,13 @@ class Holding {
   std::string failed_write_;
 };
 
-/// The races in which there is a mouse; the first where there is none in any.
-std::vector<const Race*> with_mice(const std::vector<Race>& races) {
-  std::vector<const Race*> some;
-  for (const Race& race : races)
-    if (!race.mice.empty()) some.push_back(&race);
-  if (some.empty()) some.push_back(&races.front());
-  return some;
-}
-
 void report(const RaceOptions& options, const std::vector<Race>& races, const std::vector<SkippedFile>& skipped) {
   std::string text;
   if (options.format == "json") write_json(races, skipped, print_part);
-  for (const Race* race : with_mice(races)) {
-    if (options.format == "csv") write_csv(*race, print_part);
-    if (options.format == "table") text += (text.empty() ? "" : "\n") + table_of(*race, colours());
+  for (const Race& race : races) {
+    if (options.format == "csv") write_csv(race, print_part);
+    if (options.format == "table")
+      text += (text.empty() ? "" : "\n") + table_of(race, colours(), options.columns == "all");
   }
   print(text);
 }
@@ -129,7 +121,7 @@ void check_noises(const RaceOptions& options, const std::vector<Entry>& entries)
   if (!options.curves.empty() && !same_worlds(entries))
     throw UsageError(
         "error: --curves draws how mice do as noise grows; give several, as in `labmouse race --world "
-        "fallible --noise 0,1,2,3,4 --curves FILE`");
+        "failures --noise 0,1,2,3,4 --curves FILE`");
   if (!options.out.empty() && same_worlds(entries))
     throw UsageError("error: --out keeps the records of one race; give one --noise, or leave --out away");
 }
@@ -155,14 +147,13 @@ void add(const RaceOptions& options, const std::string& text) {
     tell(text);
 }
 
-/// The baseline of each race, in their order; throws UsageError where the file has none of a world with mice.
+/// The baseline of each race, in their order; throws UsageError where the file has none of its world.
 std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, const std::vector<Entry>& entries) {
   std::vector<std::optional<Baseline>> baselines(entries.size());
   if (options.baseline.empty()) return baselines;
   const FileContent file = read_file(options.baseline, std::size_t{1} << 30U);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, file.error));
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (entries[i].mice.empty()) continue;
     ReadBaselineResult read = read_baseline(file.content, *entries[i].world);
     if (!read.error.empty()) throw UsageError(describe(options.baseline, {read.line, read.column, read.error}));
     baselines[i] = std::move(read.baseline);
@@ -185,15 +176,12 @@ std::string above_limit(const RaceOptions& options, const Race& race) {
   return text;
 }
 
-/// The mice with the mazes of their worlds; all that was skipped is added to the list. Where nobody races in the home
-/// world its mazes and their bounds are in the results all the same.
+/// The mice with the mazes of their worlds. `skipped` gets the files that were no mazes.
 std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entries,
                              std::vector<SkippedFile>& skipped) {
   std::vector<Field> fields;
   for (Entry& entry : entries) {
-    if (entry.mice.empty() && !entry.world->is_home()) continue;
-    MazeCollection mazes =
-        entry.mice.empty() ? find_mazes(options.contests.mazes, {}) : find_mazes_of(*entry.world, options.contests);
+    MazeCollection mazes = find_mazes_of(*entry.world, options.contests);
     skipped = std::move(mazes.skipped);
     fields.push_back({std::move(entry), std::move(mazes.mazes)});
   }
@@ -228,9 +216,7 @@ int race(const RaceOptions& options) {
       find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests));
   check_noises(options, entries);
   const auto baselines = load_baselines(options, entries);
-  const auto worlds =
-      std::count_if(entries.begin(), entries.end(), [](const Entry& entry) { return !entry.mice.empty(); });
-  if (options.format == "csv" && worlds > 1)
+  if (options.format == "csv" && entries.size() > 1)
     throw UsageError(
         "error: --format csv can hold only one world; race the mice of each world separately, or use --format json");
   std::vector<SkippedFile> skipped;
@@ -244,7 +230,6 @@ int race(const RaceOptions& options) {
   folder.reset();
   report(options, races, skipped);
   for (std::size_t i = 0; i < races.size(); ++i) {
-    if (races[i].mice.empty()) continue;
     if (options.shares) add(options, shares_of(races[i]));
     if (options.worst > 0) add(options, worst_of(races[i], options.worst));
     if (baselines[i]) add(options, compare_with_baseline(races[i], *baselines[i]));
@@ -267,6 +252,7 @@ int race(const RaceOptions& options) {
 void add_race(Command& app, int& exit) {
   auto options = std::make_shared<RaceOptions>();
   Command* command = app.add_subcommand("race", "Race mice on many mazes and print a leaderboard");
+  command->group(groups::mice);
   command
       ->add_option("--mice", options->mice,
                    "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, "
@@ -276,8 +262,12 @@ void add_race(Command& app, int& exit) {
       ->take_all();
   add_lineups(*command, options->lineups);
   add_contests(*command, options->contests);
-  command->add_option("--format", options->format, "Output")
+  command->group(groups::output);
+  command->add_option("--format", options->format, "What is printed")
       ->check(one_of({"table", "json", "csv"}))
+      ->capture_default_str();
+  command->add_option("--columns", options->columns, "Columns of the table: the usual ones, or all")
+      ->check(one_of({"usual", "all"}))
       ->capture_default_str();
   auto* out = command
                   ->add_option("--out", options->out,
@@ -294,15 +284,17 @@ void add_race(Command& app, int& exit) {
   command->add_option("--worst", options->worst, "Print the N mazes in which each mouse lost most")
       ->type_name("N")
       ->check(in_range(1, 1'000'000));
+  command->group(groups::contests);
   auto* shard =
       command
           ->add_word(
               "--shard", [options](const std::string& text) { options->contests.order.shard = *shard_of(text); },
-              "Hold only the I-th of N parts of the race; `labmouse store merge` puts their stores together")
+              "Run only the I-th of N parts of the race; `labmouse store merge` joins their stores")
           ->type_name("I/N")
           ->check(Check([](const std::string& text) {
             return shard_of(text) ? "" : fmt::format("{} is no part of a race: write 3/64 for the third of 64", text);
           }));
+  command->group(groups::output);
   command
       ->add_option("--curves", options->curves,
                    "Draw the share of finished contests against --noise 0,1,2,3,4, and what ended the others, as SVG")
@@ -313,7 +305,7 @@ void add_race(Command& app, int& exit) {
       "Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
       "         labmouse race --mazes my-mazes/ --baseline today.json\n"
       "         labmouse race --world seconds --robot half --rules thirtieth\n"
-      "         labmouse race --world fallible --noise 0,1,2,3,4 --curves noise.svg");
+      "         labmouse race --world failures --noise 0,1,2,3,4 --curves noise.svg");
   command->callback([options, limit, shard, &exit] {
     if (shard->count() > 0 && options->contests.store_path.empty())
       throw UsageError("error: --shard needs --store, which keeps the part of the race");

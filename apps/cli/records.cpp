@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "command.hpp"
+#include "labmouse/lab/reports/file_kind.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
@@ -15,6 +18,10 @@ Option* add_record_maze(Command& command, std::string& maze) {
 
 std::string load_record_text(const std::string& path) {
   FileContent file = read_file(path, std::size_t{1} << 28U);
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown))
+    throw UsageError(
+        fmt::format("{}: error: this is a folder; name one of its records, FOLDER/MOUSE/MAZE.jsonl", path));
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", path, file.error));
   return std::move(file.content);
 }
@@ -25,7 +32,16 @@ std::unique_ptr<Replay> open_record(const std::string& path, const std::string& 
   OpenedRecord opened = kind_of_record(text).open(text, named ? &*named : nullptr);
   if (opened.lacks_maze)
     throw UsageError(fmt::format("{}: error: the record does not contain its maze; name it with --maze MAZE", path));
-  if (!opened.problems.empty()) throw UsageError(describe(path, opened.problems.front()));
+  if (!opened.problems.empty()) {
+    const FileKind kind = kind_of_file(text);
+    if (kind == FileKind::maze)
+      throw UsageError(fmt::format(
+          "{}: error: this is a maze, not a record; `labmouse run MOUSE MAZE --record FILE` writes a record", path));
+    if (kind == FileKind::results)
+      throw UsageError(
+          fmt::format("{}: error: this is the results of a race, not a record; `labmouse report` shows them", path));
+    throw UsageError(describe(path, opened.problems.front()));
+  }
   // What a record says is foreign: it may hold anything.
   if (!opened.disagreement.empty())
     tell(shown(fmt::format("{}: error: the record does not match its maze: {}", path, opened.disagreement)) + "\n");

@@ -8,6 +8,7 @@
 #include "guests.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "labmouse/strategies/roster.hpp"
 #include "replay.hpp"
 #include "worlds.hpp"
 
@@ -54,6 +55,9 @@ int run_in(std::shared_ptr<const World> world, const RunOptions& options, const 
 
 int run_contest(const RunOptions& options) {
   expect_outputs({{"--record", options.record}, {"--svg", options.svg}});
+  if (find_mouse(options.maze) != nullptr && maze_named(options.mouse))
+    throw UsageError(fmt::format("error: '{}' is a maze, and the mouse comes first: labmouse run {} {}", options.mouse,
+                                 options.maze, options.mouse));
   std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   const std::shared_ptr<const World> world = options.world.enter_one(mice);
@@ -76,10 +80,12 @@ void add_run(Command& app, int& exit) {
       ->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
   add_places(*command, options->places);
+  command->group(groups::world);
   options->world.add_to(*command);
   command->add_option("--seed", options->seed, "Seed of a stochastic mouse or world")
       ->check(seed_number())
       ->capture_default_str();
+  command->group(groups::output);
   add_explain(*command, options->explain);
   add_watch(*command, options->watch, options->delay);
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");

@@ -197,7 +197,7 @@ ExitCode forget_some(const StoreOptions& options) {
 
 void add_store(Command& app, int& exit) {
   auto options = std::make_shared<StoreOptions>();
-  Command* command = app.add_subcommand("store", "Look into a store of contests, merge stores, verify or forget");
+  Command* command = app.add_subcommand("store", "List, merge, verify and clean up stores of contests");
   command->require_subcommand();
   Command* list_command = add(*command, *options, "list", "Print a line for each mouse of the store");
   list_command->footer("Example: labmouse store list results.db --world seconds");
@@ -225,13 +225,13 @@ void add_store(Command& app, int& exit) {
   Command* merge_command =
       command->add_subcommand("merge", "Put the contests of several stores together, or say where they disagree");
   merge_command->add_option("files", options->parts, "The stores")->required()->type_name("FILE")->expected(1, 1 << 20);
-  merge_command->add_option("-o,--output", options->target, "The store to add them to; made where there is none")
+  merge_command->add_option("-o,--out,--output", options->target, "The store to add them to; made where there is none")
       ->required()
       ->type_name("FILE");
   merge_command->footer("Example: labmouse store merge part-*.db -o all.db");
   merge_command->callback([options, &exit] { exit = merge(*options); });
   Command* verify_command =
-      add(*command, *options, "verify", "Check the file, and hold a random share of its contests again");
+      add(*command, *options, "verify", "Check the file and re-run a random sample of its contests");
   verify_command->add_option("--share", options->verification.share, "The share, from 0 to 1")
       ->check(finite_number())
       ->check(in_range(0.0, 1.0))
@@ -248,7 +248,7 @@ void add_store(Command& app, int& exit) {
   add_guest_options(*verify_command, options->verification.guests);
   verify_command->footer("Example: labmouse store verify results.db --share 0.1");
   verify_command->callback([options, &exit] { exit = verify(*options); });
-  Command* forget_command = add(*command, *options, "forget", "Remove contests");
+  Command* forget_command = add(*command, *options, "forget", "Delete contests");
   forget_command->footer("Example: labmouse store forget results.db --mouse flood");
   forget_command->callback([options, &exit] { exit = forget_some(*options); });
   command->footer(

@@ -58,6 +58,7 @@ int study(const StudyOptions& options) {
 void add_study(Command& app, int& exit) {
   auto options = std::make_shared<StudyOptions>();
   Command* command = app.add_subcommand("study", "Compare mice in pairs on mazes they have not learned from");
+  command->group(groups::mice);
   command
       ->add_option("--mice", options->mice,
                    "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, "
@@ -68,15 +69,20 @@ void add_study(Command& app, int& exit) {
   add_lineups(*command, options->lineups);
   add_contests(*command, options->contests);
   add_racing_guests(*command, options->guests);
+  command->group("Study");
   command->add_option("--folds", options->folds, "Number of parts to divide the mazes into; each is held out once")
       ->check(in_range(2, 1'000'000))
       ->capture_default_str();
   command->add_flag("--no-learning", options->no_learning,
                     "Do not teach mice that learn; race them with what they already know");
+  command->group(groups::output);
   command->add_option("--csv", options->csv, "Save the scores as CSV, one line per maze")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a picture of the differences and scores")->type_name("FILE");
-  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
+  command->add_option("--format", options->format, "What is printed")
+      ->check(one_of({"table", "json"}))
+      ->capture_default_str();
   command->footer("Example: labmouse study --mice flood,certify --mazes my-mazes/ --folds 5 --svg study.svg");
+  command->refer({groups::mazes, groups::world, groups::contests, groups::programs}, "labmouse race");
   command->callback([options, &exit] { exit = study(*options); });
 }
 

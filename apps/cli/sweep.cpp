@@ -65,9 +65,11 @@ void add_sweep(Command& app, int& exit) {
       ->type_name("NAME=LOW:HIGH:STEP|NAME=VALUE,VALUE,...");
   add_contests(*command, options->contests);
   add_racing_guests(*command, options->guests);
+  command->group(groups::output);
   command->add_option("--csv", options->csv, "Save the numbers as CSV, one line per value")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a plot of the mean score against the value")->type_name("FILE");
   command->footer("Example: labmouse sweep flood --vary stride=1:3:1 --mazes my-mazes/ --svg strides.svg");
+  command->refer({groups::mazes, groups::world, groups::contests, groups::programs}, "labmouse race");
   command->callback([options, &exit] { exit = sweep(*options); });
 }
 

@@ -109,12 +109,14 @@ void add_tune(Command& app, int& exit) {
       ->check(one_of({"score", "ratio"}))
       ->capture_default_str();
   add_contests(*command, options->contests);
+  command->group(groups::output);
   command->add_option("--log", options->log, "Save every evaluation as CSV, updated after each generation")
       ->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a plot of the generations")->type_name("FILE");
   command->footer(
       "Example: labmouse tune visit-counter --params random_share,coverage=0.2:0.9 --mazes my-mazes/ "
       "--evaluations 200 --log tune.csv");
+  command->refer({groups::mazes, groups::world, groups::contests}, "labmouse race");
   command->callback([options, &exit] { exit = tune(*options); });
 }
 

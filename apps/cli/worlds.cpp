@@ -8,17 +8,21 @@
 
 #include "command.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse::cli {
 namespace {
 
-std::vector<std::string> world_names() {
-  std::vector<std::string> names;
-  for (const WorldEntry* entry : all_worlds()) names.emplace_back(entry->name);
-  return names;
+std::string why_no_world(const std::string& name) {
+  if (find_world(name) != nullptr) return "";
+  std::vector<std::string_view> names;
+  for (const WorldEntry* entry : all_worlds()) names.push_back(entry->name);
+  const auto near = nearest_name(name, names);
+  return fmt::format("'{}' is none of the worlds {}{}", name, fmt::join(names, ", "),
+                     near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 
-/// What worlds have where nobody says: "20" where all have the same, else "20 in strides, seconds; 3 in physical".
+/// What worlds have where nobody says: "20" where all have the same, else "20 in steps, seconds; 3 in physical".
 std::string by_world(const std::vector<std::pair<std::string, std::string_view>>& values) {
   std::vector<std::pair<std::string, std::vector<std::string_view>>> worlds_of;
   for (const auto& [value, world] : values) {
@@ -65,9 +69,9 @@ std::vector<Entry> taken(EntriesResult result) {
 
 void WorldChoice::add_to(Command& command) {
   command_ = &command;
-  std::string worlds = "World in which to hold the contests; default: the one that suits the mice";
+  std::string worlds = "World in which to run the contests; default: the one that suits the mice";
   for (const WorldEntry* entry : all_worlds()) worlds += fmt::format("\n{}: {}", entry->name, entry->summary);
-  command.add_option("--world", world_, worlds)->check(one_of(world_names()));
+  command.add_option("--world", world_, worlds)->type_name("WORLD")->check(Check(why_no_world));
   for (const auto& [setting, entry] : all_settings()) {
     const std::string name(setting->name), option = "--" + name, meaning(setting->meaning);
     switch (setting->kind) {

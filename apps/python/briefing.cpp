@@ -77,7 +77,7 @@ void bind_briefings(nb::module_& module) {
       .def_prop_ro(
           "goals", [](const PythonBriefing& told) { return goals_of(told.briefing); }, "The goal cells.")
       .def_prop_ro(
-          "world", [](const PythonBriefing& told) { return told.briefing.in_seconds() ? "seconds" : "strides"; },
+          "world", [](const PythonBriefing& told) { return told.briefing.in_seconds() ? "seconds" : "steps"; },
           "'strides' or 'seconds', which is also what a mouse of the physical world is told.")
       .def_prop_ro(
           "stride",
@@ -113,7 +113,7 @@ void bind_briefings(nb::module_& module) {
         const Briefing& briefing = told.briefing;
         return fmt::format("<labmouse.Briefing {}x{} from ({}, {}) {}, in {}>", briefing.size.width,
                            briefing.size.height, briefing.start.cell.x, briefing.start.cell.y,
-                           name_of(briefing.start.heading), briefing.in_seconds() ? "seconds" : "strides");
+                           name_of(briefing.start.heading), briefing.in_seconds() ? "seconds" : "steps");
       });
 }
 

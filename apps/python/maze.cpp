@@ -229,7 +229,7 @@ void bind_mazes(nb::module_& module) {
       .def(
           "__init__", [](NamedMaze* self, nb::handle path) { new (self) NamedMaze(load(path_in(path))); }, "path"_a,
           nb::sig("def __init__(self, path: str | os.PathLike[str]) -> None"),
-          "Reads a maze file of any format (docs/formats.md), or takes a built-in maze by its name.\n\n"
+          "Reads a maze file of any format (docs/reference/maze-files.md), or takes a built-in maze by its name.\n\n"
           "Raises Error with file, line, column and reason where there is none.")
       .def_static("parse", &parse, "text"_a, "name"_a = "maze",
                   nb::sig("def parse(text: str, name: str = 'maze') -> Maze"),

@@ -1,4 +1,4 @@
-"""How well the learned mouse does beside built-in ones: the table of docs/learning.md.
+"""How well the learned mouse does beside built-in ones: the table of docs/how-to/train-with-gymnasium.md.
 
     build/bench-learning/bin/python bench/learning/mice.py
 

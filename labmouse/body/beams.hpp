@@ -4,7 +4,7 @@
 // that line; what of that lies on walls and posts comes back, the rest goes on to the next line.
 //
 // Source of the law and its numbers: reflector and wall logs of a half-size mouse (kerikun11/micromouse-kerise-v4),
-// docs/physical.md.
+// docs/explanation/physical-model.md.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@ namespace labmouse {
 namespace {
 
 // A touch is a graze below these; kerikun11's mice go on after such touches, and end a run at others
-// (docs/physical.md).
+// (docs/explanation/physical-model.md).
 constexpr double graze_sine = 0.25881904510252076;   // of 15 degrees
 constexpr double graze_speed = 50.0;                 // mm/s towards the wall
 constexpr double graze_turn = 0.017453292519943295;  // a degree

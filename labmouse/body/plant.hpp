@@ -2,7 +2,8 @@
 //
 // Method: each of driving on and turning is a motor of the first order with a dead zone. Tyres hold the body sideways
 // by a force that grows with the slip angle, up to a friction circle that speeding up and braking share. What shakes
-// the body is a resonance that noise drives. docs/physical.md has the equations, and where each number comes from.
+// the body is a resonance that noise drives. docs/explanation/physical-model.md has the equations, and where each
+// number comes from.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The rules of a contest in seconds. docs/rules-in-seconds.md has them in words; rules/*.toml are those that come with
-// labmouse.
+// The rules of a contest in seconds. docs/reference/worlds-and-rules.md has them in words; rules/*.toml are those that
+// come with labmouse.
 #pragma once
 
 #include <cstdint>

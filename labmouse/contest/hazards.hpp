@@ -1,5 +1,5 @@
 // How likely what goes wrong: at a manoeuvre, at a reading, by how far astray a mouse is and how unlucky its draws are.
-// labmouse/lab/hazards counts them in the physical world; the fallible world throws dice by them.
+// labmouse/lab/hazards counts them in the physical world; the failure model throws dice by them.
 #pragma once
 
 #include <array>

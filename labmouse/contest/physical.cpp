@@ -1,7 +1,7 @@
 #include "labmouse/contest/physical.hpp"
 
 #include "labmouse/contest/drive_contest.hpp"
-#include "labmouse/contest/fallible_drive.hpp"
+#include "labmouse/contest/failure_drive.hpp"
 #include "labmouse/contest/physical_drive.hpp"
 
 namespace labmouse {
@@ -25,12 +25,12 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
   return record;
 }
 
-PhysicalRecord drive_fallibly(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                              const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
-                              Strategy& mouse) {
+PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+                                   const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
+                                   Strategy& mouse) {
   PhysicalRecord record;
   const PhysicalConditions held = conditions_for(mouse, conditions);
-  FallibleDriver driver(maze, model, held, hazards, seed, rules.time_limit, record);
+  FailureDriver driver(maze, model, held, hazards, seed, rules.time_limit, record);
   run_contest(maze, rules, model, mouse, driver, record);
   return record;
 }

@@ -1,5 +1,5 @@
 // One contest of a mouse that may err: in the physical world, in which a pilot drives and a body slips, misreads and
-// crashes; or in the fallible world, by dice. The protocol is that of contest/drive_contest.
+// crashes; or in the failure model, by dice. The protocol is that of contest/drive_contest.
 //
 // A strategy sees corridors of one cell, made of what the pilot's evidence is rather for. By the map of the conditions
 // the first reading of a wall stays for ever, as in most mice, and what speaks against it later is counted; or readings
@@ -21,7 +21,7 @@ namespace labmouse {
 struct Hazards;
 
 /// Raised where the same contest comes to another end: records of other editions can be shown, but not driven again.
-inline constexpr int physical_edition = 2, fallible_edition = 1;
+inline constexpr int physical_edition = 2, failures_edition = 1;
 
 /// Runs the contest, in a maze up to 32×32, with a robot that has limits and hardware. The strategy must be new and
 /// briefed as by brief(), with a sight of one cell. All chance comes from the seed. Parts of the pilot that are
@@ -31,13 +31,13 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
                                 const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse,
                                 const PilotParts& parts = {});
 
-/// The same in the fallible world, and fast: the mouse strays, misreads walls and crashes by dice whose chances were
+/// The same in the failure model, and fast: the mouse strays, misreads walls and crashes by dice whose chances were
 /// counted in the physical world, with the draws that the seed has there. How far astray it is goes on from manoeuvre
 /// to manoeuvre, and how unlucky its draws are is the same all through a contest: a bad mouse fails again. Of the
 /// conditions it takes noise, pace, map and handling.
-PhysicalRecord drive_fallibly(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                              const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
-                              Strategy& mouse);
+PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+                                   const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
+                                   Strategy& mouse);
 
 /// Whether the robot can drive there: why not, in a sentence about it; empty where it can.
 std::string why_not_physical(const DriveModel& model);

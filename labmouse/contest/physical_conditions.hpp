@@ -10,8 +10,8 @@ namespace labmouse {
 
 /// How far contests are apart: the factor of what each of them draws of the mouse itself. Nobody has measured it; it
 /// was chosen so that at noise 2 as many contests come to a score as in the field, 60 to 75 %, by `race --world
-/// physical --mice flood-return --noise 2 --spread FACTOR --runs 4` over 260 mazes: docs/physical.md, "How hard is
-/// real?".
+/// physical --mice flood-return --noise 2 --spread FACTOR --runs 4` over 260 mazes: docs/explanation/physical-model.md,
+/// "How hard is real?".
 inline constexpr double field_spread = 4.25;
 
 struct PhysicalConditions {

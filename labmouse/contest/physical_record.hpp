@@ -82,7 +82,7 @@ struct PhysicalNotes {
   std::vector<Action> actions;    ///< all decisions of the mind, in order
   std::vector<PilotTick> tape;    ///< in place of these, what a program of somebody else's said, tick by tick
   bool foreign_parts = false;     ///< whether parts of the pilot were somebody else's
-  bool by_dice = false;           ///< whether it was held in the fallible world
+  bool by_dice = false;           ///< whether it was held in the failure model
   int carried = 0;                ///< how often a hand took it to the start
   int misreads = 0;               ///< walls that it took for what they are not
   int contradictions = 0;         ///< readings against what it had taken a wall for

@@ -1,4 +1,4 @@
-// The numbers of the capstone world. docs/rules.md has the rules in words.
+// The numbers of the capstone world. docs/reference/worlds-and-rules.md has the rules in words.
 #pragma once
 
 namespace labmouse {

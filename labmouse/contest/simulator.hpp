@@ -1,4 +1,5 @@
-// One contest: a mouse, a maze and the rules of the capstone world. docs/rules.md has them in words.
+// One contest: a mouse, a maze and the rules of the capstone world. docs/reference/worlds-and-rules.md has them in
+// words.
 #pragma once
 
 #include "labmouse/contest/contest.hpp"

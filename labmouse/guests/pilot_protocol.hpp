@@ -1,4 +1,4 @@
-// The lines between us and a guest that drives a mouse itself. docs/pilots.md has them in words.
+// The lines between us and a guest that drives a mouse itself. docs/reference/protocols.md has them in words.
 #pragma once
 
 #include <cstddef>

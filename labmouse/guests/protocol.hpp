@@ -1,4 +1,4 @@
-// The lines between us and a guest of the capstone world. docs/guest-protocol.md has them in words.
+// The lines between us and a guest of the capstone world. docs/reference/protocols.md has them in words.
 #pragma once
 
 #include <optional>

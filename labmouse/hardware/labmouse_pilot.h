@@ -1,7 +1,7 @@
 /* A pilot for labmouse in C: the whole program of a mouse, from what its sensors read to what its motors do.
  *
  * Define `const struct labmouse_pilot labmouse_pilot`. Where LABMOUSE_PILOT_MAIN is defined, this has a main() for it,
- * which speaks labmouse's protocol over standard input and output; so it races. docs/pilots.md shows how.
+ * which speaks labmouse's protocol over standard input and output; so it races. docs/reference/protocols.md shows how.
  *
  * C99 and C++, with the standard library alone. Lengths are in mm, angles in rad to the left, x counts eastwards and y
  * northwards from the south-western corner of the maze.
@@ -51,7 +51,7 @@ struct labmouse_drive {
   int32_t left, right, word;
 };
 
-/* What the robot is built of, as in its file (docs/robots.md): body.front, in mm, is body_front. */
+/* What the robot is built of, as in its file (docs/reference/files.md): body.front, in mm, is body_front. */
 #define LABMOUSE_ROBOT_NUMBERS(number)                                                                                \
   number(body, front) number(body, back) number(body, half_width) number(body, half_track)                            \
   number(body, slip_stiffness) number(body, grip) number(motors, drive_gain) number(motors, drive_time)               \

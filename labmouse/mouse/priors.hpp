@@ -7,9 +7,9 @@
 
 namespace labmouse {
 
-/// Of real contest mazes of 16×16 cells; contest.prior says how many, docs/priors.md which.
+/// Of real contest mazes of 16×16 cells; contest.prior says how many, docs/research/priors.md which.
 extern const WallPrior contest_prior;
-/// Of mazes without loops, as `labmouse make depth-first` makes them; docs/priors.md says which.
+/// Of mazes without loops, as `labmouse make depth-first` makes them; docs/research/priors.md says which.
 extern const WallPrior loop_free_prior;
 
 /// The default prior for a maze of that size, or null: in mazes smaller than half of those that it was counted in, the

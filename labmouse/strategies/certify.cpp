@@ -61,7 +61,7 @@ constinit const RosterEntry certify_mouse = {
         "would run out before the proof, it resets while it still can. In seconds it does the same with search times: "
         "it looks at the nearest unknown wall of one fastest optimistic route, until that route is fully known.",
     .source =
-        "Contest mice explore like this before they attempt the fast run; as a walk that replans on optimistic costs, "
+        "Contest mice explore like this before the speed run; as a walk that replans on optimistic costs, "
         "it is related to D* Lite (Koenig and Likhachev 2002).",
     .make = make_certify,
     .drives = true,

@@ -22,13 +22,14 @@ constexpr Parameter number_with_errors(std::string_view name, std::string_view v
 }
 
 constexpr std::array festina_parameters = {
-    Parameter::choice("mind", "by-rules", "by-rules/ariadne/certify/flood-return", "who explores",
+    Parameter::choice("mind", "by-rules", "by-rules/ariadne/certify/flood-return", "the strategy that explores",
                       ParameterScope::seconds),
-    number_with_errors("search", "1", 0.2, 1.0, "pace of the first search"),
-    number_with_errors("slower", "0.8", 0.3, 1.0, "factor of the pace of searches after a crash in one"),
-    number_with_errors("run", "0", 0.0, 1.0, "pace of the first fast run; 0: as the rules ask for"),
-    number_with_errors("step", "0.85", 0.3, 0.95, "factor of the pace of fast runs after a crash in one"),
-    Parameter::flag("safe", "yes", "whether it drives a run as a search where no fast one ended well",
+    number_with_errors("search", "1", 0.2, 1.0, "speed of the first search run, as a share of the usual speed"),
+    number_with_errors("slower", "0.8", 0.3, 1.0, "factor on the speed of search runs after a crash in one"),
+    number_with_errors("run", "0", 0.0, 1.0,
+                       "speed of the first speed run, as a share of the usual speed; 0: by the rules"),
+    number_with_errors("step", "0.85", 0.3, 0.95, "factor on the speed of speed runs after a crash in one"),
+    Parameter::flag("safe", "yes", "whether it makes a safe run at search speed if no speed run finished",
                     ParameterScope::errors),
     Parameter::choice("map", "belief", "belief/learned", "how contradicting readings are handled",
                       ParameterScope::errors),
@@ -195,19 +196,22 @@ std::unique_ptr<Strategy> make_festina(const Briefing& briefing, const Settings&
 
 constinit const RosterEntry festina_mouse = {
     .name = "festina",
-    .summary = "doubts its map, searches more slowly after crashes, and runs faster from try to try",
+    .summary = "a log-odds map, slower search runs after crashes, faster speed runs from try to try",
     .method =
-        "Where a mind decides, another one explores for it: ariadne where the time in the maze counts, certify where "
-        "it does not. What festina decides is what its map does with readings against it, and the pace. Its map "
-        "doubts: readings are weighed against each other, and where no way is left the mouse looks again. It searches "
-        "at its usual pace, and after each crash in a search more slowly: a mouse whose tyres slid slides in the next "
-        "run, too. Fast runs begin at 0.75 of the usual pace where a mouse that was never touched has a bonus, at 0.9 "
-        "where runs are few, and else at the usual one; after a crash the next is slower by a factor, and after one "
-        "that came to its end below the usual pace the next is faster; once there are both, the next is in the middle "
-        "between them, as long as that is more than a twentieth faster than what went well, or the last one crashed. "
-        "Where none came to its end, the last run that the rules allow is a safe one, or else the one after the third "
-        "crash: to the goal by the moves of a search, over walls that it knows. In worlds where nothing goes wrong "
-        "all paces are the same, and it is the mind that explores for it.",
+        "The parameter `mind` chooses the strategy that explores: ariadne where the time in the maze counts, certify "
+        "where "
+        "it does not. festina itself decides two things, the map and the pace. A log-odds map weighs contradicting "
+        "readings; if no route is left, the mouse looks again. The search run begins at the usual pace and becomes "
+        "slower "
+        "after each crash in a search run, because a mouse whose tyres slipped slips again. Speed runs begin at 0.75 "
+        "of "
+        "the usual pace if the rules give a bonus to an untouched mouse, at 0.9 if runs are few, and otherwise at the "
+        "usual pace. After a crash, the next speed run is slower by a factor. After a slow run that finished, the next "
+        "one is faster. Once there are both, the next run takes the middle of the two, as long as that is more than a "
+        "twentieth faster than the last success. If no speed run finished, the last run that the rules allow, or the "
+        "one after the third crash, is a safe run: it uses the moves of a search run over known walls. In worlds "
+        "without "
+        "failures all paces are equal, and only the exploring strategy matters.",
     .source = "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.",
     .parameters = festina_parameters,
     .make = make_festina,

@@ -43,9 +43,10 @@ constinit const RosterEntry manhattan_mouse = {
     .name = "manhattan",
     .summary = "goes to the unvisited cell that looks nearest to the goal",
     .method =
-        "Goes by the shortest route to the cell, among those seen but not visited, with the smallest Manhattan "
-        "distance to a point (by a slip of sign not the middle of the goal but one cell south-west of it), and "
-        "chooses again. When it enters the goal, it resets and takes the shortest route that it has seen.",
+        "Of the cells that it has seen but not visited, it goes to the one with the smallest Manhattan distance to a "
+        "point, by the shortest route, and chooses again. By an error of sign in the original, the point lies one cell "
+        "south-west of the middle of the goal. When it enters the goal, it resets and takes the shortest route that it "
+        "has seen.",
     .source = "ManhattanBot in Edward Kish, section 4.4 (the third report).",
     .parameters = manhattan_parameters,
     .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {

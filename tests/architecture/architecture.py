@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares the tree with the tables of rooms and wings in ARCHITECTURE.md.
+"""Compares the tree with the tables of rooms and wings in docs/contributing/architecture.md.
 
 Usage: architecture.py ROOT
 Prints each violation as FILE:LINE: error: REASON and exits with 1 if there is any.
@@ -28,15 +28,15 @@ NAME_A_WORLD = {
     "labmouse/lab/mice/specs.cpp": "mms: is a kind of mouse, and parameters have worlds in which they count",
     "labmouse/lab/lineups/lineup_file.cpp": "mms is a kind of mouse",
     "labmouse/lab/lineups/lineup_scan.cpp": "mms is a kind of mouse",
+    "labmouse/lab/races/earlier_results.hpp": "reads what earlier versions wrote",
     "labmouse/lab/page/about.cpp": "has an example",
-    "labmouse/lab/page/race.cpp": "holds contests in steps whose mice tell their reasons",
     "labmouse/lab/page/guest_calls.cpp": "asks programs for steps",
     "apps/python/briefing.cpp": "tells a mouse what it decides in",
     "apps/python/labmouse/learn/mouse.py": "learns in steps alone",
 }
-NAMES = "strides|seconds|physical|fallible|mms"
+NAMES = "steps|strides|seconds|physical|failures|mms"
 TEXT = re.compile(r"\"((?:[^\"\\]|\\.)*)\"|'((?:[^'\\]|\\.)*)'")
-WORLD_NAME = re.compile(rf"^(strides|physical|fallible|mms)$|\b({NAMES}) world\b|\bworld (?:in |of )?({NAMES})\b")
+WORLD_NAME = re.compile(rf"^(strides|physical|failures|mms)$|\b({NAMES}) world\b|\bworld (?:in |of )?({NAMES})\b")
 EXAMPLE = re.compile(r"\blabmouse [a-z]+ ")
 # A variable that outlives its function: one that the compiler has not fixed is state that minds could share, and often
 # takes memory when it is first met. A function has a parenthesis before any of `=;{`, and no values in it.
@@ -103,7 +103,7 @@ def include_violations(root, rooms):
         parts = path.relative_to(root).parts
         room = "apps" if parts[0] == "apps" else parts[1]
         if room not in rooms:
-            yield path, 1, f"{room} is no room of ARCHITECTURE.md"
+            yield path, 1, f"{room} is no room of docs/contributing/architecture.md"
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             if match := INCLUDE.match(line):
@@ -138,7 +138,7 @@ def wing_violations(root, wings):
         if wing.split("/")[0] not in rooms or (wing not in wings and wing == "mouse"):
             continue
         if wing not in wings:
-            yield path, 1, f"{wing} is no wing of ARCHITECTURE.md"
+            yield path, 1, f"{wing} is no wing of docs/contributing/architecture.md"
             continue
         files[wing] += 1
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
@@ -149,7 +149,7 @@ def wing_violations(root, wings):
             used[wing].add(other)
             if other not in wings[wing]:
                 yield path, number, f"{wing} must not include {other}: {match[2]}"
-    page = root / "ARCHITECTURE.md"
+    page = root / "docs/contributing/architecture.md"
     for wing, allowed in wings.items():
         if unused := sorted(allowed - used[wing]):
             yield page, 1, f"{wing} does not include {', '.join(unused)}, though the table says so"
@@ -272,12 +272,12 @@ def link_violations(root, rooms):
             name, linked = match[1], set(match[2].split())
             if linked != rooms.get(name):
                 wanted = " ".join(sorted(rooms[name])) if name in rooms else "no such room"
-                yield path, number, f"{name} links {' '.join(sorted(linked))}, but ARCHITECTURE.md says: {wanted}"
+                yield path, number, f"{name} links {' '.join(sorted(linked))}, but docs/contributing/architecture.md says: {wanted}"
 
 
 def public_header_violations(root):
-    """docs/library.md describes the headers of cmake/LabmousePublicHeaders.cmake and no others, and all are there."""
-    listing, page = root / "cmake/LabmousePublicHeaders.cmake", root / "docs/library.md"
+    """docs/how-to/use-the-library.md describes the headers of cmake/LabmousePublicHeaders.cmake and no others, and all are there."""
+    listing, page = root / "cmake/LabmousePublicHeaders.cmake", root / "docs/how-to/use-the-library.md"
     if not listing.exists():
         return
     public = re.search(r"set\(LABMOUSE_PUBLIC_HEADERS\s+([^)]*)\)", listing.read_text(encoding="utf-8"))[1].split()
@@ -307,7 +307,7 @@ def roster_violations(root):
 def violations(root):
     """All violations as lines of text."""
     root = Path(root)
-    page = (root / "ARCHITECTURE.md").read_text(encoding="utf-8")
+    page = (root / "docs/contributing/architecture.md").read_text(encoding="utf-8")
     rooms, wings = rooms_of(page), wings_of(page)
     found = [*include_violations(root, rooms), *wing_violations(root, wings), *world_violations(root),
              *cycle_violations(root), *static_violations(root), *system_violations(root), *number_violations(root), *link_violations(root, rooms),

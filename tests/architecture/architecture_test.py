@@ -1,4 +1,4 @@
-"""The tree keeps to ARCHITECTURE.md, and small trees that do not are found out."""
+"""The tree keeps to docs/contributing/architecture.md, and small trees that do not are found out."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -29,7 +29,7 @@ WINGS = """
 def violations_of(files, page=PAGE):
     """What is found in a tree of these files, {path: text}."""
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in {"ARCHITECTURE.md": page, "CMakeLists.txt": "", **files}.items():
+        for name, text in {"docs/contributing/architecture.md": page, "CMakeLists.txt": "", **files}.items():
             path = Path(folder) / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
@@ -42,7 +42,7 @@ class Architecture(unittest.TestCase):
 
     def test_the_page_lists_every_room_and_no_other(self):
         folders = {path.name for path in (ROOT / "labmouse").iterdir() if path.is_dir()}
-        self.assertEqual(set(rooms_of((ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8"))), folders | {"apps"})
+        self.assertEqual(set(rooms_of((ROOT / "docs/contributing/architecture.md").read_text(encoding="utf-8"))), folders | {"apps"})
 
     def test_what_the_table_allows_is_no_violation(self):
         self.assertEqual(violations_of({
@@ -64,7 +64,7 @@ class Architecture(unittest.TestCase):
 
     def test_a_room_that_the_page_does_not_know(self):
         self.assertEqual(violations_of({"labmouse/attic/box.hpp": ""}),
-                         ["labmouse/attic/box.hpp:1: error: attic is no room of ARCHITECTURE.md"])
+                         ["labmouse/attic/box.hpp:1: error: attic is no room of docs/contributing/architecture.md"])
 
     def test_an_include_that_hides_its_room(self):
         self.assertEqual(violations_of({"labmouse/mouse/route.cpp": '#include "../maze/maze.hpp"\n'}),
@@ -81,7 +81,7 @@ class Architecture(unittest.TestCase):
 
     def test_a_link_that_the_page_does_not_allow(self):
         self.assertEqual(violations_of({"CMakeLists.txt": "labmouse_room(mouse grid maze)\n"}),
-                         ["CMakeLists.txt:1: error: mouse links grid maze, but ARCHITECTURE.md says: grid"])
+                         ["CMakeLists.txt:1: error: mouse links grid maze, but docs/contributing/architecture.md says: grid"])
 
     def test_a_mind_that_is_not_on_the_roster(self):
         self.assertEqual(violations_of({
@@ -105,34 +105,34 @@ class Architecture(unittest.TestCase):
                                  "labmouse/lab/races/race.hpp"])
 
     def test_a_file_outside_of_all_wings(self):
-        self.assertIn("labmouse/lab/odd.hpp:1: error: lab is no wing of ARCHITECTURE.md",
+        self.assertIn("labmouse/lab/odd.hpp:1: error: lab is no wing of docs/contributing/architecture.md",
                       violations_of({"labmouse/lab/odd.hpp": ""}, PAGE + WINGS))
 
     def test_a_table_of_wings_that_is_wider_than_it_has_to_be(self):
         found = violations_of({"labmouse/lab/text/words.hpp": "", "labmouse/lab/races/race.hpp": ""}, PAGE + WINGS)
-        self.assertEqual(found, ["ARCHITECTURE.md:1: error: lab/races does not include lab/text, though the table says so"])
+        self.assertEqual(found, ["docs/contributing/architecture.md:1: error: lab/races does not include lab/text, though the table says so"])
 
     def test_a_wing_that_has_become_a_room_of_its_own(self):
         files = {f"labmouse/lab/text/words{number}.hpp": "" for number in range(41)}
         files["labmouse/lab/races/race.hpp"] = '#include "labmouse/lab/text/words1.hpp"\n'
         self.assertEqual(violations_of(files, PAGE + WINGS),
-                         ["ARCHITECTURE.md:1: error: lab/text has 41 files; 40 are the most"])
+                         ["docs/contributing/architecture.md:1: error: lab/text has 41 files; 40 are the most"])
 
     def test_what_serves_all_worlds_and_names_one(self):
         self.assertEqual(violations_of({
             "labmouse/lab/races/race.cpp": 'if (world.name() == "mms") return;\n',
-            "labmouse/lab/store/store.cpp": 'if (world.name() == "fallible") return;\n',
-            "labmouse/lab/page/race.cpp": 'if (world.name() == "fallible") return;\n',
+            "labmouse/lab/store/store.cpp": 'if (world.name() == "failures") return;\n',
+            "labmouse/lab/page/about.cpp": 'if (world.name() == "failures") return;\n',
             "labmouse/lab/page/open.cpp": 'return "only in the physical world";\n',
             "apps/cli/race.cpp": '#include "labmouse/lab/drive/seconds_world.hpp"\n',
             "apps/cli/sweep.cpp": 'fail("name the world mms");\n',
             "apps/python/race.cpp": 'held("waited for some seconds", "world seconds");\n',
             "labmouse/lab/worlds/list.cpp": '#include "labmouse/lab/steps/steps_entry.hpp"\n',
             "apps/cli/robot.cpp": '#include "labmouse/lab/steps/steps_world.hpp"\n',
-            "apps/cli/tune.cpp": 'footer("Example: labmouse tune festina --world fallible");  // the fallible world\n',
+            "apps/cli/tune.cpp": 'footer("Example: labmouse tune festina --world failures");  // the failure model\n',
         }), ["labmouse/lab/page/open.cpp:1: error: what serves all worlds must not name that of physical",
              "labmouse/lab/races/race.cpp:1: error: what serves all worlds must not name that of mms",
-             "labmouse/lab/store/store.cpp:1: error: what serves all worlds must not name that of fallible",
+             "labmouse/lab/store/store.cpp:1: error: what serves all worlds must not name that of failures",
              "apps/cli/race.cpp:1: error: what serves all worlds must not include "
              "labmouse/lab/drive/seconds_world.hpp",
              "apps/cli/sweep.cpp:1: error: what serves all worlds must not name that of mms",
@@ -212,12 +212,12 @@ class Architecture(unittest.TestCase):
             "cmake/LabmousePublicHeaders.cmake": "set(LABMOUSE_PUBLIC_HEADERS\n  labmouse/grid/cell.hpp\n"
                                                  "  labmouse/grid/wall.hpp\n)\n",
             "labmouse/grid/cell.hpp": "",
-            "docs/library.md": "| `labmouse/grid/cell.hpp` | cells |\n| `labmouse/grid/size.hpp` | sizes |\n",
+            "docs/how-to/use-the-library.md": "| `labmouse/grid/cell.hpp` | cells |\n| `labmouse/grid/size.hpp` | sizes |\n",
         })
         self.assertEqual(found, [
             "cmake/LabmousePublicHeaders.cmake:1: error: labmouse/grid/wall.hpp is not there",
-            "docs/library.md:1: error: labmouse/grid/wall.hpp is public, and not described",
-            "docs/library.md:1: error: labmouse/grid/size.hpp is described, and not public"])
+            "docs/how-to/use-the-library.md:1: error: labmouse/grid/wall.hpp is public, and not described",
+            "docs/how-to/use-the-library.md:1: error: labmouse/grid/size.hpp is described, and not public"])
 
     def test_a_table_out_of_order(self):
         with self.assertRaisesRegex(ValueError, "room grid may include maze, which the table does not list above it"):

@@ -25,10 +25,10 @@ class ARobotsOwner : public AUser {
 
 TEST_F(ARobotsOwner, RacesItBesideABuiltinMouse) {
   const auto race = AUser::race({"--mice", "flood,capstone:robot.py", "--mazes", "corridor.txt"});
-  ASSERT_EQ(race.at("mice").size(), 2U);
-  for (const auto& mouse : race.at("mice")) EXPECT_EQ(mouse.at("solved"), 1) << mouse;
-  EXPECT_EQ(race.at("mice").at(0).at("results").at(0).at("score"),
-            race.at("mice").at(1).at("results").at(0).at("score"));
+  ASSERT_EQ(race.at("groups").at(0).at("mice").size(), 2U);
+  for (const auto& mouse : race.at("groups").at(0).at("mice")) EXPECT_EQ(mouse.at("solved"), 1) << mouse;
+  EXPECT_EQ(race.at("groups").at(0).at("mice").at(0).at("results").at(0).at("score"),
+            race.at("groups").at(0).at("mice").at(1).at("results").at(0).at("score"));
 }
 
 TEST_F(ARobotsOwner, GoesOnWhereOneDies) {
@@ -36,8 +36,8 @@ TEST_F(ARobotsOwner, GoesOnWhereOneDies) {
                                 "corridor.txt", "--format", "json"});
   EXPECT_EQ(ended.code, 1);  // one of them never started
   const auto race = nlohmann::json::parse(ended.out);
-  EXPECT_EQ(race.at("mice").at(0).at("name"), "capstone:robot.py");
-  EXPECT_EQ(race.at("mice").at(1).at("results").at(0).at("outcome"), "forfeit: died");
+  EXPECT_EQ(race.at("groups").at(0).at("mice").at(0).at("name"), "capstone:robot.py");
+  EXPECT_EQ(race.at("groups").at(0).at("mice").at(1).at("results").at(0).at("outcome"), "forfeit: died");
 }
 
 TEST_F(ARobotsOwner, GetsTheRecordOfTheBuiltinMouseThatItsRobotDoesAsWell) {

@@ -25,7 +25,7 @@ using ::testing::Not;
 
 /// A race's JSON without what differs from race to race.
 void leave_times_out(Json& json) {
-  for (Json& mouse : json.at("mice")) {
+  for (Json& mouse : json.at("groups").at(0).at("mice")) {
     mouse.erase("microseconds_per_decision");
     for (Json& result : mouse.at("results")) result.erase("microseconds_per_decision");
   }
@@ -52,10 +52,50 @@ TEST_F(AUser, AsksForTheVersion) {
   EXPECT_EQ(labmouse({"--version"}).code, 0);
 }
 
+TEST_F(AUser, IsShownWhereToStart) {
+  const Ended ended = labmouse({});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_THAT(ended.out, Says("labmouse race", "capstone:", "mms:", "--help"));
+}
+
+TEST_F(AUser, IsToldWhatAFileIsThatIsAnother) {
+  file("corridor.txt", corridor);
+  ASSERT_EQ(labmouse({"run", "flood", "corridor.txt", "--record", "walk.jsonl"}).code, 0);
+  file("race.json", labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--format", "json"}).out);
+  is_refused({"show", "walk.jsonl"}, "walk.jsonl", "record", "--record");
+  for (const char* command : {"replay", "score"}) {
+    is_refused({command, "corridor.txt"}, "corridor.txt", "maze", "labmouse run");
+    is_refused({command, "race.json"}, "race.json", "race", "labmouse report");
+    is_refused({command, "."}, "folder");
+  }
+  is_refused({"run", "corridor.txt", "flood"}, "'corridor.txt'", "maze", "labmouse run flood corridor.txt");
+  is_refused({"convert", "corridor.txt", "out.xyz"}, "out.xyz", "'.xyz'", "--format");
+}
+
+TEST_F(AUser, MayUseFormerNamesOfWorlds) {
+  file("corridor.txt", corridor);
+  for (const auto& [now, before] : {std::pair("steps", "strides"), std::pair("failures", "fallible")}) {
+    const auto race = [&](const char* world) {
+      Json json = Json::parse(labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--runs", "2", "--world",
+                                        world, "--format", "json"})
+                                  .out);
+      leave_times_out(json);
+      return json;
+    };
+    EXPECT_EQ(race(before), race(now));
+    EXPECT_EQ(race(before).at("groups").at(0).at("world"), now);
+  }
+}
+
 TEST_F(AUser, IsToldInOneLineWhatIsWrong) {
-  is_refused({}, "subcommand");
   is_refused({"rase"}, "'rase'", "'race'");
   is_refused({"race", "--mise", "flood"}, "'--mise'", "'--mice'", "labmouse race --help");
+  is_refused({"race", "--mouse", "flood"}, "'--mouse'", "'--mice'");
+  is_refused({"race", "flood"}, "'flood'", "--mice flood");
+  is_refused({"run", "flood"}, "maze", "for example");
+  is_refused({"-v"}, "'-v'", "'--version'");
+  is_refused({"race", "--world", "physics"}, "'physics'", "'physical'");
   is_refused({"race", "--mice", "flod"}, "'flod'", "'flood'");
   is_refused({"race", "--mice", "flood:stride=99"}, "'99'", "'stride'", "'flood'");
   is_refused({"race", "--mazes", "capston-1"}, "capston-1", "'capstone-1'");
@@ -105,7 +145,7 @@ TEST_F(AUser, RacesOnWhereAFolderHoldsABadFile) {
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.err, HasSubstr("mazes/bad.txt"));
   const Json json = Json::parse(ended.out);
-  EXPECT_EQ(json.at("mazes").size(), 1U);
+  EXPECT_EQ(json.at("groups").at(0).at("mazes").size(), 1U);
   EXPECT_EQ(json.at("skipped").at(0).at("path"), "mazes/bad.txt");
 }
 
@@ -148,8 +188,8 @@ TEST_F(AUser, SetsTheBudget) {
     const Ended ended =
         labmouse({"race", "--mice", "wall-left", "--mazes", "island-8", "--budget", budget, "--format", "json"});
     const auto json = nlohmann::json::parse(ended.out);
-    EXPECT_EQ(json["budget"], std::stoi(budget));
-    return json["mice"][0]["results"][0]["exploration_steps"].get<int>();
+    EXPECT_EQ(json["groups"][0]["budget"], std::stoi(budget));
+    return json["groups"][0]["mice"][0]["results"][0]["exploration_steps"].get<int>();
   };
   EXPECT_EQ(steps("7"), 7);
   EXPECT_EQ(steps("1500"), 1500);
@@ -250,7 +290,7 @@ TEST_F(AUser, RacesOnPastLinksThatLeadNowhere) {
   std::filesystem::create_symlink("round.txt", folder_ / "mazes/round.txt");
   for (const char* mazes : {"mazes", "mazes/*"}) {
     const Json json = race({"--mice", "flood", "--mazes", mazes});
-    EXPECT_EQ(json.at("mazes").size(), 1U);
+    EXPECT_EQ(json.at("groups").at(0).at("mazes").size(), 1U);
     EXPECT_EQ(json.at("skipped").size(), 2U);
   }
 }
@@ -315,11 +355,11 @@ TEST_F(AUser, KeepsTheResultsOfARaceWhateverIsPrinted) {
 TEST_F(AUser, SweepsAParameter) {
   file("corridor.txt", corridor);
   const Ended ended = labmouse({"sweep", "random", "--vary", "stride=1:2:1", "--mazes", "corridor.txt", "--runs", "5",
-                                "--csv", "out/strides.csv", "--svg", "out/strides.svg"});
+                                "--csv", "out/results.csv", "--svg", "out/strides.svg"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(ended.err, "");
   EXPECT_THAT(ended.out, Says("interval", "5 runs"));
-  const std::string csv = content("out/strides.csv");
+  const std::string csv = content("out/results.csv");
   EXPECT_THAT(csv, HasSubstr("value,mean,low,high,failures,runs\n1,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
   EXPECT_THAT(content("out/strides.svg"), HasSubstr("<svg"));
@@ -339,16 +379,16 @@ TEST_F(AUser, SeesTheSweepWhoseFilesCannotBeWritten) {
 
 TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {
   file("corridor.txt", corridor);
-  file("strides.csv", "kept");
+  file("results.csv", "kept");
   const test::Program program(folder_, {"sweep", "random", "--vary", "stride=1:8:1", "--mazes", "corridor.txt",
-                                        "--runs", "500000", "--jobs", "1", "--csv", "strides.csv"});
+                                        "--runs", "500000", "--jobs", "1", "--csv", "results.csv"});
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!program.handles_interrupts() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
   program.interrupt();
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130) << ended.err;
   EXPECT_THAT(ended.out, Says("Stopped", "0 of 8 values"));
-  EXPECT_EQ(content("strides.csv"), "kept");
+  EXPECT_EQ(content("results.csv"), "kept");
 }
 
 TEST_F(AUser, SeesHowMuchOfTheMazesWasSeen) {
@@ -509,8 +549,8 @@ TEST_F(AUser, WhoInterruptsARaceSeesWhatIsDone) {
   const Json json = Json::parse(ended.out, nullptr, false);
   ASSERT_FALSE(json.is_discarded()) << ended.err;
   EXPECT_EQ(json.at("stopped"), true);
-  EXPECT_GE(json.at("mice").at(0).at("results").size(), 1U);
-  EXPECT_LT(json.at("mice").at(0).at("results").size(), 500'000U);
+  EXPECT_GE(json.at("groups").at(0).at("mice").at(0).at("results").size(), 1U);
+  EXPECT_LT(json.at("groups").at(0).at("mice").at(0).at("results").size(), 500'000U);
 }
 
 }  // namespace

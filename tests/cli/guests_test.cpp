@@ -25,13 +25,13 @@ class AHostOfGuests : public AUser {
 
 TEST_F(AHostOfGuests, RacesThemBesideTheOthers) {
   const auto json = race({"--mice", "flood," + bad("die"), "--mice", bad("turn"), "--mazes", "corridor.txt"});
-  ASSERT_EQ(json.at("mice").size(), 3U);
-  EXPECT_EQ(json["mice"][0]["name"], "flood");
-  EXPECT_EQ(json["mice"][1]["results"][0]["outcome"], "forfeit: died");
-  EXPECT_THAT(json["mice"][1]["results"][0]["last_words"].get<std::string>(),
+  ASSERT_EQ(json["groups"][0].at("mice").size(), 3U);
+  EXPECT_EQ(json["groups"][0]["mice"][0]["name"], "flood");
+  EXPECT_EQ(json["groups"][0]["mice"][1]["results"][0]["outcome"], "forfeit: died");
+  EXPECT_THAT(json["groups"][0]["mice"][1]["results"][0]["last_words"].get<std::string>(),
               Says("exit code 3", "\none\ntwo\nthree: no way out"));
-  EXPECT_EQ(json["mice"][2]["results"][0]["outcome"], "out of steps");
-  EXPECT_FALSE(json["mice"][2]["results"][0].contains("last_words"));
+  EXPECT_EQ(json["groups"][0]["mice"][2]["results"][0]["outcome"], "out of steps");
+  EXPECT_FALSE(json["groups"][0]["mice"][2]["results"][0].contains("last_words"));
 }
 
 TEST_F(AHostOfGuests, TellsHowTheyFailedInTheTable) {
@@ -73,7 +73,7 @@ TEST_F(AHostOfGuests, TellsWhichOfTheirStepsWereNotPerformed) {
   EXPECT_THAT(race_in_the_corridor({"--mice", clumsy, "--budget", "5"}).out,
               Says("\n  guest:sh clumsy.sh: 5 blocked", "5 void", "5 cut", "corridor.txt, step 1\n"));
   const auto json = race({"--mice", clumsy, "--budget", "5", "--mazes", "corridor.txt"});
-  EXPECT_EQ(json["mice"][0]["results"][0]["cut_movements"], 5);
+  EXPECT_EQ(json["groups"][0]["mice"][0]["results"][0]["cut_movements"], 5);
 }
 
 TEST_F(AHostOfGuests, SaysNothingOfStepsThatWerePerformed) {
@@ -102,7 +102,7 @@ TEST_F(AHostOfGuests, HoldsThemToTheLimitsThatAreAskedFor) {
 
 TEST_F(AHostOfGuests, RunsEachAsOftenAsAsked) {
   const auto json = race({"--mice", bad("end"), "--guest-runs", "3", "--mazes", "corridor.txt"});
-  EXPECT_EQ(json["mice"][0]["runs"], 3);
+  EXPECT_EQ(json["groups"][0]["mice"][0]["runs"], 3);
 }
 
 TEST_F(AHostOfGuests, IsToldWhereverTheyAreFree) {
@@ -138,7 +138,7 @@ class ACheat : public AHostOfGuests {
     more.insert(more.begin(), {"race", "--format", "json"});
     std::vector<std::string> all;
     const auto json = nlohmann::json::parse(labmouse(std::move(more)).out, nullptr, false);
-    for (const auto& result : json["mice"][0]["results"]) all.push_back(result["last_words"]);
+    for (const auto& result : json["groups"][0]["mice"][0]["results"]) all.push_back(result["last_words"]);
     return all;
   }
   static std::string seed_of(const std::string& words) {
@@ -197,7 +197,8 @@ TEST_F(AHostOfGuests, LeavesOutOfAllMeansWhatItCannotJudge) {
   auto arguments = busy;
   arguments.insert(arguments.end(), {"--mazes", "corridor.txt", "--store", "results.db"});
   const auto json = race(arguments);
-  const auto& mouse = json["mice"][0]["name"] == "flood" ? json["mice"][1] : json["mice"][0];
+  const auto& mouse =
+      json["groups"][0]["mice"][0]["name"] == "flood" ? json["groups"][0]["mice"][1] : json["groups"][0]["mice"][0];
   EXPECT_EQ(mouse["results"][0]["outcome"], "not judged");
   EXPECT_EQ(mouse["runs"], 0);
   EXPECT_THAT(labmouse({"store", "show", "results.db"}).out, testing::Not(HasSubstr("wait for a disk")));
@@ -231,7 +232,7 @@ TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
   is_refused({"race", "--mice", "python3 robot.py"}, "'python3 robot.py'", "'capstone:FILE'");
   is_refused({"race", "--mice", "Capstone"}, "'Capstone'", "'capstone:FILE'");
   is_refused({"race", "--mice", "guest:a\tb"}, "unprintable");
-  is_refused({"run", "mms:ls", "corridor.txt", "--world", "strides"}, "'mms:ls'", "mms");
+  is_refused({"run", "mms:ls", "corridor.txt", "--world", "steps"}, "'mms:ls'", "mms");
   is_refused({"sweep", bad("end"), "--vary", "stride=1:2:1"}, "{stride}");
 }
 
@@ -256,7 +257,7 @@ TEST_F(AHostOfGuests, RunsThemSideBySide) {
   const auto json =
       race({"--jobs", "2", "--mice", bad("meet") + " here there", "--mice", bad("meet") + " there here", "--budget",
             "5", "--start-limit", "20", "--mazes", "corridor.txt", "--directory", ".", "--keep-folder"});
-  for (const auto& mouse : json.at("mice")) EXPECT_EQ(mouse["results"][0]["outcome"], "out of steps");
+  for (const auto& mouse : json["groups"][0].at("mice")) EXPECT_EQ(mouse["results"][0]["outcome"], "out of steps");
 }
 
 TEST_F(AHostOfGuests, AnInterruptEndsThemAndPrintsWhatIsDone) {

@@ -23,7 +23,7 @@ TEST_F(AUser, LearnsAPriorAndRacesWithIt) {
   EXPECT_THAT(learned.out, MatchesRegex("2 mazes, [0-9]+ walls[^\n]* 0[.][0-9]+[^\n]* 0[.][0-9]+[^\n]*\n"));
   EXPECT_THAT(content("out/my.prior"), StartsWith("// labmouse prior 1\n// Learned by labmouse "));
   const nlohmann::json json = race({"--mice", "ariadne,ariadne:prior=out/my.prior", "--mazes", "contest-03"});
-  EXPECT_EQ(json.at("mice").size(), 2U);
+  EXPECT_EQ(json.at("groups").at(0).at("mice").size(), 2U);
   const Ended swept =
       labmouse({"sweep", "ariadne", "--vary", "prior=contest,uniform,out/my.prior", "--mazes", "contest-03"});
   EXPECT_EQ(swept.code, 0) << swept.err;

@@ -25,7 +25,7 @@ class ATeacher : public AUser {
   std::string names(const Ended& ended) const {
     const auto json = nlohmann::json::parse(ended.out);
     std::string all;
-    for (const auto& mouse : json.at("mice")) all += mouse.at("name").get<std::string>() + ";";
+    for (const auto& mouse : json.at("groups").at(0).at("mice")) all += mouse.at("name").get<std::string>() + ";";
     return all;
   }
   Ended race_of(const std::string& lineup, std::vector<std::string> more = {}) const {
@@ -40,7 +40,7 @@ TEST_F(ATeacher, RacesALineupByItsNames) {
       "[[mouse]]\nname = \"Anna's\"\ncapstone = \"anna/robot.py\"\narguments = [\"ff\", \"no\"]\n"
       "environment = { MODE = \"fast\" }\nnote = \"by Anna\"\n[[mouse]]\nname = \"quick\"\nmouse = \"flood\"\n");
   EXPECT_EQ(names(ended), "quick;Anna's;");
-  const auto anna = nlohmann::json::parse(ended.out).at("mice")[1];
+  const auto anna = nlohmann::json::parse(ended.out).at("groups").at(0).at("mice")[1];
   EXPECT_EQ(anna.at("note"), "by Anna");
   EXPECT_THAT(anna.at("spec").get<std::string>(), HasSubstr("class/anna/robot.py"));
   EXPECT_THAT(anna.at("interpreter").at("version").get<std::string>(), HasSubstr("3."));

@@ -39,7 +39,7 @@ TEST_F(APathfinder, IsToldOfEmptyPaths) {
 }
 
 TEST_F(APathfinder, KeepsTheResultsOfAnEarlierRace) {
-  for (const char* world : {"strides", "seconds"}) {
+  for (const char* world : {"steps", "seconds"}) {
     EXPECT_EQ(race_into(world, {"--world", world, "--mice", "flood"}).code, 0);
     const std::string before = content(std::string(world) + "/results.json");
     const Ended refused = race_into(world, {"--world", world, "--mice", "certify"});

@@ -20,7 +20,7 @@ class ARunner : public AUser {
 };
 
 TEST_F(ARunner, HasAContestInEveryWorldAndItsRecord) {
-  for (const char* world : {"strides", "seconds", "physical", "fallible", "mms"}) {
+  for (const char* world : {"steps", "seconds", "physical", "failures", "mms"}) {
     const Ended ran = run_in(world, {"--record", "r.jsonl", "--svg", "r.svg"});
     EXPECT_EQ(ran.code, 0) << world << ran.err;
     EXPECT_THAT(content("r.svg"), HasSubstr("<svg")) << world;
@@ -54,7 +54,7 @@ TEST_F(ARunner, GoesWhereItsMouseCanGo) {
 }
 
 TEST_F(ARunner, WatchesWhereverMiceDecide) {
-  for (const char* world : {"strides", "seconds", "physical", "fallible"}) {
+  for (const char* world : {"steps", "seconds", "physical", "failures"}) {
     const std::string plain = run_in(world).out;
     const Ended watched = run_in(world, {"--watch"});
     EXPECT_EQ(watched.code, 0) << world << watched.err;

@@ -86,7 +86,7 @@ TEST_F(ADriver, RacesInSeconds) {
 TEST_F(ADriver, IsToldWhichOptionsMakeNoSense) {
   is_refused({"race", "--robot", "half"}, "--robot", "--world seconds");
   is_refused({"race", "--rules", "uk"}, "--rules", "--world seconds");
-  is_refused({"race", "--world", "seconds", "--budget", "5"}, "--budget", "--world strides");
+  is_refused({"race", "--world", "seconds", "--budget", "5"}, "--budget", "--world steps");
   is_refused({"race", "--world", "seconds", "--mice", "manhattan"}, "'manhattan'", "seconds", "flood, ");
   is_refused({"race", "--world", "seconds", "--rules", "all-japam"}, "'all-japam'", "'all-japan'");
   is_refused({"race", "--world", "seconds", "--mice", "flood,ariadne:base=50"}, "'base'", "'ariadne'", "seconds",

@@ -39,7 +39,7 @@ TEST_P(AnImpatientUser, KeepsTheResultsOfARace) {
   ASSERT_FALSE(json.is_discarded()) << ended.err;
   EXPECT_EQ(json.at("stopped"), true);
   EXPECT_EQ(nlohmann::json::parse(content("out/results.json"), nullptr, false), json);
-  const std::size_t done = json.at("mice").at(0).at("results").size();
+  const std::size_t done = json.at("groups").at(0).at("mice").at(0).at("results").size();
   std::size_t records = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out" / "random"))
     records += entry.path().extension() == ".jsonl" ? 1 : 0;

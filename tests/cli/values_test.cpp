@@ -20,7 +20,7 @@ TEST_F(AUser, HasAPictureOfARobotWithoutDiagonals) {
 TEST_F(AUser, IsToldWhereANumberIsNone) {
   file("race.json", "{\n \"labmouse\": \"0.1.0\",\n \"mazes\": [{\"bound\": 1e309}],\n \"mice\": []\n}\n");
   is_refused({"race", "--mice", "flood", "--baseline", "race.json"}, "race.json:3:22: error: ", "'1e309'");
-  is_refused({"race", "--world", "fallible", "--hazards", "./race.json"}, "race.json:3:22: error: ", "'1e309'");
+  is_refused({"race", "--world", "failures", "--hazards", "./race.json"}, "race.json:3:22: error: ", "'1e309'");
   file("robot.toml", "cell = 1e-320\n");
   is_refused({"robot", "show", "./robot.toml"}, "robot.toml:1:8: error: ");
   file("walk.jsonl", "{}\n{\"a\": 1e309}\n");
@@ -111,12 +111,13 @@ TEST_F(AUser, IsToldOfParametersWithoutEffectAndChoosesTheWorld) {
       {"tune", "festina", "--params", "search", "--evaluations", "4"}};
   for (std::vector<std::string> words : commands) {
     words.insert(words.end(), {"--mazes", "m.txt"});
-    is_refused(words, "error: ", "'search'", "'festina'", "seconds", "physical and the fallible", "--world physical");
+    is_refused(words, "error: ", "'search'", "'festina'", "seconds", "physical world and the failure model",
+               "--world physical");
     words.insert(words.end(), {"--world", "seconds"});
-    if (words[2] != "flood,festina:search=0.5") is_refused(words, "error: ", "'search'", "'festina'", "fallible");
+    if (words[2] != "flood,festina:search=0.5") is_refused(words, "error: ", "'search'", "'festina'", "failure model");
   }
   const Ended chosen =
-      labmouse({"race", "--mice", "festina:search=0.5", "--mazes", "m.txt", "--world", "fallible", "--runs", "1"});
+      labmouse({"race", "--mice", "festina:search=0.5", "--mazes", "m.txt", "--world", "failures", "--runs", "1"});
   EXPECT_EQ(chosen.code, 0) << chosen.err;
   is_refused({"race", "--mice", "flood,ariadne:cell_most=1", "--mazes", "m.txt"}, "error: ", "'cell_most'", "steps",
              "--world seconds");

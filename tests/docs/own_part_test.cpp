@@ -1,4 +1,4 @@
-// The estimator of docs/pilots.md drives with our other parts, and is worse than ours.
+// The estimator of docs/how-to/own-controller.md drives with our other parts, and is worse than ours.
 #include "own_part.hpp"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,8 @@ lines below it are what it prints. A line `...` stands for any lines; `...` at t
 blanks before it among them. All blocks of a page run in one new folder that has the project's `templates` and the
 headers of `labmouse`, in order, by `sh`; `labmouse` is PROGRAM. A block marked with a language and a name, as in `python
 robot.py`, is saved as a file of that name. Blocks marked otherwise are not run. A comment `<!-- needs: COMMAND -->` skips
-the page, with exit code 77, where that command fails.
+the page, with exit code 77, where that command fails. With LABMOUSE_UPDATE_EXAMPLES=1 in the environment, the page gets
+what its commands print today, with `...` where it had them: read the difference before you commit it.
 """
 
 import os
@@ -54,12 +55,38 @@ def agrees(expected, printed):
     return re.fullmatch(pattern, printed) is not None
 
 
+def updated(expected, printed):
+    """What an example's lines would be today, with the ellipses that they have."""
+    lines = printed.splitlines()
+    whole = [i for i, line in enumerate(expected) if line.strip() == "..."]
+    before, after = (whole[0], len(expected) - whole[-1] - 1) if whole else (len(expected), 0)
+    if not whole and len(lines) != len(expected):
+        return lines
+    now = lines[:before] + (["..."] if whole else []) + (lines[len(lines) - after:] if after else [])
+    old = expected[:before] + (["..."] if whole else []) + (expected[len(expected) - after:] if after else [])
+    return [line[:len(was) - 3] + "..." if was.endswith("...") and was.strip() != "..." and len(line) > len(was) - 3
+            else line.rstrip() for line, was in zip(now, old)]
+
+
+def update(page, changes):
+    """Writes the lines of examples anew, from the last to the first, so that earlier numbers stay."""
+    with open(page, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    for number, expected, printed in reversed(changes):
+        first = number
+        while lines[first].startswith("> "):
+            first += 1
+        lines[first:first + len(expected)] = updated(expected, printed)
+    with open(page, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+
+
 def main():
     page, program = sys.argv[1], os.path.abspath(sys.argv[2])
     with open(page, encoding="utf-8") as file:
         text = file.read()
     found = examples(text)
-    failures = 0
+    failures, changes = 0, []
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(program, os.path.join(folder, "labmouse"))
         environment = dict(os.environ, PATH=folder + ":" + os.environ["PATH"], NO_COLOR="1")
@@ -78,8 +105,11 @@ def main():
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
             if not agrees(expected, run.stdout):
                 failures += 1
+                changes.append((number, expected, run.stdout))
                 print(f"{page}:{number}: `{command}` prints (exit {run.returncode}):\n{run.stdout}"
                       "where the page says:\n" + "\n".join(expected) + "\n")
+    if os.environ.get("LABMOUSE_UPDATE_EXAMPLES"):
+        update(page, changes)
     print(f"{page}: {len(found)} examples, {failures} wrong")
     return 1 if failures or not found else 0
 

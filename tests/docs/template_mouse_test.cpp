@@ -1,4 +1,4 @@
-// The mouse that docs/adding-a-mouse.md shows, as it stands there.
+// The mouse that docs/how-to/add-a-strategy.md shows, as it stands there.
 #include <gtest/gtest.h>
 
 #include "labmouse/contest/score.hpp"

@@ -64,7 +64,8 @@ inline PhysicalRecord held(const WildContest& contest) {
   briefing.sight = 1;
   const RosterEntry& entry = *find_mouse(wild_minds[contest.mind % wild_minds.size()]);
   const auto mind = entry.make(briefing, Settings(entry.parameters));
-  return drive_fallibly(maze, rules, model, conditions, wild_hazards(contest.wild, contest.crash), contest.seed, *mind);
+  return drive_with_failures(maze, rules, model, conditions, wild_hazards(contest.wild, contest.crash), contest.seed,
+                             *mind);
 }
 
 /// Whether the contest came to an end that is no fault of the mind: with a score, or by the time or the rules.

@@ -2,7 +2,7 @@
 // gains of those logs and with ours. How far the mouse believes to be from where it should be is what the logs say,
 // too.
 //
-// Source: 22 logs of 2021 of a half-size mouse (kerikun11/micromouse-kerise-v4, docs/physical.md).
+// Source: 22 logs of 2021 of a half-size mouse (kerikun11/micromouse-kerise-v4, docs/explanation/physical-model.md).
 #include <gtest/gtest.h>
 
 #include <algorithm>

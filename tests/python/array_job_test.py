@@ -1,4 +1,4 @@
-"""The array job of docs/cluster.md: its parts, merged, are the race of one machine; as a script, and on a real Slurm."""
+"""The array job of docs/how-to/clusters-and-stores.md: its parts, merged, are the race of one machine; as a script, and on a real Slurm."""
 
 import contextlib
 import os
@@ -47,7 +47,7 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     """With the script of the page."""
-    page = (Path(__file__).resolve().parents[2] / "docs" / "cluster.md").read_text(encoding="utf-8")
+    page = (Path(__file__).resolve().parents[2] / "docs" / "how-to" / "clusters-and-stores.md").read_text(encoding="utf-8")
     script = next(block for block in page.split("```sh\n") if "--shard" in block.split("```")[0])
     (tmp_path / "race.sh").write_text(script.split("```")[0])
     monkeypatch.chdir(tmp_path)

@@ -20,7 +20,7 @@ sys.path.insert(0, str(ROOT / "tests" / "docs"))
 from run_examples import agrees  # noqa: E402
 
 BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?", re.MULTILINE | re.DOTALL)
-PAGES = [page for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))] if BLOCK.search(page.read_text())]
+PAGES = [page for page in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))] if BLOCK.search(page.read_text())]
 
 
 def blocks_of(page):
@@ -61,6 +61,6 @@ def test_the_package_itself_is_typed(tmp_path):
 
 def test_the_page_on_logs_shows_what_the_program_prints_with_this_python(tmp_path):
     program = Path(labmouse.__file__).parent / "bin" / "labmouse"
-    ran = subprocess.run([sys.executable, ROOT / "tests/docs/run_examples.py", ROOT / "docs/logs.md", program], capture_output=True, text=True,
+    ran = subprocess.run([sys.executable, ROOT / "tests/docs/run_examples.py", ROOT / "docs/how-to/robot-from-a-log.md", program], capture_output=True, text=True,
                          check=False, cwd=tmp_path, env={**os.environ, "LABMOUSE_PYTHON": sys.executable})
     assert ran.returncode == 0, ran.stdout + ran.stderr

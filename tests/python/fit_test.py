@@ -564,7 +564,7 @@ def test_the_package_needs_neither_scipy_nor_matplotlib():
 
 
 def test_the_page_names_the_roles_and_units_of_columns():
-    page = Path(__file__).parents[2] / "docs" / "logs.md"
+    page = Path(__file__).parents[2] / "docs" / "how-to" / "robot-from-a-log.md"
     rows = [re.match(r"\| `(\w+)` \| ([^|]*) \|", line) for line in page.read_text(encoding="utf-8").split("\n")]
     assert {row[1]: row[2].strip() for row in rows if row} == {name: role.unit for name, role in ROLES.items()}
 

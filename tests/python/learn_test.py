@@ -245,7 +245,7 @@ def test_a_set_is_a_sequence():
 
 def test_the_learned_mouse_does_not_drive():
     record = labmouse.run({"learned": learn.Learned.load()}, "contest-01", world="seconds")
-    assert record.outcome == "forfeit: not started" and "strides" in record.last_words
+    assert record.outcome == "forfeit: not started" and "steps" in record.last_words
 
 
 def test_every_action_has_its_number():

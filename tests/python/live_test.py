@@ -55,7 +55,7 @@ def diary(world, seed, **options):
     return record, list(log)
 
 
-@pytest.mark.parametrize("world", ["physical", "fallible"])
+@pytest.mark.parametrize("world", ["physical", "failures"])
 def test_what_it_sees_depends_on_what_happens(world):
     seen, all_carried = [], []
     for seed in range(3):
@@ -68,7 +68,7 @@ def test_what_it_sees_depends_on_what_happens(world):
     assert seen[0] != seen[1] != seen[2] != seen[0]
 
 
-@pytest.mark.parametrize("world", ["seconds", "physical", "fallible"])
+@pytest.mark.parametrize("world", ["seconds", "physical", "failures"])
 def test_it_is_shown_what_there_is_on_the_way_on_which_it_is_driven(world):
     record, happened = diary(world, 1)
     shown = [what for kind, what in happened if kind == "shown"]
@@ -77,7 +77,7 @@ def test_it_is_shown_what_there_is_on_the_way_on_which_it_is_driven(world):
     assert {type(seen) for _, _, _, seen in shown} == {labmouse.Sighting}
 
 
-@pytest.mark.parametrize("world", ["seconds", "physical", "fallible"])
+@pytest.mark.parametrize("world", ["seconds", "physical", "failures"])
 def test_another_process_and_this_one_come_to_the_same(world):
     for seed in (1, 2):
         here, there = (labmouse.run(Feeler, MAZE, world=world, seed=seed, debug=debug) for debug in (True, False))
@@ -90,7 +90,7 @@ def test_what_it_raises_when_it_is_carried_ends_its_contest(debug):
         def carried(self, seconds):
             raise ValueError("put me down")
 
-    record = labmouse.run(Clumsy, MAZE, world="fallible", noise=4, debug=debug)
+    record = labmouse.run(Clumsy, MAZE, world="failures", noise=4, debug=debug)
     assert record.outcome == "forfeit: died" and "put me down" in record.last_words
 
 
@@ -101,7 +101,7 @@ def test_a_process_that_dies_on_its_way_is_a_forfeit():
 
             os._exit(3)
 
-    record = labmouse.run(Deadly, MAZE, world="fallible")
+    record = labmouse.run(Deadly, MAZE, world="failures")
     assert (record.outcome, record.last_words) == ("forfeit: died", "its process ended with exit code 3")
 
 

@@ -115,7 +115,7 @@ def test_it_is_told_what_a_guest_is_told():
     assert (briefing.width, briefing.height) == (maze.width, maze.height)
     assert (briefing.start, briefing.heading, briefing.goals) == (maze.start, maze.heading, maze.goals)
     assert (briefing.stride, briefing.budget, briefing.seed) == (3, 77, 11)
-    assert (briefing.world, briefing.time_limit, briefing.sight) == ("strides", None, 64)
+    assert (briefing.world, briefing.time_limit, briefing.sight) == ("steps", None, 64)
 
 
 def test_it_is_told_what_a_mouse_in_seconds_is_told(tmp_path):

@@ -11,7 +11,7 @@ import pandas
 import pytest
 
 WORLDS = {
-    "strides": (["ariadne,flood,random"], ["--world", "strides", "--runs", "3"], {"runs": 3}),
+    "steps": (["ariadne,flood,random"], ["--world", "steps", "--runs", "3"], {"runs": 3}),
     "seconds": (["certify,ariadne"], ["--world", "seconds", "--robot", "half"], {"robot": "half"}),
     # As many runs as are usual there.
     "physical": (["certify,flood"], ["--world", "physical", "--noise", "2"], {"noise": 2}),
@@ -62,9 +62,9 @@ def test_standings_and_comparison_are_those_of_the_command(command):
     words = ["race", "--mazes", *MAZES, "--format", "json", "--mice"]
     both = json.loads(command(*words, "flood,certify"))
     race = labmouse.race("flood,certify", MAZES)
-    assert race.standings["name"].tolist() == [mouse["name"] for mouse in both["mice"]]
-    assert race.standings["mean_score"].tolist() == [mouse["mean_score"] for mouse in both["mice"]]
-    assert race.mazes["bound"].tolist() == [maze["bound"] for maze in both["mazes"]]
+    assert race.standings["name"].tolist() == [mouse["name"] for mouse in both["groups"][0]["mice"]]
+    assert race.standings["mean_score"].tolist() == [mouse["mean_score"] for mouse in both["groups"][0]["mice"]]
+    assert race.mazes["bound"].tolist() == [maze["bound"] for maze in both["groups"][0]["mazes"]]
     studied = json.loads(command("study", "--mazes", *MAZES, "--folds", "2", "--format", "json", "--mice", "flood,certify"))
     (expected,) = studied["comparisons"]
     found = race.compare("certify", "flood")
@@ -163,7 +163,7 @@ def test_a_verdict_is_that_of_the_command():
 
 
 def test_where_failures_have_no_score_they_count_the_limit():
-    found = labmouse.race("flood,certify", world="fallible", noise=2, runs=1).compare("flood", "certify")
+    found = labmouse.race("flood,certify", world="failures", noise=2, runs=1).compare("flood", "certify")
     assert found.low <= found.mean <= found.high
     rate = found.finish_rate
     assert rate.low <= rate.mean <= rate.high and rate.verdict in ("better", "worse", "no difference shown")
@@ -258,7 +258,7 @@ RACE = "labmouse.race([{}], labmouse.mazes(), runs=5000, budget=100000, jobs={},
     "labmouse.run(Lost, 'contest-01')", "labmouse.run(Asleep, 'contest-01', world='seconds')",
     "labmouse.run(Lost, 'contest-01', debug=True)", "labmouse.run(Asleep, 'contest-01', debug=True)",
     "labmouse.run(Unborn, 'contest-01', world='seconds', debug=True)", "labmouse.run(Stubborn, 'contest-01', world='seconds', debug=True)",
-    "labmouse.run(Asleep, 'contest-01', world='fallible', debug=True)", "labmouse.run(guest, 'contest-01')",
+    "labmouse.run(Asleep, 'contest-01', world='failures', debug=True)", "labmouse.run(guest, 'contest-01')",
     "labmouse.study([Lost, 'flood'], labmouse.mazes()[:4], folds=2, progress=False)",
 ])
 def test_ctrl_c_is_raised_at_once_with_what_is_done(request, held):

@@ -31,7 +31,7 @@ def test_a_study_gives_the_numbers_of_the_command(command):
     assert study._repr_svg_().startswith("<svg")
 
 
-@pytest.mark.parametrize("world", ["strides", "seconds", "physical"])
+@pytest.mark.parametrize("world", ["steps", "seconds", "physical"])
 def test_a_study_names_its_mice_and_has_the_contests_of_the_command(command, world):
     words = ["--mice", "flood,certify", "--mazes", *MAZES[:2], "--folds", "2", "--world", world]
     study = labmouse.study("flood,certify", MAZES[:2], folds=2, world=world)

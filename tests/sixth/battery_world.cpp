@@ -85,7 +85,6 @@ const WorldEntry battery_entry = {.name = "battery",
                                   .summary = "a robot whose battery may not last",
                                   .settings = settings,
                                   .make = make,
-                                  .records = &drive_records,
-                                  .call = "contest"};
+                                  .records = &drive_records};
 
 }  // namespace labmouse

@@ -11,7 +11,7 @@ namespace labmouse {
 
 std::span<const WorldEntry* const> all_worlds() {
   static constexpr std::array<const WorldEntry*, 6> worlds = {&steps_entry,    &seconds_entry, &physical_entry,
-                                                              &fallible_entry, &mms_entry,     &toy_entry};
+                                                              &failures_entry, &mms_entry,     &toy_entry};
   return worlds;
 }
 

@@ -148,7 +148,7 @@ TEST(ToyWorld, IsOfferedAndHeldByThePage) {
                                   {"low", 0},
                                   {"high", 100}};
   EXPECT_EQ(worlds.back()["settings"], nlohmann::json::array({setting}));
-  EXPECT_FALSE(worlds.back().contains("call"));
+  EXPECT_EQ(worlds.back()["plays"], true);
   const auto& mice = worlds.back()["mice"];
   EXPECT_NE(std::find(mice.begin(), mice.end(), "flood"), mice.end());
   const auto maze = maze_data("contest-01", some_mazes().front().maze);

@@ -110,6 +110,7 @@ WorldResult make(const WorldSettings& chosen) {
 
 }  // namespace
 
-const WorldEntry toy_entry = {"toy", "mice that stumble", settings, make, &steps_records};
+const WorldEntry toy_entry = {
+    .name = "toy", .summary = "mice that stumble", .settings = settings, .make = make, .records = &steps_records};
 
 }  // namespace labmouse

@@ -1,6 +1,6 @@
 """A laboratory for mice that explore mazes they have never seen.
 
-The package runs the same library as the command `labmouse`, and gives the same numbers: docs/python.md.
+The package runs the same library as the command `labmouse`, and gives the same numbers: docs/reference/python.md.
 """
 
 import os

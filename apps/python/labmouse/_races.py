@@ -88,8 +88,8 @@ class Race:
 
     @property
     def table(self) -> "pandas.DataFrame":
-        """One line a contest, with the columns of `labmouse race --format csv`: docs/races.md has their units, and of seconds
-        docs/seconds.md. Of a race that was stopped early, there is a column `stopped`, which is True."""
+        """One line a contest, with the columns of `labmouse race --format csv`: docs/reference/results.md has their units, and of seconds
+        docs/reference/worlds-and-rules.md. Of a race that was stopped early, there is a column `stopped`, which is True."""
         import pandas
 
         table = pandas.DataFrame(self._held.contest_columns())
@@ -187,10 +187,10 @@ def race(
 
     mice: SPECs, classes with `decide(self, seen)`, or a dictionary of both by names; None for all built-in ones.
     mazes: mazes, files, folders or patterns; None for all built-in mazes.
-    world: 'strides', 'seconds', 'physical', 'fallible' or 'mms'; None for the one that suits the mice. `robot` and `rules` are
-        settings of those in seconds (a built-in name or a file), `budget` (steps of a contest) of 'strides';
+    world: 'steps', 'seconds', 'physical', 'failures' or 'mms'; None for the one that suits the mice. `robot` and `rules` are
+        settings of those in seconds (a built-in name or a file), `budget` (steps of a contest) of 'steps';
         other settings have the names of the command line's options.
-    runs: contests in each maze of a mouse that throws dice, and of each mouse in 'physical' and 'fallible'; None for
+    runs: contests in each maze of a mouse that throws dice, and of each mouse in 'physical' and 'failures'; None for
         20, and 3 in 'physical'. seed: for all random choices.
     jobs: threads, and processes of mice in Python; 0 for as many as there are processors. Results do not depend on it: each
         contest of a mouse in Python begins with the state of your variables at the call, and leaves them alone.

@@ -108,7 +108,7 @@ class Record:
 
     @property
     def steps(self) -> "numpy.typing.NDArray[numpy.void]":
-        """One element a step, a structured array that cannot be written to; of the world of strides alone.
+        """One element a step, a structured array that cannot be written to; of the world of steps alone.
 
         step: count of the clock from 1. run: 0 exploration, 1 speed run. x, y, heading: the pose before the step,
         headings being 0 north, 1 east, 2 south, 3 west. left, ahead, right: open cells that the mouse saw.
@@ -129,7 +129,7 @@ class Record:
 
     @property
     def text(self) -> str:
-        """The record as a file has it: JSON Lines, docs/run-record.md."""
+        """The record as a file has it: JSON Lines, docs/reference/records.md."""
         return self._held.record
 
     def save(self, path: "str | os.PathLike[str]") -> None:

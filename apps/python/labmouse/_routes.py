@@ -20,7 +20,7 @@ def bound(
 ) -> "float | None":
     """The best possible score in a maze: that of a mouse that knows it. None where no goal can be reached.
 
-    In the unit of the world: steps ('strides'), seconds ('seconds', 'physical') or points ('mms'). The settings are those of `race`.
+    In the unit of the world: steps ('steps'), seconds ('seconds', 'physical') or points ('mms'). The settings are those of `race`.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     return _native.bound(maze_of(maze), chosen)

@@ -58,8 +58,7 @@ class Study:
         return self._held.table()
 
     def __repr__(self) -> str:
-        # Worlds with tables of their own have their mice in groups.
-        mice = self.data["mice"] + [mouse for group in self.data.get("groups", []) for mouse in group["mice"]]
+        mice = [mouse for group in self.data["groups"] for mouse in group["mice"]]
         return f"<labmouse.Study of {', '.join(mouse['name'] for mouse in mice)}>"
 
     def _repr_svg_(self) -> str:

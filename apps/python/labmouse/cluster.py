@@ -1,4 +1,4 @@
-"""Races, studies and sweeps on the machines of a cluster of Dask: docs/cluster.md.
+"""Races, studies and sweeps on the machines of a cluster of Dask: docs/how-to/clusters-and-stores.md.
 
 It needs Dask: `pip install '.[cluster]'` in the source folder of labmouse.
 """

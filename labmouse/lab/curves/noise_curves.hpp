@@ -28,7 +28,7 @@ struct NoiseCurve {
   std::vector<NoisePoint> points;  ///< by increasing noise
 };
 
-/// Of races that differ by their noise alone, in the physical or the fallible world: a curve for each mouse, those that
+/// Of races that differ by their noise alone, in the physical or the failure model: a curve for each mouse, those that
 /// finish most first. Empty where there are fewer than two such races.
 std::vector<NoiseCurve> noise_curves(std::span<const Race> races);
 

@@ -40,20 +40,19 @@ constexpr WorldSetting rules_setting = {
 constexpr WorldSetting noise_setting = {
     .name = "noise",
     .placeholder = "FACTOR",
-    .meaning = "Factor of all noise: 1 as it was measured, 0 none; several, separated by commas, make a race each",
+    .meaning = "Scale of all noise: 1 as measured, 0 none; several, separated by commas, give a race each",
     .default_value = "1",
     .listed = true};
-constexpr WorldSetting pace_setting = {
-    .name = "pace",
-    .placeholder = "SHARE",
-    .meaning = "Part of its usual pace at which a mouse is driven, slow motion along the same curves: up to 1",
-    .default_value = "1"};
+constexpr WorldSetting pace_setting = {.name = "pace",
+                                       .placeholder = "SHARE",
+                                       .meaning = "Share of the robot's usual speed, 0.2 to 1, on the same paths",
+                                       .default_value = "1"};
 constexpr WorldSetting map_setting = {
     .name = "map",
     .placeholder = "KIND",
     .meaning =
-        "What mice do with a reading against their map: nothing, the first one stays (first), or weigh it "
-        "(belief), also by what other mazes are like (learned)",
+        "How contradicting wall readings are handled: the first one stays (first), or a log-odds map weighs them "
+        "(belief), with a prior learned from other mazes (learned)",
     .default_value = "first",
     .choices = map_kinds};
 
@@ -65,11 +64,11 @@ constexpr std::array physical_settings = {
     noise_setting,
     WorldSetting{.name = "spread",
                  .placeholder = "FACTOR",
-                 .meaning = "How far contests are apart: factor of what each draws of the mouse itself",
+                 .meaning = "Scale of the variation between mice (1 = as measured)",
                  .default_value = "4.25"},  // field_spread
     WorldSetting{.name = "search-speed",
                  .placeholder = "SPEED",
-                 .meaning = "Speed of a search in mm/s; 0: the robot's own",
+                 .meaning = "Speed of the search run in mm/s; 0: the robot's own",
                  .default_value = "0"},
     pace_setting,
     map_setting};
@@ -80,7 +79,7 @@ std::vector<std::string> hazards_brought() {
   return names;
 }
 
-constexpr std::array fallible_settings = {
+constexpr std::array failures_settings = {
     robot_setting("kerise"),
     rules_setting,
     noise_setting,
@@ -88,8 +87,8 @@ constexpr std::array fallible_settings = {
     map_setting,
     WorldSetting{.name = "hazards",
                  .placeholder = "HAZARDS",
-                 .meaning = "What goes wrong how often: built-in, or a file whose name contains a slash or ends in "
-                            ".json, which labmouse hazards --save writes",
+                 .meaning = "Failure rates: built-in, or a file whose name contains a slash or ends in .json, which "
+                            "`labmouse hazards --save` writes",
                  .default_value = "kerise",
                  .brought = hazards_brought}};
 
@@ -166,21 +165,21 @@ WorldResult make_physical(const WorldSettings& chosen) {
   return {physical_world(parts.rules, parts.model, conditions), "", std::move(parts.remarks)};
 }
 
-std::shared_ptr<const World> fallible_of(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
-                                         PhysicalConditions conditions, const HazardFile& hazards) {
+std::shared_ptr<const World> failures_world_of(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+                                               PhysicalConditions conditions, const HazardFile& hazards) {
   conditions.noise.spread = hazards.spread;
   conditions.pilot.search_speed = 0.0;
-  return fallible_world(rules, std::move(model), conditions, hazards);
+  return failure_world(rules, std::move(model), conditions, hazards);
 }
 
-WorldResult make_fallible(const WorldSettings& chosen) {
-  Parts parts = parts_with_errors(fallible_entry, chosen);
+WorldResult make_failures(const WorldSettings& chosen) {
+  Parts parts = parts_with_errors(failures_entry, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
-  const FoundHazards hazards = find_hazards(value_of(fallible_entry, chosen, "hazards"));
+  const FoundHazards hazards = find_hazards(value_of(failures_entry, chosen, "hazards"));
   if (!hazards.file) return {nullptr, hazards.error};
-  if (const std::string why = why_not_fallible(*parts.model, parts.conditions.noise.all, *hazards.file); !why.empty())
+  if (const std::string why = why_not_failures(*parts.model, parts.conditions.noise.all, *hazards.file); !why.empty())
     return {nullptr, why};
-  return {fallible_of(parts.rules, parts.model, parts.conditions, *hazards.file), "", std::move(parts.remarks)};
+  return {failures_world_of(parts.rules, parts.model, parts.conditions, *hazards.file), "", std::move(parts.remarks)};
 }
 
 /// Robot and rules that a world was made of; nothing where the conditions are none.
@@ -215,13 +214,13 @@ std::shared_ptr<const World> restore_physical(const ReadJson& json) {
 }
 
 /// Hazards of a file are restored where the program brings the same.
-std::shared_ptr<const World> restore_fallible(const ReadJson& json) {
+std::shared_ptr<const World> restore_failures(const ReadJson& json) {
   const std::optional<Parts> parts = restored_with_errors(json);
   if (!parts || !json.contains("hazards") || !json["hazards"].is_string()) return nullptr;
   if (!json.contains("hazards_hash") || !json["hazards_hash"].is_string()) return nullptr;
   const auto hazards = brought_hazards(json["hazards"].get<std::string>(), json["hazards_hash"].get<std::string>());
-  if (!hazards || !why_not_fallible(*parts->model, parts->conditions.noise.all, *hazards).empty()) return nullptr;
-  return fallible_of(parts->rules, parts->model, parts->conditions, *hazards);
+  if (!hazards || !why_not_failures(*parts->model, parts->conditions.noise.all, *hazards).empty()) return nullptr;
+  return failures_world_of(parts->rules, parts->model, parts->conditions, *hazards);
 }
 
 }  // namespace
@@ -234,7 +233,7 @@ double most_noise_of(const HazardFile& hazards) {
   return most;
 }
 
-std::string why_not_fallible(const DriveModel& model, double noise, const HazardFile& hazards) {
+std::string why_not_failures(const DriveModel& model, double noise, const HazardFile& hazards) {
   if (hazards.tables != hash_text(model.tables.hash))
     return fmt::format(
         "--hazards: {} were counted of the robot {}, which is not that of --robot, {}; count those of yours with "
@@ -260,26 +259,24 @@ const WorldEntry seconds_entry = {.name = "seconds",
                                   .settings = seconds_settings,
                                   .make = make_seconds,
                                   .records = &drive_records,
-                                  .restore = restore_seconds,
-                                  .call = "drive"};
+                                  .restore = restore_seconds};
 
 const WorldEntry physical_entry = {
     .name = "physical",
-    .summary = "the same robot with its errors: it slips, reads walls wrongly and crashes",
+    .summary = "the same robot with its errors: it slips, detects walls wrongly and crashes",
     .settings = physical_settings,
     .make = make_physical,
     .records = &drive_records,
     .restore = restore_physical,
-    .call = "contest",
     .usual_runs = 3};
 
-const WorldEntry fallible_entry = {
-    .name = "fallible",
-    .summary = "the world in seconds with what goes wrong in the physical one, by dice: fast",
-    .settings = fallible_settings,
-    .make = make_fallible,
+const WorldEntry failures_entry = {
+    .name = "failures",
+    .former_name = "fallible",
+    .summary = "the world in seconds with random failures at the rates of the physical world: fast",
+    .settings = failures_settings,
+    .make = make_failures,
     .records = &drive_records,
-    .restore = restore_fallible,
-    .call = "contest"};
+    .restore = restore_failures};
 
 }  // namespace labmouse

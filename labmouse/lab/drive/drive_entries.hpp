@@ -11,9 +11,9 @@ namespace labmouse {
 
 extern const WorldEntry seconds_entry;
 extern const WorldEntry physical_entry;
-extern const WorldEntry fallible_entry;
+extern const WorldEntry failures_entry;
 
 /// Why such hazards say nothing of a robot under that noise, naming the options that chose them; empty where they do.
-std::string why_not_fallible(const DriveModel& model, double noise, const HazardFile& hazards);
+std::string why_not_failures(const DriveModel& model, double noise, const HazardFile& hazards);
 
 }  // namespace labmouse

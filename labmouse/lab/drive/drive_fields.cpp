@@ -114,8 +114,8 @@ constexpr std::array<MouseField, 2> share_means = {
      {"mean_visited_share",
       [](const Race& r, const Standing& s) { return or_none(mean_of_all(r, s, visited_share)); }}}};
 
-constexpr Column scored_column = {"", "scored", 8, columns::solved};
-constexpr Column score_column = {"score",
+constexpr Column scored_column = {"", "finished", 8, columns::solved};
+constexpr Column score_column = {"score,",
                                  "s",
                                  7,
                                  columns::mean_all,
@@ -125,10 +125,10 @@ constexpr Column score_column = {"score",
                                  3};
 template <class F>
 constexpr std::array<Column, 2> time_columns = {
-    {{"search", "s", 7,
+    {{"search", "run, s", 7,
       [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::search>(r, s), 1); }, "mean_search",
       "search, s", "Mean time of the contests until the first speed run began, in seconds.", 1},
-     {"best", "run s", 7,
+     {"best", "run, s", 7,
       [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::best>(r, s), 3); }, "mean_best",
       "best run, s", "Mean time of the best runs from rest at the start to the goal, in seconds.", 3}}};
 
@@ -179,16 +179,16 @@ constexpr auto seconds_table = joined(
         {scored_column,
          score_column,
          {"95 %", "interval", 13, [](const Race&, const Standing& s) { return columns::interval(s, 2); }},
-         {"score", "/bound", 6, columns::mean_ratio}}},
+         {"score /", "best", 7, columns::mean_ratio}}},
     time_columns<S>,
     std::array<Column, 4>{
-        {{"above", "best%", 6, above_best, "mean_excess", "above fastest, %",
+        {{"excess", "%", 6, above_best, "mean_excess", "above fastest, %",
           "How much longer the routes of the best runs take than the fastest route, in percent.", 2, false, 100.0},
-         {"best", "runs", 5, [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); },
-          "optimal", "best runs", "Contests whose best run took the fastest route.", 0, true},
+         {"fastest", "routes", 7, [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); },
+          "optimal", "best runs", "Contests whose best run took the fastest route.", 0, true, 1.0, true},
          {"", "proven", 6, [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); }, "proven",
-          "proven", "Contests in which the mouse knew that no route could be faster.", 0, true},
-         {"runs", "each", 4,
+          "proven", "Contests in which the mouse knew that no route could be faster.", 0, true, 1.0, true},
+         {"runs per", "contest", 8,
           [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "starts"), 1); },
           "mean_starts", "runs", "Mean number of starts in a contest.", 1}}});
 constexpr std::array<ComparedFigure, 2> seconds_compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
@@ -249,27 +249,28 @@ constexpr auto physical_mouse =
 constexpr auto physical_table = joined(
     std::array<Column, 4>{
         {scored_column,
-         {"95 %", "of 100", 7, finished_text, "finished_interval", "scored, 95 %",
+         {"95 %", "range, %", 8, finished_text, "finished_interval", "scored, 95 %",
           "Share of the contests that ended with a score, in percent: 95 % interval over the mazes.", 0, true, 100.0},
          score_column,
-         {"penal-", "ised", 7, [](const Race& r, const Standing& s) { return columns::number(penalised(r, s), 3); },
-          "penalised", "penalised, s",
-          "Mean score over all contests, in seconds; one without a score counts the time limit.", 3}}},
+         {"failures", "at limit", 8,
+          [](const Race& r, const Standing& s) { return columns::number(penalised(r, s), 3); }, "penalised",
+          "penalised, s", "Mean score over all contests, in seconds; one without a score counts the time limit.", 3}}},
     time_columns<P>,
     std::array<Column, 7>{
         {{"", "runs", 5, count_text<P::starts>, "starts", "runs",
           "Runs that began at the start, search runs among them."},
-         {"", "slid", 5, count_text<P::slid>, "slid", "tyres slipped",
+         {"tyres", "slipped", 7, count_text<P::slid>, "slid", "tyres slipped",
           "Runs that ended in a crash because the tyres did not hold."},
-         {"", "strayed", 8, count_text<P::strayed>, "strayed", "localization errors",
+         {"lost", "position", 8, count_text<P::strayed>, "strayed", "localization errors",
           "Runs that ended in a crash because the mouse had lost its position."},
-         {"mis-", "read", 5, count_text<P::misread>, "misread", "wall detection errors",
+         {"wall", "errors", 6, count_text<P::misread>, "misread", "wall detection errors",
           "Runs that ended in a crash into a wall that the map had as open."},
-         {"walled", "in", 6, count_text<P::walled_in>, "walled_in", "no route left",
+         {"no route", "left", 8, count_text<P::walled_in>, "walled_in", "no route left",
           "Runs that ended because the map had no route left, or contradicted what the mouse saw."},
-         {"", "late", 5, count_text<P::late>, "late", "time limit", "Runs that the time limit cut short."},
-         {"misread", "walls", 7, count_text<P::misreads>, "misreads", "walls read wrongly",
-          "Walls that the mouse took for closed where they are open, or for open where they are closed."}}});
+         {"time", "limit", 5, count_text<P::late>, "late", "time limit", "Runs that the time limit cut short."},
+         {"wrong", "walls", 5, count_text<P::misreads>, "misreads", "walls read wrongly",
+          "Walls that the mouse took for closed where they are open, or for open where they are closed.", 0, false, 1.0,
+          true}}});
 
 }  // namespace
 

@@ -23,7 +23,7 @@ std::shared_ptr<const World> physical_world(const DriveRules& rules, std::shared
                                             const PhysicalConditions& conditions);
 
 /// The same with hazards, which were counted of that robot, in place of a body and a pilot.
-std::shared_ptr<const World> fallible_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
-                                            const PhysicalConditions& conditions, const HazardFile& hazards);
+std::shared_ptr<const World> failure_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+                                           const PhysicalConditions& conditions, const HazardFile& hazards);
 
 }  // namespace labmouse

@@ -14,10 +14,10 @@ namespace {
 
 /// Contests of one maze.
 struct MazeCount {
-  int contests = 0, physical = 0, fallible = 0;
+  int contests = 0, physical = 0, failures = 0;
 };
 
-Fidelity fidelity_of(const Race& physical, const Race& fallible, std::size_t mouse, double noise) {
+Fidelity fidelity_of(const Race& physical, const Race& failures, std::size_t mouse, double noise) {
   Fidelity sum = {physical.mice[mouse].name, noise, 0, 0, 0, 0.0, std::nullopt};
   std::vector<MazeCount> by_maze(physical.mazes.size());
   for (std::size_t i = 0; i < physical.results.size(); ++i) {
@@ -26,17 +26,17 @@ Fidelity fidelity_of(const Race& physical, const Race& fallible, std::size_t mou
     MazeCount& count = by_maze[one.maze];
     ++count.contests;
     count.physical += one.score ? 1 : 0;
-    count.fallible += fallible.results[i].score ? 1 : 0;
+    count.failures += failures.results[i].score ? 1 : 0;
   }
   std::vector<MazeSum> differences;
   for (const MazeCount& count : by_maze) {
     if (count.contests == 0) continue;
     sum.contests += count.contests;
     sum.physical += count.physical;
-    sum.fallible += count.fallible;
-    differences.push_back({1.0 * (count.fallible - count.physical), 1.0 * count.contests});
+    sum.failures += count.failures;
+    differences.push_back({1.0 * (count.failures - count.physical), 1.0 * count.contests});
   }
-  if (sum.contests > 0) sum.difference = 1.0 * (sum.fallible - sum.physical) / sum.contests;
+  if (sum.contests > 0) sum.difference = 1.0 * (sum.failures - sum.physical) / sum.contests;
   if (differences.size() > 1) sum.interval = including(interval_of(differences, 1), sum.difference);
   return sum;
 }
@@ -62,10 +62,10 @@ std::vector<Fidelity> compare_worlds(const HazardOrder& order, const HazardFile&
       return hold_race({mice.begin(), mice.end()}, {mazes.begin(), mazes.end()}, race, hooks);
     };
     const Race physical = race_in(physical_world(order.rules, order.model, conditions));
-    const Race fallible = race_in(fallible_world(order.rules, order.model, conditions, hazards));
-    if (physical.stopped || fallible.stopped) return all;
+    const Race failures = race_in(failure_world(order.rules, order.model, conditions, hazards));
+    if (physical.stopped || failures.stopped) return all;
     for (std::size_t mouse = 0; mouse < physical.mice.size(); ++mouse)
-      all.push_back(fidelity_of(physical, fallible, mouse, noise));
+      all.push_back(fidelity_of(physical, failures, mouse, noise));
   }
   return all;
 }
@@ -80,12 +80,12 @@ std::string table_of(std::span<const Fidelity> all, const FidelityBars& bars) {
   std::size_t width = 5;
   for (const Fidelity& each : all) width = std::max(width, shown(each.mouse).size());
   std::string text = fmt::format("{:<{}} {:>6} {:>9} {:>10} {:>10} {:>11} {:>15}\n", "mouse", width, "noise",
-                                 "contests", "physical %", "fallible %", "difference", "95 %");
+                                 "contests", "physical %", "failures %", "difference", "95 %");
   for (const Fidelity& each : all) {
     const auto percent = [&](int finished) { return 100.0 * finished / std::max(1, each.contests); };
     text += fmt::format(
         "{:<{}} {:>6g} {:>9} {:>10.1f} {:>10.1f} {:>+11.1f} {:>15}{}\n", shown(each.mouse), width, each.noise,
-        each.contests, percent(each.physical), percent(each.fallible), 100.0 * each.difference,
+        each.contests, percent(each.physical), percent(each.failures), 100.0 * each.difference,
         each.interval ? fmt::format("{:+.1f} to {:+.1f}", 100.0 * each.interval->low, 100.0 * each.interval->high)
                       : "-",
         is_faithful(each, bars) ? "" : "  too far");

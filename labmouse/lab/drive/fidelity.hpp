@@ -1,4 +1,4 @@
-// How well the fallible world tells what the physical one would: the same contests in both, with the same draws.
+// How well the failure model tells what the physical one would: the same contests in both, with the same draws.
 #pragma once
 
 #include <atomic>
@@ -18,8 +18,8 @@ struct Fidelity {
   std::string mouse;
   double noise = 0.0;
   int contests = 0;
-  int physical = 0, fallible = 0;  ///< of them finished with a score, in each world
-  /// By how much the share is larger in the fallible world, with its interval over mazes; nothing of one maze alone.
+  int physical = 0, failures = 0;  ///< of them finished with a score, in each world
+  /// By how much the share is larger in the failure model, with its interval over mazes; nothing of one maze alone.
   double difference = 0.0;
   std::optional<Interval> interval;
 };

@@ -74,12 +74,10 @@ class PhysicalWorld : public DriveWorld {
 
   std::string notes(const Race& race) const override {
     return fmt::format(
-        "Rules {}: {}. Lower is better; mice that scored in more contests come first.\nRobot {}, cells of {:g} mm, "
-        "{}. The score is the mean of those that scored; 'penalised' counts the others as {:g} s.\nCrashes: the "
-        "tyres "
-        "slid, the mouse strayed from where it believed to be, or it drove into a wall that it had misread.\nBound, {} "
-        "s "
-        "on average: a mouse that never errs and knows the maze but must first search a way there.\n",
+        "Rules {}: {}. Lower is better; mice that finished more contests come first.\nRobot {}, cells of {:g} mm, {}. "
+        "'score' is the mean of finished contests; 'failures at limit' counts the others as {:g} s.\nCrashes: the "
+        "tyres slipped, the mouse lost its position, or it hit a wall that its map had as open.\nBest possible: {} s "
+        "on average, by a mouse without errors that knows the maze but must first search a route.\n",
         shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, noise_text(),
         in_seconds(rules().time_limit), columns::number(mean_bound(race), 3));
   }
@@ -169,23 +167,23 @@ class PhysicalWorld : public DriveWorld {
 };
 
 /// The same by dice.
-class FallibleWorld final : public PhysicalWorld {
+class FailureWorld final : public PhysicalWorld {
  public:
-  FallibleWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions,
-                const HazardFile& hazards)
+  FailureWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions,
+               const HazardFile& hazards)
       : PhysicalWorld(rules, std::move(model), conditions),
         hazards_name_(hazards.name),
         hazards_hash_(hazards.hash),
         hazards_(hazards_of(hazards)) {}
 
-  std::string_view name() const override { return "fallible"; }
+  std::string_view name() const override { return "failures"; }
   std::vector<Condition> conditions() const override {
     std::vector<Condition> all = PhysicalWorld::conditions();
     all.push_back({"hazards", hazards_name_});
     all.push_back({"hazards_hash", hazards_hash_});
     return all;
   }
-  int edition() const override { return fallible_edition; }
+  int edition() const override { return failures_edition; }
   std::string refuse(const Contestant& mouse) const override {
     return refuse_to_drive({&mouse, 1}, Driving::with_errors);
   }
@@ -194,7 +192,7 @@ class FallibleWorld final : public PhysicalWorld {
  private:
   PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
                             Strategy& mouse) const override {
-    return drive_fallibly(maze, rules(), model(), conditions, hazards_, seed, mouse);
+    return drive_with_failures(maze, rules(), model(), conditions, hazards_, seed, mouse);
   }
 
   void complete(PhysicalPart& part) const override {
@@ -208,9 +206,9 @@ class FallibleWorld final : public PhysicalWorld {
 
 }  // namespace
 
-std::shared_ptr<const World> fallible_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
-                                            const PhysicalConditions& conditions, const HazardFile& hazards) {
-  return std::make_shared<FallibleWorld>(rules, std::move(model), conditions, hazards);
+std::shared_ptr<const World> failure_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+                                           const PhysicalConditions& conditions, const HazardFile& hazards) {
+  return std::make_shared<FailureWorld>(rules, std::move(model), conditions, hazards);
 }
 
 std::shared_ptr<const World> physical_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,

@@ -34,9 +34,9 @@ class SecondsWorld final : public DriveWorld {
 
   std::string notes(const Race& race) const override {
     return fmt::format(
-        "Rules {}: {}. Lower is better; mice that scored in more contests come first.\nRobot {}, cells of {:g} mm. "
-        "Search ends when the first fast run begins; best runs are timed from rest to the centre.\nBound, {} s on "
-        "average: the fastest route, driven by a mouse that knows the maze but must first search a way there.\n",
+        "Rules {}: {}. Lower is better; mice that finished more contests come first.\nRobot {}, cells of {:g} mm. "
+        "The search run ends when the first speed run begins; best runs are timed from rest to the centre.\nBest "
+        "possible: {} s on average, by a mouse that knows the maze but must first search a route.\n",
         shown(rules().name), formula(), shown(model().robot.name), model().tables.cell,
         columns::number(mean_bound(race), 3));
   }

@@ -1,5 +1,5 @@
 // References for a mouse's score between it and the bound: what it could have had, had it known afterwards what it
-// knew. They are no bounds: another mouse may score less. docs/bounds.md describes them.
+// knew. They are no bounds: another mouse may score less. docs/explanation/statistics-and-bounds.md describes them.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// Lineups: files that name mice, described in docs/lineups.md.
+// Lineups: files that name mice, described in docs/reference/files.md.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// Priors as files, described in docs/priors.md: comments and numbers with commas, which the compiler can include, too.
+// Priors as files, described in docs/research/priors.md: comments and numbers with commas, which the compiler can
+// include, too.
 #pragma once
 
 #include <optional>

@@ -182,9 +182,12 @@ std::string read_own(std::string_view spec, const Setting* value, std::vector<Co
 /// Which SPECs are read: those that start programs or open lineups, too, or only mice of the roster.
 enum class Origin { of_the_user, of_a_file };
 
+std::string_view without_blanks_behind(std::string_view text) { return text.substr(0, text.find_last_not_of(' ') + 1); }
+
 /// Reads the mice of one text into the result; on failure sets its error.
 void read_into(std::string_view text, Origin origin, const GuestOptions& options, SpecResult& result) {
   for (bool more = true; more && result.error.empty();) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     const auto [name, spec] = named_spec(text);
     if (shown(name) != name) {
       result.error = fmt::format("the name '{}' contains unprintable characters", shown(name));
@@ -203,8 +206,8 @@ void read_into(std::string_view text, Origin origin, const GuestOptions& options
     if (is_guest_spec(spec))
       read_guest_spec(spec, options, result);
     else
-      result.error = read_spec(spec.substr(0, comma), origin == Origin::of_a_file ? read_found_file : read_file,
-                               result.contestants);
+      result.error = read_spec(without_blanks_behind(spec.substr(0, comma)),
+                               origin == Origin::of_a_file ? read_found_file : read_file, result.contestants);
     if (!result.error.empty()) return;
     if (!name.empty()) rename(result.contestants.back(), std::string(name));
     more = comma != std::string_view::npos;
@@ -346,7 +349,7 @@ std::string_view worlds_of(ParameterScope scope) {
     case ParameterScope::seconds:
       return "in seconds";
     case ParameterScope::errors:
-      return "in the physical and the fallible world";
+      return "in the physical world and the failure model";
     case ParameterScope::both:
       break;
   }
@@ -392,6 +395,8 @@ std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
         return reason;
     return "";
   }
+  if (std::holds_alternative<ControllerProgram>(stays->kind))
+    return fmt::format("'{}' controls motors, so it drives in the world physical only", stays->name);
   std::vector<std::string_view> drivers;
   for (const RosterEntry* entry : all_mice())
     if (entry->drives) drivers.push_back(entry->name);

@@ -29,6 +29,10 @@ WorldResult make(const WorldSettings& chosen) {
 
 }  // namespace
 
-const WorldEntry mms_entry = {"mms", "the simulator mms, for programs written for it", settings, make, &mms_records};
+const WorldEntry mms_entry = {.name = "mms",
+                              .summary = "the simulator mms, for programs written for it",
+                              .settings = settings,
+                              .make = make,
+                              .records = &mms_records};
 
 }  // namespace labmouse

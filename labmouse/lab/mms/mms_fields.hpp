@@ -1,4 +1,4 @@
-// The fields and columns of a race of programs written for mms. docs/mms.md describes them.
+// The fields and columns of a race of programs written for mms. docs/reference/results.md describes them.
 #pragma once
 
 #include "labmouse/lab/races/world.hpp"

@@ -1,4 +1,5 @@
-// 95 % intervals of means, ratios and shares over mazes. docs/studies.md has the simulation that chose them.
+// 95 % intervals of means, ratios and shares over mazes. docs/explanation/statistics-and-bounds.md has the simulation
+// that chose them.
 #pragma once
 
 #include <cstdint>

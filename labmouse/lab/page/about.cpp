@@ -90,12 +90,12 @@ Json worlds() {
     if (mice.empty()) continue;
     list.push_back({{"name", entry->name},
                     {"summary", entry->summary},
-                    {"home", entry->is_home},
+                    {"in_steps", world->rules_in_steps().has_value()},
+                    {"plays", entry->records != nullptr},
                     {"throws_dice", world->throws_dice()},
                     {"usual_runs", entry->usual_runs},
                     {"settings", std::move(settings)},
                     {"mice", std::move(mice)}});
-    if (!entry->call.empty()) list.back()["call"] = entry->call;
   }
   return list;
 }

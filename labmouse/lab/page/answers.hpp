@@ -39,8 +39,6 @@ PageReply answer_inspect(const ReadJson& request, std::string_view bytes);
 PageReply answer_write_maze(const ReadJson& request, std::string_view bytes);
 PageReply answer_link(const ReadJson& request, std::string_view bytes);
 PageReply answer_read_link(const ReadJson& request, std::string_view bytes);
-PageReply answer_run(const ReadJson& request, std::string_view bytes);
-PageReply answer_drive(const ReadJson& request, std::string_view bytes);
 PageReply answer_contest(const ReadJson& request, std::string_view bytes);
 PageReply answer_robot(const ReadJson& request, std::string_view bytes);
 PageReply answer_regions(const ReadJson& request, std::string_view bytes);

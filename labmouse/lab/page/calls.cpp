@@ -29,8 +29,6 @@ constexpr std::array calls = {
     Call{"write_maze", answer_write_maze},
     Call{"link", answer_link},
     Call{"read_link", answer_read_link},
-    Call{"run", answer_run},
-    Call{"drive", answer_drive},
     Call{"contest", answer_contest},
     Call{"robot", answer_robot},
     Call{"regions", answer_regions},

@@ -5,7 +5,6 @@
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/plays/fields.hpp"
 #include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 
@@ -18,13 +17,6 @@ std::shared_ptr<const World> asked_world(PageRequest& request) {
   auto world = restore_world(request.text("world"), request.json()["conditions"].dump());
   if (world == nullptr) request.reject("the page cannot hold contests under these conditions");
   return world;
-}
-
-/// What the request says besides mouse, maze and seed.
-Json conditions_of(const ReadJson& request) {
-  Json conditions = Json::parse(request.dump());
-  for (const char* key : {"mouse", "maze", "seed"}) conditions.erase(key);
-  return conditions;
 }
 
 }  // namespace
@@ -53,10 +45,7 @@ PageReply answer_contest(const ReadJson& json, std::string_view) {
   const OpenedRecord opened = find_world(world->name())->records->open(held.record, nullptr);
   if (!opened.replay) return failed(fmt::format("the page plays no single contests in the world {}", world->name()));
   Json play = opened.replay->play();
-  play["again"] = again_json("contest", conditions_of(json), [&](const RosterEntry& mouse) {
-    const std::string name(mouse.name);
-    return world->refuse(read_page_mice({&name, 1}).contestants.front()).empty();
-  });
+  play["again"] = again_json(*world);
   return answered({{"play", std::move(play)}, {"record", std::move(held.record)}});
 }
 

@@ -42,10 +42,7 @@ void read_contest(PageRequest& request, const ReadJson& json, const Contestant& 
   ReplayResult replayed = replay(*read.file, *read.file->maze);
   if (!replayed.disagreement.empty())
     return request.reject(fmt::format("a record of {} does not match its maze", mouse.name));
-  const auto conditions = order.world->conditions();
-  const bool same_rules =
-      conditions.size() == 1 && conditions.front().value == Value(std::int64_t{read.file->rules.budget});
-  if (read.file->mouse != mouse.name || !same_rules)
+  if (read.file->mouse != mouse.name || read.file->rules != order.world->rules_in_steps())
     return request.reject(fmt::format("a record of {} is not of this race", mouse.name));
   contest.record = std::move(replayed.run);
   contests[{read.file->maze_name, read.file->seed}] = std::move(contest);
@@ -89,7 +86,8 @@ std::vector<Contestant> read_played_mice(PageRequest& request, const std::vector
   if (!request.has("played")) return mice;
   for (const ReadJson& each : request.list("played")) {
     if (!request.error().empty()) break;
-    if (!order.world->is_home()) request.reject("mice that were played race in steps");
+    if (!order.world->rules_in_steps())
+      request.reject(fmt::format("mice of one's own do not race in the world {}", order.world->name()));
     mice.push_back(read_mouse(request, each, mazes, order));
     const auto same = [&](const Contestant& mouse) { return mouse.name == mice.back().name; };
     if (std::count_if(mice.begin(), mice.end(), same) > 1)

@@ -8,9 +8,11 @@
 #include "labmouse/guests/dialogue.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/guest.hpp"
+#include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/plays/play.hpp"
 #include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
+#include "labmouse/lab/steps/steps_world.hpp"
 
 namespace labmouse {
 namespace {
@@ -122,7 +124,9 @@ PageReply answer_guest_end(const ReadJson& json, std::string_view) {
   dialogue.give_up({ProgramEnd::Kind::interrupted, ""});
   const RecordFile file =
       record_file_of(contest->mouse, contest->maze, contest->rules, contest->seed, dialogue.take_record());
-  PageReply reply = answered({{"play", play_json(file)},
+  Json play = play_json(file);
+  play["again"] = again_json(*steps_world(contest->rules));
+  PageReply reply = answered({{"play", std::move(play)},
                               {"record", write_record(file)},
                               {"packed", pack_record(file)},
                               {"started", dialogue.greeted()},

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/results.hpp"
@@ -62,7 +63,7 @@ PageReply open_record(const std::string& name, std::string_view text, const std:
   OpenedRecord opened = kind.open(text, nullptr);
   if (opened.lacks_maze && maze) opened = kind.open(text, &*maze);
   if (PageFailure failure = failure_of(name, opened); !failure.error.empty()) return {nullptr, "", std::move(failure)};
-  return answered({{"kind", "record"}, {"play", opened.replay->play()}});
+  return answered({{"kind", "record"}, {"play", play_of(*opened.replay, kind)}});
 }
 
 /// Who wrote results that this version cannot read, where they say so.
@@ -75,7 +76,7 @@ std::string writer_of(const ReadJson& json) {
 PageReply open_results(const std::string& name, std::string_view text) {
   const ReadJson json = read_json(text);
   if (json.is_discarded()) return failed(fmt::format("{} is not valid JSON", name), {json_problem(text)});
-  if (!json.is_object() || !json.contains("mice"))
+  if (!json.is_object() || !(json.contains("groups") || json.contains("mice")))
     return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));
   Json results;
   std::string error = read_results(json, results);

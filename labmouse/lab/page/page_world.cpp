@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/races/value_json.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {
@@ -39,6 +41,25 @@ std::shared_ptr<const World> read_page_world(PageRequest& request) {
   WorldResult made = entry->make(settings);
   if (!made.error.empty()) request.reject(made.error);
   return made.world;
+}
+
+Json again_json(const World& world) {
+  Json mice = Json::array();
+  for (const Contestant& mouse : all_contestants())
+    if (entry_of(mouse) != nullptr && world.refuse(mouse).empty()) mice.push_back(mouse.name);
+  return {{"with", {{"world", world.name()}, {"conditions", conditions_json(world)}}}, {"mice", std::move(mice)}};
+}
+
+Json play_of(const Replay& replay, const RecordKind& kind) {
+  Json play = replay.play();
+  const Json conditions = replay.conditions();
+  if (conditions.is_null()) return play;
+  for (const WorldEntry* entry : all_worlds()) {
+    if (entry->records != &kind) continue;
+    if (const auto world = restore_world(entry->name, conditions.dump())) play["again"] = again_json(*world);
+    break;
+  }
+  return play;
 }
 
 }  // namespace labmouse

@@ -1,18 +1,15 @@
-// Contests: one with its whole play, or many with their results.
+// A race.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/guest.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/plays/play.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
-#include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 
 namespace labmouse {
@@ -54,24 +51,6 @@ std::vector<NamedMaze> read_mazes(PageRequest& request, const World* world) {
 }
 
 }  // namespace
-
-PageReply answer_run(const ReadJson& json, std::string_view) {
-  PageRequest request(json);
-  const std::string spec = request.text("mouse");
-  const NamedMaze maze = request.maze();
-  const std::uint64_t seed = request.seed();
-  const Rules rules = request.rules();
-  if (!request.error().empty()) return failed(request.error());
-  const SpecResult mice = read_page_mice({&spec, 1});
-  if (!mice.error.empty()) return failed(mice.error);
-  if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; name exactly one", spec));
-  const Contestant& mouse = mice.contestants.front();
-  if (std::string reason = refuse_to_walk(mouse); !reason.empty()) return failed(std::move(reason));
-  const auto strategy = mouse.strategy(maze.maze, brief(maze.maze, rules, seed));
-  strategy->keep_reasons();
-  const RecordFile file = record_file_of(mouse, maze, rules, seed, run(maze.maze, rules, *strategy));
-  return answered({{"play", play_json(file)}, {"record", write_record(file)}});
-}
 
 PageReply answer_race(const ReadJson& json, std::string_view) {
   PageRequest request(json);

@@ -3,6 +3,7 @@
 
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
+#include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
@@ -41,7 +42,7 @@ PageReply answer_unpack(const ReadJson& json, std::string_view) {
       fmt::format("the record of {} in {}", is_named ? packed["mouse"].get<std::string>() : "a mouse", maze.name);
   if (PageFailure failure = failure_of(name, opened); !failure.error.empty()) return {nullptr, "", std::move(failure)};
   add_reasons(*opened.replay);
-  return answered({{"play", opened.replay->play()}, {"record", opened.replay->text()}});
+  return answered({{"play", play_of(*opened.replay, kind)}, {"record", opened.replay->text()}});
 }
 
 PageReply answer_picture(const ReadJson& json, std::string_view bytes) {

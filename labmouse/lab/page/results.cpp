@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "labmouse/lab/races/earlier_results.hpp"
 #include "labmouse/lab/text/json_fields.hpp"
 
 namespace labmouse {
@@ -32,12 +33,6 @@ class Taker {
         numbers({key});
     return *this;
   }
-  /// Missing ones stay so.
-  Taker& optional_counts(std::initializer_list<const char*> keys) {
-    for (const char* key : keys)
-      if (fields_.has(key)) counts({key});
-    return *this;
-  }
   Taker& counts(std::initializer_list<const char*> keys) {
     for (const char* key : keys) out_[key] = fields_.whole(key, 0, std::numeric_limits<int>::max());
     return *this;
@@ -61,18 +56,6 @@ class Taker {
     if (ends.size() != 2 || !ends[0].is_number() || !ends[1].is_number())
       return wrong("interval", "is not [low, high]"), *this;
     out_["interval"] = ends;
-    return *this;
-  }
-  /// An object of plain values, each of which has to be as asked.
-  Taker& values(const char* key, bool (*good)(const ReadJson&)) {
-    out_[key] = Json::object();
-    if (!fields_.has(key)) return wrong(key, "is missing"), *this;
-    if (!from_[key].is_object()) return wrong(key, "is not an object"), *this;
-    for (const auto& [name, value] : from_[key].items())
-      if (good(value))
-        out_[key][name] = value;
-      else
-        wrong(key, fmt::format("has an invalid value for '{}'", name));
     return *this;
   }
   Taker& text_list(const char* key) {
@@ -112,7 +95,6 @@ class Taker {
     }
     return *this;
   }
-  bool has(const char* key) const { return fields_.has(key); }
   /// Hands over what was taken, and in `error` what is wrong.
   Json done(std::string& error) {
     error = fields_.error();
@@ -155,64 +137,31 @@ void check_maze(const Names& mazes, Taker& taker) {
 
 Json take_contest(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
   Taker taker(json, path);
-  taker.texts({"maze"}).seed().texts({"outcome"}).numbers_or_null({"score"}).counts({"exploration_steps"});
-  taker.numbers_or_null({"speed_steps"}).numbers({"discovered_share", "visited_share", "microseconds_per_decision"});
-  taker.optional_counts({"blocked_steps", "void_rotations", "cut_movements", "idle_resets"});
-  if (taker.has("last_words")) taker.texts({"last_words"});
-  if (taker.has("counts")) taker.values("counts", [](const ReadJson& value) { return value.is_number(); });
+  taker.texts({"maze", "outcome"}).others();
   check_maze(mazes, taker);
   return taker.done(error);
 }
 
 Json take_mouse(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
   Taker taker(json, path);
-  taker.texts({"name"}).values(
-      "parameters", [](const ReadJson& value) { return value.is_string() || value.is_number() || value.is_boolean(); });
-  taker.flags({"contestant"}).counts({"solved", "runs"}).numbers_or_null({"mean_score", "penalised_mean"}).interval();
-  taker.numbers_or_null({"mean_ratio", "mean_exploration_steps", "mean_speed_over_optimum"}).numbers({"optimal_share"});
-  taker.numbers_or_null({"mean_discovered_share", "mean_visited_share"}).numbers({"microseconds_per_decision"});
-  taker.list("results", [&](const ReadJson& each, const std::string& at, std::string& wrong) {
-    return take_contest(each, at, mazes, wrong);
-  });
-  return taker.done(error);
-}
-
-Json take_maze(const ReadJson& json, const std::string& path, std::string& error) {
-  return Taker(json, path)
-      .texts({"name"})
-      .counts({"width", "height"})
-      .numbers_or_null({"optimum", "bound"})
-      .done(error);
-}
-
-Json take_other_contest(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
-  Taker taker(json, path);
-  taker.texts({"maze", "outcome"}).others();
-  check_maze(mazes, taker);
-  return taker.done(error);
-}
-
-Json take_other_mouse(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
-  Taker taker(json, path);
   taker.texts({"name"}).counts({"runs"}).numbers_or_null({"mean_score", "mean_ratio"}).interval();
   taker.list("results", [&](const ReadJson& each, const std::string& at, std::string& wrong) {
-    return take_other_contest(each, at, mazes, wrong);
+    return take_contest(each, at, mazes, wrong);
   });
   return taker.others().done(error);
 }
 
-Json take_other_maze(const ReadJson& json, const std::string& path, std::string& error) {
+Json take_maze(const ReadJson& json, const std::string& path, std::string& error) {
   return Taker(json, path).texts({"name"}).counts({"width", "height"}).others().done(error);
 }
 
-/// A race in another world: what all worlds have, and what else there is in plain values, of which the page takes what
-/// it knows.
+/// What all worlds have, and what else there is in plain values, of which the page takes what it knows.
 Json take_group(const ReadJson& json, const std::string& path, std::string& error) {
   Taker taker(json, path);
-  taker.texts({"world", "formula"}).list("mazes", take_other_maze);
+  taker.texts({"world", "formula"}).list("mazes", take_maze);
   const Names mazes = names_in(taker.out()["mazes"]);
   taker.list("mice", [&](const ReadJson& each, const std::string& at, std::string& wrong) {
-    return take_other_mouse(each, at, mazes, wrong);
+    return take_mouse(each, at, mazes, wrong);
   });
   return taker.others().done(error);
 }
@@ -224,18 +173,9 @@ Json take_skipped(const ReadJson& json, const std::string& path, std::string& er
 }  // namespace
 
 std::string read_results(const ReadJson& json, Json& results) {
-  Taker taker(json, "");
-  taker.texts({"labmouse", "compiler", "processor"})
-      .seed()
-      .optional_counts({"budget"})
-      .flags({"stopped"})
-      .list("mazes", take_maze);
-  const Names mazes = names_in(taker.out()["mazes"]);
-  taker.list("mice", [&](const ReadJson& each, const std::string& path, std::string& wrong) {
-    return take_mouse(each, path, mazes, wrong);
-  });
-  if (taker.has("notes")) taker.text_list("notes");
-  if (taker.has("groups")) taker.list("groups", take_group);
+  const ReadJson grouped = with_groups(json);
+  Taker taker(grouped, "");
+  taker.texts({"labmouse", "compiler", "processor"}).seed().flags({"stopped"}).list("groups", take_group);
   taker.list("skipped", take_skipped);
   std::string error;
   results = taker.done(error);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "labmouse/lab/races/world_entry.hpp"
-#include "labmouse/lab/worlds/worlds.hpp"
+#include "labmouse/lab/worlds/entering.hpp"
 
 namespace labmouse {
 namespace {
@@ -28,8 +28,8 @@ Json table_json(const WorldEntry& entry) {
   for (const Column& column : fields.columns)
     if (!column.key.empty()) json["columns"].push_back(column_json(column));
   if (!place.inner.empty()) json["score"] = {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}};
-  if (entry.is_home) json["home"] = true;
-  if (!entry.call.empty()) json["call"] = entry.call;
+  if (world->rules_in_steps()) json["in_steps"] = true;
+  if (entry.records != nullptr && !residents_of(*world).empty()) json["plays"] = true;
   return json;
 }
 

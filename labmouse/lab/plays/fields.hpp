@@ -7,7 +7,6 @@
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/maze/maze.hpp"
-#include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 
@@ -28,15 +27,5 @@ Json route_json(const Maze& maze, const Rules& rules);
 
 /// Steps to the goal from each cell, -1 where there is no way; a step goes so many cells at most.
 Json distances_json(const Maze& maze, int stride);
-
-/// How another mouse holds the same contest: the call, what that is asked besides mouse, maze and seed, and the mice of
-/// the roster that can.
-template <class Enters>
-Json again_json(const char* call, const Json& conditions, Enters enters) {
-  Json mice = Json::array();
-  for (const RosterEntry* mouse : roster())
-    if (enters(*mouse)) mice.push_back(mouse->name);
-  return {{"call", call}, {"with", conditions}, {"mice", std::move(mice)}};
-}
 
 }  // namespace labmouse

@@ -98,8 +98,6 @@ Json play_json(const RecordFile& file) {
   for (const StepReasons& choice : file.run.reasons) play["reasons"].push_back(choice_json(choice));
   play["events"] = Json::array();
   play["loses"] = LossMeter(*file.maze, file.rules).by_step(file.run);
-  if (file.world.empty())
-    play["again"] = again_json("run", rules_json(file.rules), [](const RosterEntry&) { return true; });
   return play;
 }
 

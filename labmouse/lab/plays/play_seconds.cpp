@@ -206,8 +206,6 @@ Json play_json(const DriveRecordFile& contest) {
   play["loses"] = Json::array();
   play["events"] = Json::array();
   play["drive"] = drive_json(contest, best, frames);
-  const Json conditions = {{"robot", labmouse::robot_json(contest.model->robot)}, {"rules", contest.rules.name}};
-  play["again"] = again_json("drive", conditions, [](const RosterEntry& mouse) { return mouse.drives; });
   return play;
 }
 

@@ -47,6 +47,9 @@ class Replay {
   virtual std::string text() const = 0;
   /// The record in the form that reports carry.
   virtual Json packed() const = 0;
+  /// The conditions of the contest, an object as World::conditions() has them, under which other mice can have it, too;
+  /// null where they cannot.
+  virtual Json conditions() const = 0;
   /// Frame by frame: `Play` in apps/web/page/src/core/types.ts.
   virtual Json play() const = 0;
 

@@ -4,7 +4,9 @@
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/plays/play_seconds.hpp"
 #include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_story.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 
 namespace labmouse {
@@ -65,6 +67,10 @@ class DriveReplay final : public Replay {
     file.physical->conditions.trace_every = 0;
     json["drive"] = write_drive_record(file);
     return json;
+  }
+  // Without the conditions of the physical world: there, too, other mice have the contest without errors.
+  Json conditions() const override {
+    return {{"robot", robot_json(file_.model->robot)}, {"rules", rules_json(file_.rules)}};
   }
   Json play() const override { return play_json(file_); }
   std::string picture() const override { return draw_contest(file_); }

@@ -1,6 +1,6 @@
 // A world, as a value: what one contest is, what it is scored by, which figures it has, what bounds it, and what of it
 // is kept. Races, standings, tables, JSON, CSV, studies, reports and the page know no more of any world than this.
-// docs/adding-a-world.md builds one.
+// docs/how-to/add-a-world.md builds one.
 #pragma once
 
 #include <atomic>
@@ -83,6 +83,7 @@ struct Column {
   int digits = 0;                 ///< decimals on the page
   bool higher_is_better = false;
   double factor = 1.0;  ///< by which the page multiplies the field: 100 makes a share a percentage
+  bool more = false;    ///< only printed with `--columns all`
 };
 
 /// A figure that studies compare besides the score: a number above 0 whose ratio between two mice says something, by
@@ -132,9 +133,6 @@ class World {
 
   /// As in --world and in JSON.
   virtual std::string_view name() const = 0;
-  /// Whether its race stands at the top of the JSON of races; all others are groups. One world is so, for the sake of
-  /// those who read what was there before others were.
-  virtual bool is_home() const { return false; }
   /// How it scores, in one line without its end.
   virtual std::string formula() const = 0;
   virtual std::vector<Condition> conditions() const = 0;
@@ -157,8 +155,8 @@ class World {
   /// The parameters of a mouse that count here.
   virtual Settings settings(const Contestant& mouse) const { return mouse.settings; }
 
-  /// The rules in steps by which mice learn from whole mazes.
-  virtual Rules lesson_rules() const { return {}; }
+  /// The rules of contests that are one run in steps each; nothing in other worlds.
+  virtual std::optional<Rules> rules_in_steps() const { return std::nullopt; }
   /// The unit of scores, for axes.
   virtual std::string_view unit() const = 0;
 

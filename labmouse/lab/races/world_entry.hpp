@@ -46,16 +46,14 @@ struct RecordKind;
 /// What is known of a world before its settings are.
 struct WorldEntry {
   std::string_view name;
+  std::string_view former_name = {};  ///< in files of earlier versions and in the keys of stores; empty without one
   std::string_view summary;
   std::span<const WorldSetting> settings;
   WorldResult (*make)(const WorldSettings& settings);
   const RecordKind* records = nullptr;  ///< the kind of the records of its contests
-  bool is_home = false;
   /// Makes the world again from an object of its conditions, of which nothing is sure; null where they are none.
   /// Without it each setting is a condition, with `_` in place of `-`.
   std::shared_ptr<const World> (*restore)(const ReadJson& conditions) = nullptr;
-  /// The page's call that holds a contest with all of its play; empty where it only races.
-  std::string_view call = {};
   /// How many contests in each maze a mouse that meets dice has, where nobody says.
   int usual_runs = 20;
 };

@@ -1,4 +1,4 @@
-// Records of contests in seconds as files: JSON Lines, described in docs/drive-record.md.
+// Records of contests in seconds as files: JSON Lines, described in docs/reference/records.md.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace labmouse {
 
-/// What a record of the physical world, or of the fallible one, has besides.
+/// What a record of the physical world, or of the failure model, has besides.
 struct PhysicalPart {
   PhysicalConditions conditions;
   PhysicalNotes notes;

@@ -111,7 +111,7 @@ class Story {
     if (i > 0 && (record_.runs[i - 1].kind == Kind::fast || makes_sure(i - 1))) return " from its run";
     WallSet possible = WallSet::all(file_.maze->size());
     possible -= run.closed;
-    // The fallible world leaves out what nobody asked for.
+    // The failure model leaves out what nobody asked for.
     const DriveTime known = run.known < no_time ? run.known : fastest_over(run.open);
     const DriveTime hoped = run.hoped < no_time ? run.hoped : fastest_over(possible);
     if (known >= no_time || hoped >= no_time) return "";

@@ -1,4 +1,4 @@
-// The record of one program that was written for mms: JSON Lines, described in docs/mms-record.md.
+// The record of one program that was written for mms: JSON Lines, described in docs/reference/records.md.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Records of mms, read back: JSON Lines, described in docs/mms-record.md.
+// Records of mms, read back: JSON Lines, described in docs/reference/records.md.
 #pragma once
 
 #include <cstdint>

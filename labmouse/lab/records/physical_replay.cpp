@@ -91,18 +91,18 @@ PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every) {
   Script script(file.maze->size(), file.physical->notes.actions, std::move(paces));
   if (file.physical->notes.by_dice) {
     const Hazards hazards = hazards_of(*hazards_behind(*file.physical));
-    return drive_fallibly(*file.maze, file.rules, *file.model, conditions, hazards, file.seed, script);
+    return drive_with_failures(*file.maze, file.rules, *file.model, conditions, hazards, file.seed, script);
   }
   return drive_physically(*file.maze, file.rules, *file.model, conditions, file.seed, script);
 }
 
 std::string replay_physically(const DriveRecordFile& file) {
   const bool by_dice = file.physical->notes.by_dice;
-  if (const int edition = by_dice ? fallible_edition : physical_edition; file.physical->edition != edition)
+  if (const int edition = by_dice ? failures_edition : physical_edition; file.physical->edition != edition)
     return fmt::format(
         "it was driven in edition {} of the {} world; this version has edition {}, so it can be "
         "shown and not driven again",
-        file.physical->edition, by_dice ? "fallible" : "physical", edition);
+        file.physical->edition, by_dice ? "failures" : "physical", edition);
   if (by_dice && !hazards_behind(*file.physical))
     return fmt::format(
         "it was held by the hazards {} ({}), which labmouse does not bring; it can be shown and not driven again",

@@ -1,4 +1,4 @@
-// Records as files: JSON Lines, described in docs/run-record.md.
+// Records as files: JSON Lines, described in docs/reference/records.md.
 #pragma once
 
 #include <optional>

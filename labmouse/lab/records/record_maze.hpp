@@ -10,7 +10,7 @@
 
 namespace labmouse {
 
-/// Name, start, heading, goals and drawing, as docs/run-record.md lists them.
+/// Name, start, heading, goals and drawing, as docs/reference/records.md lists them.
 Json record_maze_json(const std::string& name, const Maze& maze);
 
 /// Reads the maze of a header, which has a drawing; where it does not say start, heading or goals, the drawing does. On

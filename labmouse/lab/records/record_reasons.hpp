@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// As docs/run-record.md describes them.
+/// As docs/reference/records.md describes them.
 Json reasons_json(const Reasons& reasons);
 
 /// Reads them for a maze of that size; returns what is wrong, or nothing.

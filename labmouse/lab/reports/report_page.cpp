@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
 
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
@@ -40,7 +41,7 @@ std::optional<Maze> find_again(const ReportMaze& wanted) {
 /// The links of the mazes by their names. `notes` gets a line where some are not found.
 Json links_of(const ReportResults& results, const ReportRecords& records, std::vector<std::string>& notes) {
   Json links = Json::object();
-  std::vector<std::string> lost;
+  std::set<std::string> lost;
   for (const ReportWorld& world : results.worlds)
     for (const ReportMaze& wanted : world.mazes) {
       if (links.contains(wanted.name)) continue;
@@ -48,12 +49,12 @@ Json links_of(const ReportResults& results, const ReportRecords& records, std::v
       const auto maze = recorded != records.mazes.end() ? recorded->second : find_again(wanted);
       if (maze)
         links[wanted.name] = link_of({wanted.name, *maze});
-      else if (world.entry->is_home)
-        lost.push_back(wanted.name);
+      else
+        lost.insert(wanted.name);
     }
   if (!lost.empty())
     notes.push_back(shown(fmt::format("left out: {} that cannot be found again as raced, such as {}",
-                                      counted(static_cast<int>(lost.size()), "maze", "mazes"), lost.front())));
+                                      counted(static_cast<int>(lost.size()), "maze", "mazes"), *lost.begin())));
   return links;
 }
 
@@ -90,7 +91,7 @@ ReportPage make_report(const std::string& path, std::string_view page) {
   const fs::path parent = fs::path(file).parent_path();
   ReportRecords records = read_report_records(*read.results, parent.empty() ? "." : parent.string());
   const std::string report =
-      fmt::format(R"({{"labmouse":"report","format":1,"version":{},"results":{},"mazes":{}}})", Json(version()).dump(),
+      fmt::format(R"({{"labmouse":"report","format":2,"version":{},"results":{},"mazes":{}}})", Json(version()).dump(),
                   read.results->json, links_of(*read.results, records, records.notes).dump());
   return {with_report(page, report, records.json), "", std::move(records.notes)};
 }

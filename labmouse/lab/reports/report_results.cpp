@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/races/earlier_results.hpp"
+#include "labmouse/lab/reports/file_kind.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/json_problem.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
@@ -11,7 +13,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::size_t longest_header = std::size_t{1} << 20U;  // bytes of the first line of a record
 constexpr const char* how_to_make = "create one with `labmouse race --format json` or `--out`";
 
 /// Reads values and remembers the first that is missing or wrong. In place of that it gives an empty one.
@@ -87,13 +88,10 @@ ReportWorld read_world(const Json& json, const WorldEntry* entry, const std::str
   return world;
 }
 
-/// The home world, and those of the groups.
 std::vector<ReportWorld> read_worlds(const Json& json, ResultReading& reading) {
   std::vector<ReportWorld> worlds;
-  worlds.push_back(read_world(json, all_worlds().front(), "", reading));
-  if (!json.contains("groups")) return worlds;
   for (const Json& group : reading.list(json, "groups", "")) {
-    const std::string path = fmt::format("groups[{}].", worlds.size() - 1);
+    const std::string path = fmt::format("groups[{}].", worlds.size());
     const WorldEntry* entry = find_world(reading.text(group, "world", path));
     if (entry == nullptr) reading.refuse(path, "world", "is a world that this version does not know");
     worlds.push_back(read_world(group, entry, path, reading));
@@ -103,16 +101,19 @@ std::vector<ReportWorld> read_worlds(const Json& json, ResultReading& reading) {
 
 /// What a text is that is no results, where that can be seen; or nothing.
 std::string what_it_is(std::string_view text) {
-  const Json first = Json::parse(text.substr(0, std::min(text.find('\n'), longest_header)), nullptr, false);
-  const Json kind = first.is_object() ? first.value("labmouse", Json()) : Json();
-  if (kind == "record") return "is the record of one contest, not a race; `labmouse show --record` draws it";
-  if (kind == "drive record")
-    return "is the record of one contest in seconds, not a race; `labmouse show --record` draws it";
-  if (kind == "mms record") return "is the record of one run of a program for mms, not a race";
-  if (text.starts_with("mouse,maze,"))
-    return fmt::format("is the CSV of a race, which does not hold enough; {}", how_to_make);
-  if (text.starts_with("<!doctype html")) return "is already a page";
-  if (read_maze(text).maze) return "is a maze, not a race; `labmouse show` draws it";
+  switch (kind_of_file(text)) {
+    case FileKind::record:
+      return "is the record of one contest, not a race; `labmouse show --record` draws it";
+    case FileKind::csv:
+      return fmt::format("is the CSV of a race, which does not hold enough; {}", how_to_make);
+    case FileKind::page:
+      return "is already a page";
+    case FileKind::maze:
+      return "is a maze, not a race; `labmouse show` draws it";
+    case FileKind::results:
+    case FileKind::unknown:
+      return "";
+  }
   return "";
 }
 
@@ -120,7 +121,7 @@ std::string what_it_is(std::string_view text) {
 
 ReadResultsResult read_report_results(std::string_view text) {
   if (std::string other = what_it_is(text); !other.empty()) return {std::nullopt, Problem{0, 0, std::move(other)}};
-  const Json json = read_ordered_json(text);
+  const Json json = with_groups(read_ordered_json(text));
   if (json.is_discarded()) return {std::nullopt, json_problem(text)};
   ResultReading reading;
   reading.text(json, "labmouse", "");

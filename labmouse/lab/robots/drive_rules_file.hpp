@@ -1,4 +1,5 @@
-// The rules of contests in seconds as files, described in docs/rules-in-seconds.md: TOML with times in seconds.
+// The rules of contests in seconds as files, described in docs/reference/worlds-and-rules.md: TOML with times in
+// seconds.
 #pragma once
 
 #include <optional>

@@ -15,7 +15,7 @@ struct HardwareKey {
   double unit = 1.0;
 };
 
-/// All of them, in the order of docs/robots.md.
+/// All of them, in the order of docs/reference/files.md.
 std::span<const HardwareKey> hardware_keys();
 
 }  // namespace labmouse

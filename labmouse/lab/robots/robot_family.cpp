@@ -21,9 +21,13 @@ RobotResult RobotFamily::with(std::span<const RobotNumber> numbers) const {
 std::string why_not_varied(std::string_view key) {
   const auto keys = robot_keys();
   const auto found = std::find_if(keys.begin(), keys.end(), [&](const RobotKey& known) { return known.name == key; });
-  if (found == keys.end())
-    return fmt::format("'{}' is no key of robot files; `labmouse robot --help` and docs/robots.md name them",
-                       shown(key));
+  if (found == keys.end()) {
+    const std::string ending = fmt::format(".{}", key);
+    const auto near =
+        std::find_if(keys.begin(), keys.end(), [&](const RobotKey& known) { return known.name.ends_with(ending); });
+    return fmt::format("'{}' is no key of robot files; {}`labmouse robot --help` lists them", shown(key),
+                       near == keys.end() ? "" : fmt::format("did you mean '{}'? ", near->name));
+  }
   const bool number = found->kind == RobotKey::Kind::number || found->kind == RobotKey::Kind::number_or_false;
   return number ? "" : fmt::format("'{}' is no number that can be varied", shown(key));
 }

@@ -1,4 +1,5 @@
-// Robots as files, described in docs/robots.md: TOML with lengths in mm, limits in mm/s, mm/s² and rad/s², times in ms.
+// Robots as files, described in docs/reference/files.md: TOML with lengths in mm, limits in mm/s, mm/s² and rad/s²,
+// times in ms.
 #pragma once
 
 #include <optional>

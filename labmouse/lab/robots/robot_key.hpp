@@ -11,7 +11,7 @@ struct RobotKey {
   enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no, end };
 
   std::string_view name;     ///< with its section: "straight.speed"
-  std::string_view meaning;  ///< as in docs/robots.md
+  std::string_view meaning;  ///< as in docs/reference/files.md
   std::string_view unit;
   double low = 0.0;
   double high = 0.0;

@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// All of them, in the order of docs/robots.md, those of hardware_keys() last.
+/// All of them, in the order of docs/reference/files.md, those of hardware_keys() last.
 std::span<const RobotKey> robot_keys();
 /// The sections that say what a robot is built of: a file has all of them or none.
 bool is_body_section(std::string_view section);

@@ -24,10 +24,6 @@ std::vector<CallShape> call_shapes() {
       {"link", "A maze as a text for links: letters, digits, - _ and . only; and back.",
        object({field("maze", named("MazeData"))}), object({field("link", text)})},
       {"read_link", "", object({field("link", text)}), object({field("maze", named("MazeData"))})},
-      {"run", "A contest of a mouse of the roster, as `labmouse run MOUSE MAZE --seed N --explain`.",
-       object({field("mouse", text), field("maze", named("MazeData")), field("seed", number), maybe("budget", number),
-               maybe("exploration_factor", number), maybe("stride", number)}),
-       object({field("play", named("Play")), field("record", text)})},
       {"robot",
        "A robot that the page brings (`built_in`), with those values, or of the text in `bytes`; and the best route of "
        "a maze.",
@@ -41,17 +37,11 @@ std::vector<CallShape> call_shapes() {
                field("maze", named("MazeData")), field("vary", named("VariedRange")),
                maybe("and", named("VariedRange"))}),
        object({field("regions", named("RouteRegions")), field("svg", text)}), CallBytes::optional},
-      {"drive",
-       "A contest in seconds of a mouse that drives there. `record` is empty where it cannot be saved. `robot`: a "
-       "name; a "
-       "name with the text of its file in the lines below; or as results have it.",
-       object({field("mouse", text), field("maze", named("MazeData")), field("seed", number),
-               field("robot", either({text, named("Fields")})), field("rules", text)}),
-       object({field("play", named("Play")), field("record", text)})},
       {"contest",
-       "The same in any world of such mice. The settings of the world stand beside `world`, by their names, as for "
-       "`race`; or `conditions` are those of a race there, as results have them.",
-       object({field("world", text), field("mouse", text), field("maze", named("MazeData")), field("seed", number),
+       "A contest of a built-in mouse in any world, as `labmouse run MOUSE MAZE --seed N --explain`. The settings of "
+       "the world stand beside `world`, by their names, as for `race`; or `conditions` are those of a race there, as "
+       "results have them.",
+       object({maybe("world", text), field("mouse", text), field("maze", named("MazeData")), field("seed", number),
                maybe("conditions", named("Fields"))},
               {"Fields"}),
        object({field("play", named("Play")), field("record", text)})},

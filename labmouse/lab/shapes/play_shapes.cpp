@@ -109,10 +109,10 @@ std::vector<Declaration> play_shapes() {
                   "the first run."),
             maybe("drive", named("Drive"), "Only in seconds."),
             maybe("again",
-                  object({field("call", words({"run", "drive", "contest"})), field("with", named("Fields")),
+                  object({field("with", object({field("world", text), field("conditions", named("Fields"))})),
                           field("mice", list(text))}),
-                  "How another mouse holds the same contest: the call, what it is asked besides, and who can. Missing "
-                  "where none can.")})},
+                  "How other mice have the same contest: what `contest` is asked besides, and who can. Missing where "
+                  "none can.")})},
   };
 }
 

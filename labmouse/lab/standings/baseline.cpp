@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "labmouse/lab/races/earlier_results.hpp"
 #include "labmouse/lab/standings/mouse_pair.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/json.hpp"
@@ -63,12 +64,8 @@ bool has_conditions_of(const ReadJson& group, const World& world) {
   });
 }
 
-/// The part of a race's JSON that holds a world, of several the one under the same conditions; null where there is
-/// none.
+/// The race in that world, of several the one under the same conditions; null where there is none.
 const ReadJson* part_of(const ReadJson& json, const World& world) {
-  if (world.is_home())
-    return json["mice"].is_array() && json["mice"].empty() && json.contains("groups") ? nullptr : &json;
-  if (!json.contains("groups") || !json["groups"].is_array()) return nullptr;
   const ReadJson* some = nullptr;
   for (const ReadJson& group : json["groups"]) {
     if (!group.is_object() || !group.contains("world") || group["world"] != world.name()) continue;
@@ -158,12 +155,13 @@ ReadBaselineResult read_baseline(std::string_view json_text, const World& world)
   const auto no_race = [] {
     return ReadBaselineResult{std::nullopt, "is not the JSON of a race; create one with `labmouse race --format json`"};
   };
-  const ReadJson json = read_json(json_text);
+  const ReadJson json = with_groups(read_json(json_text));
   if (json.is_discarded()) {
     const Problem problem = json_problem(json_text);
     return {std::nullopt, problem.reason, problem.line, problem.column};
   }
-  if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice")) return no_race();
+  if (!json.is_object() || !json.contains("labmouse") || !json.contains("groups") || !json["groups"].is_array())
+    return no_race();
   const ReadJson* held = part_of(json, world);
   if (held == nullptr)
     return {std::nullopt,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/races/value_json.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/standings.hpp"
@@ -13,20 +14,6 @@
 
 namespace labmouse {
 namespace {
-
-Json json_of(const Value& value) {
-  return std::visit(
-      [](const auto& held) -> Json {
-        using Held = std::decay_t<decltype(held)>;
-        if constexpr (std::is_same_v<Held, std::monostate>)
-          return nullptr;
-        else if constexpr (std::is_same_v<Held, JsonText>)
-          return Json::parse(held.text);
-        else
-          return held;
-      },
-      value);
-}
 
 /// Sets the field, where the value says anything.
 void set(Json& json, std::string_view key, const Value& value) {
@@ -63,11 +50,12 @@ void set_origin(const Contestant& mouse, Json& json) {
   if (mouse.keeps_folder) json["keeps_folder"] = true;
 }
 
-/// The columns of the leaderboard without those that readers make of other fields.
+/// The usual columns of the leaderboard without those that readers make of other fields. The others may be times, which
+/// differ from race to race.
 std::vector<const Column*> own_columns(const Race& race) {
   std::vector<const Column*> own;
   for (const Column& column : race.world().fields().columns)
-    if (column.text != columns::solved && column.text != columns::mean_all) own.push_back(&column);
+    if (!column.more && column.text != columns::solved && column.text != columns::mean_all) own.push_back(&column);
   return own;
 }
 
@@ -107,7 +95,7 @@ void write_mice(const Race& race, JsonStream& out) {
     Json json = Json::object();
     for (const MouseField& field : race.world().fields().mouse) set(json, field.key, field.of(race, standing));
     set_origin(race.mice[standing.mouse], json);
-    if (!race.world().is_home()) json["cells"] = cells_json(race, standing);
+    json["cells"] = cells_json(race, standing);
     out.begin_object();
     out.fields(json);
     write_results(race, standing.mouse, out);
@@ -120,18 +108,6 @@ void set_conditions(const Race& race, Json& json) {
   for (const Condition& condition : race.world().conditions()) set(json, condition.key, condition.value);
 }
 
-void write_group(const Race& race, JsonStream& out) {
-  Json json = {{"world", race.world().name()}, {"formula", race.world().formula()}};
-  describe_world(race, json);
-  set_conditions(race, json);
-  json["stopped"] = race.stopped;
-  json["mazes"] = mazes_json(race);
-  out.begin_object();
-  out.fields(json);
-  write_mice(race, out);
-  out.end();
-}
-
 Json lines_of(std::string_view text) {
   Json lines = Json::array();
   for (std::size_t end = 0; !text.empty(); text.remove_prefix(end + 1)) {
@@ -139,6 +115,19 @@ Json lines_of(std::string_view text) {
     lines.push_back(text.substr(0, end));
   }
   return lines;
+}
+
+void write_group(const Race& race, JsonStream& out) {
+  Json json = {{"world", race.world().name()}, {"formula", race.world().formula()}};
+  describe_world(race, json);
+  set_conditions(race, json);
+  json["stopped"] = race.stopped;
+  json["notes"] = lines_of(notes_of(race));
+  json["mazes"] = mazes_json(race);
+  out.begin_object();
+  out.fields(json);
+  write_mice(race, out);
+  out.end();
 }
 
 Json skipped_json(const std::vector<SkippedFile>& skipped) {
@@ -154,29 +143,18 @@ Json skipped_json(const std::vector<SkippedFile>& skipped) {
 }  // namespace
 
 void write_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped, const TextSink& sink) {
-  const Race* home = races.front().world().is_home() ? &races.front() : nullptr;
   Json json;
   json["labmouse"] = version();
   json["compiler"] = compiler();
   json["processor"] = processor();
   json["seed"] = races.front().order.seed;
-  if (home != nullptr) set_conditions(*home, json);
   json["stopped"] = std::any_of(races.begin(), races.end(), [](const Race& race) { return race.stopped; });
-  json["mazes"] = home != nullptr ? mazes_json(*home) : Json::array();
   JsonStream out(sink);
   out.begin_object();
   out.fields(json);
-  if (home != nullptr)
-    write_mice(*home, out);
-  else
-    out.value(Json::array(), "mice");
-  out.value(home != nullptr ? lines_of(notes_of(*home)) : Json::array(), "notes");
-  if (races.size() > (home != nullptr ? 1U : 0U)) {
-    out.begin_list("groups");
-    for (const Race& race : races)
-      if (&race != home) write_group(race, out);
-    out.end();
-  }
+  out.begin_list("groups");
+  for (const Race& race : races) write_group(race, out);
+  out.end();
   out.value(skipped_json(skipped), "skipped");
   out.end();
   out.finish();

@@ -1,4 +1,4 @@
-// Races as JSON and CSV. docs/races.md lists all fields.
+// Races as JSON and CSV. docs/reference/results.md lists all fields.
 #pragma once
 
 #include <span>
@@ -11,9 +11,8 @@
 
 namespace labmouse {
 
-/// The races of one command in their worlds; the first one stands at the top where its world is `home`, all others in a
-/// group each. `skipped` are the files that were no mazes. The text is handed over part by part, because that of a
-/// million contests is longer than all that is known of them.
+/// The races of one command, in a group each. `skipped` are the files that were no mazes. The text is handed over part
+/// by part, because that of a million contests is longer than all that is known of them.
 void write_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped, const TextSink& sink);
 
 /// The same as one text, or as JSON: for a few contests.

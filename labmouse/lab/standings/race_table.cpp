@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/maze_scores.hpp"
@@ -17,6 +17,16 @@
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
+namespace {
+
+std::vector<const Column*> columns_of(const Race& race, bool all) {
+  std::vector<const Column*> columns;
+  for (const Column& column : race.world().fields().columns)
+    if (all || !column.more) columns.push_back(&column);
+  return columns;
+}
+
+}  // namespace
 
 std::string heading_of(const Race& race) {
   return fmt::format("labmouse {}: {}{}, {}, seed {}{}", version(), race.world().title(),
@@ -25,34 +35,43 @@ std::string heading_of(const Race& race) {
                      race.world().heading());
 }
 
-std::vector<std::vector<std::string>> cells_of(const Race& race) {
+std::vector<std::vector<std::string>> cells_of(const Race& race, bool all) {
   const MouseColumn names(race);
+  const std::vector<const Column*> columns = columns_of(race, all);
   std::vector<std::vector<std::string>> rows = {{""}, {"mouse"}};
-  for (const Column& column : race.world().fields().columns) {
-    rows[0].emplace_back(column.first);
-    rows[1].emplace_back(column.second);
+  for (const Column* column : columns) {
+    rows[0].emplace_back(column->first);
+    rows[1].emplace_back(column->second);
   }
   for (const Standing& standing : standings_of(race)) {
     std::vector<std::string>& row = rows.emplace_back(1, names.of[standing.mouse]);
-    for (const Column& column : race.world().fields().columns) row.push_back(column.text(race, standing));
+    for (const Column* column : columns) row.push_back(column->text(race, standing));
   }
   return rows;
 }
 
-std::string table_of(const Race& race, bool colours) {
-  return heading_of(race) + "\n\n" + leaderboard_of(race, colours) + "\n" + notes_of(race);
+std::string table_of(const Race& race, bool colours, bool all) {
+  return heading_of(race) + "\n\n" + leaderboard_of(race, colours, all) + "\n" + notes_of(race);
 }
 
-std::string leaderboard_of(const Race& race, bool colours) {
-  const std::span<const Column> columns = race.world().fields().columns;
+std::string leaderboard_of(const Race& race, bool colours, bool all) {
+  const std::vector<const Column*> columns = columns_of(race, all);
   const std::size_t width = MouseColumn(race).width;
+  const auto standings = standings_of(race);
+  const auto best = std::find_if(standings.begin(), standings.end(), [&](const Standing& standing) {
+    return !race.mice[standing.mouse].reference && standing.solved > 0;
+  });
   std::string text;
-  int headings = 2;
-  for (const std::vector<std::string>& row : cells_of(race)) {
+  std::ptrdiff_t line_number = -2;  // two lines of headings
+  for (const std::vector<std::string>& row : cells_of(race, all)) {
     // Padded by characters, which fmt counts, and not by bytes.
     std::string line = fmt::format("{:<{}}", row.front(), width);
-    for (std::size_t i = 0; i < columns.size(); ++i) line += fmt::format(" {:>{}}", row[i + 1], columns[i].width);
-    text += colours && headings-- > 0 ? fmt::format("\x1b[1m{}\x1b[0m\n", line) : line + "\n";
+    for (std::size_t i = 0; i < columns.size(); ++i) line += fmt::format(" {:>{}}", row[i + 1], columns[i]->width);
+    const bool heading = line_number < 0;
+    const bool is_best = !heading && standings.size() > 1 && line_number == best - standings.begin();
+    ++line_number;
+    text +=
+        colours && (heading || is_best) ? fmt::format("\x1b[{}m{}\x1b[0m\n", heading ? "1" : "32", line) : line + "\n";
   }
   return text;
 }

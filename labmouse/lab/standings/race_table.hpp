@@ -1,4 +1,4 @@
-// A race for a terminal. docs/races.md describes all of it.
+// A race for a terminal. docs/reference/results.md describes all of it.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace labmouse {
 
-/// A heading, the leaderboard, and notes below.
-std::string table_of(const Race& race, bool colours);
+/// A heading, the leaderboard, and notes below; `all` adds the columns that are rarely needed.
+std::string table_of(const Race& race, bool colours, bool all = false);
 
 /// The heading alone, in a line.
 std::string heading_of(const Race& race);
 
 /// The cells of the leaderboard, the mouse first: two rows of headings and a row a mouse.
-std::vector<std::vector<std::string>> cells_of(const Race& race);
+std::vector<std::vector<std::string>> cells_of(const Race& race, bool all = false);
 
-/// The leaderboard alone: two lines of headings and a line a mouse.
-std::string leaderboard_of(const Race& race, bool colours);
+/// The leaderboard alone: two lines of headings and a line a mouse, with colours the best mouse in green.
+std::string leaderboard_of(const Race& race, bool colours, bool all = false);
 
 /// How much of the mazes each mouse discovered and visited while it searched, as a table in the order of the
 /// leaderboard.

@@ -8,7 +8,7 @@
 namespace labmouse {
 namespace {
 
-constexpr std::array settings = {WorldSetting{"budget", "INT", "Step limit of a contest, for both runs together",
+constexpr std::array settings = {WorldSetting{"budget", "N", "Step limit of a contest, for both runs together",
                                               WorldSetting::Kind::whole, "1000", 1, 1'000'000}};
 
 WorldResult make(const WorldSettings& chosen) {
@@ -20,12 +20,11 @@ WorldResult make(const WorldSettings& chosen) {
 }  // namespace
 
 const WorldEntry steps_entry = {
-    .name = "strides",
+    .name = "steps",
+    .former_name = "strides",
     .summary = "the rules of the capstone project: a step turns, then moves up to three cells",
     .settings = settings,
     .make = make,
-    .records = &steps_records,
-    .is_home = true,
-    .call = "run"};
+    .records = &steps_records};
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// The fields and columns of a race in steps. docs/races.md describes them.
+// The fields and columns of a race in steps. docs/reference/results.md describes them.
 #pragma once
 
 #include "labmouse/lab/races/world.hpp"

@@ -59,15 +59,15 @@ std::string note_on_robots(const Race& race) {
 std::string steps_notes(const Race& race, const Rules& rules) {
   std::string notes = fmt::format(
       "Score: {}; lower is better.\n"
-      "A failed contest counts {:g} in 'all' and is left out of 'solved'.\n",
+      "A failed contest counts {:g}.\n",
       race.world().formula(), rules.failure_score);
   if (solved_different_mazes(race))
-    notes += "Different mice solved different mazes, so compare their scores over 'all', not 'solved'.\n";
+    notes += "Different mice finished different mazes; 'mean score' counts all of them.\n";
   const auto dear = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
     return counts(race, contest) && contest.score.value_or(0.0) > rules.failure_score;
   });
   if (dear > 0)
-    notes += fmt::format("{} solved with a score above {:g}; failing would have counted less.\n",
+    notes += fmt::format("{} finished with a score above {:g}; failing would have counted less.\n",
                          counted(static_cast<int>(dear), "contest was", "contests were"), rules.failure_score);
   return notes;
 }

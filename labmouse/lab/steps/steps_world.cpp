@@ -103,8 +103,7 @@ class StepsWorld final : public World {
  public:
   explicit StepsWorld(const Rules& rules) : rules_(rules) {}
 
-  std::string_view name() const override { return "strides"; }
-  bool is_home() const override { return true; }
+  std::string_view name() const override { return "steps"; }
   std::string formula() const override {
     return fmt::format("speed-run steps + exploration steps / {}", rules_.exploration_factor);
   }
@@ -122,7 +121,7 @@ class StepsWorld final : public World {
   std::string refuse(const Contestant& mouse) const override { return refuse_to_walk(mouse); }
   Settings settings(const Contestant& mouse) const override { return settings_in_steps(mouse); }
 
-  Rules lesson_rules() const override { return rules_; }
+  std::optional<Rules> rules_in_steps() const override { return rules_; }
   std::string_view unit() const override { return "steps"; }
 
   MazeFacts facts(const Maze& maze) const override {

@@ -4,21 +4,13 @@
 
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/races/value_json.hpp"
 #include "labmouse/lab/store/build_signature.hpp"
-#include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "labmouse/mouse/wall_prior.hpp"
 
 namespace labmouse {
 namespace {
-
-Json json_of_condition(const Value& value) {
-  if (const auto* json = std::get_if<JsonText>(&value)) return Json::parse(json->text);
-  if (const auto* truth = std::get_if<bool>(&value)) return *truth;
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  return nullptr;
-}
 
 /// All numbers of a prior, two digits each.
 std::string prior_text(const WallPrior& prior) {
@@ -31,18 +23,17 @@ std::string prior_text(const WallPrior& prior) {
 }  // namespace
 
 std::string conditions_text(const World& world) {
-  Json json = Json::object();
-  for (const Condition& condition : world.conditions()) json[condition.key] = json_of_condition(condition.value);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return conditions_json(world).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string key_of(const World& world) {
   std::string fields;
   for (const ContestField& field : world.fields().contest) fields += fmt::format(" {}", field.key);
   const auto failure = world.failure_score();
-  return fmt::format("world {}\nedition {}\nformula {}\nfailure {}\nconditions {}\nfields{}\n", world.name(),
-                     world.edition(), world.formula(), failure ? fmt::format("{}", *failure) : "none",
-                     conditions_text(world), fields);
+  const WorldEntry* entry = find_world(world.name());
+  const std::string_view name = entry != nullptr && !entry->former_name.empty() ? entry->former_name : world.name();
+  return fmt::format("world {}\nedition {}\nformula {}\nfailure {}\nconditions {}\nfields{}\n", name, world.edition(),
+                     world.formula(), failure ? fmt::format("{}", *failure) : "none", conditions_text(world), fields);
 }
 
 std::string key_of(const World& world, const Contestant& mouse) {

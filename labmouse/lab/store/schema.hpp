@@ -1,4 +1,5 @@
-// The tables of a store, and how older ones become the present ones. docs/store.md describes them to people.
+// The tables of a store, and how older ones become the present ones. docs/how-to/clusters-and-stores.md describes them
+// to people.
 #pragma once
 
 #include <span>

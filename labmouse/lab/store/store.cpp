@@ -46,7 +46,7 @@ class Writing {
   explicit Writing(Database& database)
       : database_(database),
         add_world_(database.prepare("INSERT INTO worlds (text, name, conditions, unit) VALUES (?1, ?2, ?3, ?4) "
-                                    "ON CONFLICT DO NOTHING")),
+                                    "ON CONFLICT DO UPDATE SET name = excluded.name WHERE name <> excluded.name")),
         add_mouse_(database.prepare("INSERT INTO mice (text, name, spec, parameters, about) "
                                     "VALUES (?1, ?2, ?3, ?4, ?5) ON CONFLICT DO NOTHING")),
         add_maze_(database.prepare("INSERT INTO mazes (text, name, width, height) VALUES (?1, ?2, ?3, ?4) "

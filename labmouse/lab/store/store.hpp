@@ -1,5 +1,5 @@
 // A store of contests in a file: what is there is not held again, and what is held is there when its batch is on the
-// disk. docs/store.md describes it to people.
+// disk. docs/how-to/clusters-and-stores.md describes it to people.
 #pragma once
 
 #include <atomic>

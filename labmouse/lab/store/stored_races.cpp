@@ -311,7 +311,11 @@ std::string condition_of(const StoreFilter& filter) {
     for (const std::string& name : names) quoted.push_back(sql_text(name));
     condition = with(condition, fmt::format("{} IN ({})", column, fmt::join(quoted, ", ")));
   };
-  among("world", filter.worlds);
+  std::vector<std::string> worlds = filter.worlds;
+  for (const std::string& name : filter.worlds)
+    if (const WorldEntry* entry = find_world(name); entry != nullptr)
+      for (const std::string_view other : {entry->name, entry->former_name}) worlds.emplace_back(other);
+  among("world", worlds);
   among("mouse", filter.mice);
   among("maze", filter.mazes);
   among("version", filter.versions);

@@ -37,7 +37,9 @@ std::vector<Contestant> taught(const std::vector<Contestant>& mice, const Study&
   std::vector<Contestant> pupils;
   for (const Contestant& mouse : mice) {
     const bool learns = mouse.taught && study.order.learning && !stopping(hooks);
-    pupils.push_back(learns ? mouse.taught(training, study.order.race.world->lesson_rules(), hooks.stop) : mouse);
+    pupils.push_back(
+        learns ? mouse.taught(training, study.order.race.world->rules_in_steps().value_or(Rules()), hooks.stop)
+               : mouse);
     // A race stands in the order of names, and all folds in the same one.
     pupils.back().name = mouse.name;
   }

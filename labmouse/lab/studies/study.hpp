@@ -1,5 +1,5 @@
 // An honest comparison of mice: each maze is held out once, and a mouse that learns has learned from the others only.
-// docs/studies.md describes the results.
+// docs/explanation/statistics-and-bounds.md describes the results.
 #pragma once
 
 #include <atomic>

@@ -76,7 +76,7 @@ Json comparison_json(const Study& study, const Comparison& comparison) {
 
 std::string json_of(const Study& study, const std::vector<SkippedFile>& skipped) {
   Json json = race_json({&study.race, 1}, skipped);
-  Json& mazes = study.race.world().is_home() ? json["mazes"] : json["groups"][0]["mazes"];
+  Json& mazes = json["groups"][0]["mazes"];
   for (std::size_t maze = 0; maze < study.fold_of.size(); ++maze) mazes[maze]["fold"] = study.fold_of[maze] + 1;
   json["folds"] = folds_json(study);
   json["learning"] = study.order.learning;

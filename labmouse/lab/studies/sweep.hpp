@@ -1,4 +1,4 @@
-// One mouse at many values of one parameter: how much does its score depend on it? docs/sweeps.md describes the
+// One mouse at many values of one parameter: how much does its score depend on it? docs/how-to/tune.md describes the
 // results.
 #pragma once
 

@@ -1,5 +1,5 @@
 // A search for better values of several parameters of a mouse at once: each candidate races on the same mazes with the
-// same seeds. docs/tuning.md describes the results.
+// same seeds. docs/how-to/tune.md describes the results.
 #pragma once
 
 #include <atomic>

@@ -93,6 +93,7 @@ EntriesResult enter_each(const std::vector<Contestant>& mice, const WorldEntry& 
 }  // namespace
 
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings) {
+  if (mice.empty() && world.empty()) world = all_worlds().front()->name;
   if (!world.empty()) return enter_each(mice, *find_world(world), settings);
   std::vector<std::vector<Contestant>> by_world(all_worlds().size());
   for (Contestant& mouse : mice) {
@@ -108,7 +109,7 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
   }
   EntriesResult result;
   for (std::size_t i = 0; i < by_world.size(); ++i) {
-    if (i > 0 && by_world[i].empty()) continue;
+    if (by_world[i].empty()) continue;
     EntriesResult one = enter_one(std::move(by_world[i]), *all_worlds()[i], settings);
     if (!one.error.empty()) return one;
     result.entries.push_back(std::move(one.entries.front()));

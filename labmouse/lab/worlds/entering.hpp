@@ -23,7 +23,7 @@ struct EntriesResult {
 };
 
 /// All mice race in the world of that name, once for each value of a setting that has several. Where it is empty, each
-/// races in the first world on the list that takes it; the home world has an entry then, even if nobody does.
+/// races in the first world on the list that takes it; without mice, the first world has an entry.
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings);
 
 /// Why one of these settings counts in none of the worlds that the mice race in; empty where each counts in one.

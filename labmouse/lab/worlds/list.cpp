@@ -10,7 +10,7 @@ namespace labmouse {
 
 std::span<const WorldEntry* const> all_worlds() {
   static constexpr std::array<const WorldEntry*, 5> worlds = {&steps_entry, &seconds_entry, &physical_entry,
-                                                              &fallible_entry, &mms_entry};
+                                                              &failures_entry, &mms_entry};
   return worlds;
 }
 

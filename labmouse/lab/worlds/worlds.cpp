@@ -33,7 +33,7 @@ const RecordKind& kind_where(IsMeant is_meant) {
 
 const WorldEntry* find_world(std::string_view name) {
   for (const WorldEntry* entry : all_worlds())
-    if (entry->name == name) return entry;
+    if (entry->name == name || (!name.empty() && entry->former_name == name)) return entry;
   return nullptr;
 }
 

@@ -1,4 +1,4 @@
-// All worlds: the one list of them. docs/adding-a-world.md shows what another one takes.
+// All worlds: the one list of them. docs/how-to/add-a-world.md shows what another one takes.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace labmouse {
 
 /// The world that is meant where none is named comes first.
 std::span<const WorldEntry* const> all_worlds();
-/// The world of that name, or null.
+/// The world that has or had that name, or null.
 const WorldEntry* find_world(std::string_view name);
 /// The world of that name with its defaults; the name must be that of one.
 std::shared_ptr<const World> default_world(std::string_view name);

@@ -1,4 +1,5 @@
-// Maze files: which formats there are, how one is recognised, read and written. docs/formats.md has the grammars.
+// Maze files: which formats there are, how one is recognised, read and written. docs/reference/maze-files.md has the
+// grammars.
 #pragma once
 
 #include <optional>

@@ -159,7 +159,8 @@ double speed_between(double low, double high, const std::vector<FittedTurn>& fit
 }
 
 /// The lower speeds that turns share, in order, the common one first: as many as a turn may have besides its own. The
-/// widest gap below the fastest turn is split until there are enough. What other choices cost is in docs/robots.md.
+/// widest gap below the fastest turn is split until there are enough. What other choices cost is in
+/// docs/reference/files.md.
 std::vector<double> levels_of(const std::vector<FittedTurn>& fitted, double common, int speeds) {
   std::vector<double> bounds = {common, common};
   for (const FittedTurn& turn : fitted) bounds.back() = std::max(bounds.back(), turn.speed);

@@ -59,7 +59,8 @@ constexpr Parameter number_in_seconds(std::string_view name, std::string_view va
 ///
 /// Found on 257 contest mazes by CMA-ES, all at once, for the mean of three robots (`classic`, `kerise`, `beginner`)
 /// under `thirtieth`, November 2026, but for `corner_time` and those of looks, ways and hopes, which were tried one by
-/// one; docs/solver.md says what each is worth, and what is left of that in mazes that were not used.
+/// one; docs/explanation/how-ariadne-explores.md says what each is worth, and what is left of that in mazes that were
+/// not used.
 inline constexpr std::array drive_parameters = {
     number_in_seconds("corner_turn", "0.62", 0, 10, "before the goal: no turn takes longer than this part of a cell"),
     number_in_seconds("corner_time", "0.16667", 0, 1,

@@ -85,7 +85,7 @@ TEST(PhysicalWorld, CountsWhatEndedRuns) {
   }
   EXPECT_NEAR(json.at("mean_score").get<double>(), scored / (60 - unscored), 1e-9);
   EXPECT_NEAR(json.at("penalised").get<double>(), all / 60.0, 1e-9);
-  EXPECT_THAT(table_of(race, false), Says("penal-", "walled", "misread", "slid", "strayed"));
+  EXPECT_THAT(table_of(race, false), Says("at limit", "no route", "wall", "slipped", "position"));
 }
 
 TEST(PhysicalWorld, IsMadeOfWhatItIsToldAndMadeAgainOfItsConditions) {

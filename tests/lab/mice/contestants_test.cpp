@@ -51,7 +51,8 @@ TEST(Contestants, HaveParametersThatCountWhereThingsGoWrongAlone) {
   for (const char* spec : {"festina:search=0.5", "festina:slower=0.5", "festina:run=0.5", "festina:step=0.5",
                            "festina:safe=no", "festina:map=learned"}) {
     const Contestant mouse = read_specs(spec).contestants.front();
-    EXPECT_THAT(refuse_to_drive({&mouse, 1}), Says("'festina'", "seconds", "physical", "fallible", "'mind'")) << spec;
+    EXPECT_THAT(refuse_to_drive({&mouse, 1}), Says("'festina'", "seconds", "physical", "failure model", "'mind'"))
+        << spec;
     EXPECT_EQ(refuse_to_drive({&mouse, 1}, Driving::with_errors), "") << spec;
   }
   const Contestant ideal = read_specs("festina:mind=certify").contestants.front();

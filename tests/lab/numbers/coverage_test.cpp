@@ -1,5 +1,6 @@
 // The simulation that chose the intervals and the test of verdicts: how often an interval contains the true mean, and
-// how often two equal mice are told apart. docs/studies.md has the table that it prints where it is thorough.
+// how often two equal mice are told apart. docs/explanation/statistics-and-bounds.md has the table that it prints where
+// it is thorough.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include "labmouse/hardware/beam.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/lab/page/page_fixture.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -59,6 +60,7 @@ TEST(PageBodies, HaveBeamsThatEndAtTheWall) {
 }
 
 TEST(PageBodies, HaveTheirTouchesWhereTheyWere) {
+  LABMOUSE_SKIP_SANITIZED();
   int touches = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const DriveRecordFile file = recorded(8.0, 20, seed);

@@ -1,4 +1,4 @@
-// One contest in the physical and in the fallible world, as the page holds and plays it.
+// One contest in the physical and in the failure model, as the page holds and plays it.
 #include <gmock/gmock.h>
 
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
@@ -26,7 +26,7 @@ json asked(const std::string& world, std::uint64_t seed = 1, const std::string& 
 
 TEST(PageContest, IsTheOneOfARace) {
   LABMOUSE_SKIP_SANITIZED();
-  for (const std::string world : {"physical", "fallible"}) {
+  for (const std::string world : {"physical", "failures"}) {
     json race = asked(world, 5, "3");
     race["mice"] = json::array({"flood-return"});
     race["mazes"] = json::array({race["maze"]});
@@ -58,9 +58,9 @@ TEST(PageContest, PlaysAsItsRecordDoes) {
 
 TEST(PageContest, IsHeldAgainByAnotherMouse) {
   const json again = answer("contest", asked("physical", 3, "3"))["play"]["again"];
-  EXPECT_EQ(again["call"], "contest");
   json request = again["with"];
-  EXPECT_EQ(request, (json{{"world", "physical"}, {"noise", "3"}}));
+  EXPECT_EQ(request["world"], "physical");
+  EXPECT_EQ(request["conditions"]["noise"], 3.0);
   request.update({{"mouse", "certify"}, {"maze", data_of({"ring", test::ring()})}, {"seed", 3}});
   EXPECT_EQ(answer("contest", request)["play"]["mouse"], "certify");
 }
@@ -71,9 +71,8 @@ TEST(PageContest, SaysWhatIsWrong) {
   EXPECT_THAT(error_of("contest", contest), HasSubstr("noise"));
   contest = asked("nowhere");
   EXPECT_THAT(error_of("contest", contest), HasSubstr("nowhere"));
-  contest = asked("steps");
-  contest.erase("noise");
-  EXPECT_THAT(error_of("contest", contest), HasSubstr("steps"));
+  contest = asked("mms");
+  EXPECT_THAT(error_of("contest", contest), HasSubstr("mms"));
   contest = asked("physical");
   contest["mouse"] = "random-walk";
   EXPECT_FALSE(error_of("contest", contest).empty());
@@ -106,7 +105,7 @@ TEST(PageContest, ShowsWhereBeliefAndTruthPartAndMeetAgain) {
 TEST(PageContest, IsOnItsClock) {
   LABMOUSE_SKIP_SANITIZED();
   int slow = 0, broken = 0;
-  for (const std::string world : {"physical", "fallible"})
+  for (const std::string world : {"physical", "failures"})
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
       json contest = asked(world, seed, "3");
       contest["mouse"] = "festina";
@@ -135,11 +134,12 @@ TEST(PageContest, IsOnItsClock) {
 
 TEST(PageContest, TellsNoMistakesOfAMouseThatNeverErrs) {
   EXPECT_EQ(answer("contest", asked("physical", 1, "0"))["play"]["mistaken"], json::array());
-  const json seconds = answer("drive", {{"mouse", "flood"},
-                                        {"maze", data_of({"ring", test::ring()})},
-                                        {"seed", 1},
-                                        {"robot", "kerise"},
-                                        {"rules", "all-japan"}});
+  const json seconds = answer("contest", {{"world", "seconds"},
+                                          {"mouse", "flood"},
+                                          {"maze", data_of({"ring", test::ring()})},
+                                          {"seed", 1},
+                                          {"robot", "kerise"},
+                                          {"rules", "all-japan"}});
   EXPECT_FALSE(seconds["play"].contains("mistaken"));
 }
 

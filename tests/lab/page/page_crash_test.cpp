@@ -10,6 +10,7 @@
 #include "labmouse/strategies/roster.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/lab/page/page_fixture.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -48,6 +49,7 @@ DriveRecordFile physical(int trace_every, std::uint64_t seed) {
 }
 
 TEST(PageCrash, OfAMouseInThePhysicalWorldIsWhereItsBodyWas) {
+  LABMOUSE_SKIP_SANITIZED();
   int crashes = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed)
     for (const int trace_every : {0, 100}) {
@@ -89,7 +91,7 @@ DriveRecordFile failing(Manoeuvre manoeuvre) {
   const RosterEntry& entry = *find_mouse("flood-return");
   const auto mouse = entry.make(briefing, Settings(entry.parameters));
   PhysicalRecord record =
-      drive_fallibly(*file.maze, file.rules, *file.model, file.physical->conditions, hazards, 1, *mouse);
+      drive_with_failures(*file.maze, file.rules, *file.model, file.physical->conditions, hazards, 1, *mouse);
   file.record = std::move(record.drive);
   file.physical->notes = std::move(record);
   return file;

@@ -28,11 +28,12 @@ NamedMaze builtin(std::string_view name) {
 
 json driving(const NamedMaze& maze, const std::string& mouse = "certify", const std::string& robot = "mm2021",
              const std::string& rules = "all-japan") {
-  return {{"mouse", mouse}, {"maze", data_of(maze)}, {"seed", 1}, {"robot", robot}, {"rules", rules}};
+  return {{"mouse", mouse},     {"maze", data_of(maze)}, {"seed", 1},
+          {"world", "seconds"}, {"robot", robot},        {"rules", rules}};
 }
 
 json play_of(const NamedMaze& maze, const std::string& mouse = "certify", const std::string& robot = "mm2021") {
-  return answer("drive", driving(maze, mouse, robot))["play"];
+  return answer("contest", driving(maze, mouse, robot))["play"];
 }
 
 /// A place on the path of a play.
@@ -151,13 +152,13 @@ TEST(PageDrive, KnowsWallsFromTheFrameInWhichTheyAreSeen) {
 }
 
 TEST(PageDrive, SaysWhatCannotBeDriven) {
-  EXPECT_THAT(error_of("drive", driving(test::hook(), "random")), Says("'random'", "seconds", "flood, "));
-  EXPECT_THAT(error_of("drive", driving(test::hook(), "flood,certify")), Says("'flood,certify'", "several"));
-  EXPECT_THAT(error_of("drive", driving(test::hook(), "flood", "tank")), HasSubstr("no robot 'tank'"));
-  EXPECT_THAT(error_of("drive", driving(test::hook(), "flood", "half", "chess")), HasSubstr("no rules 'chess'"));
-  EXPECT_THAT(error_of("drive", {{"mouse", "flood"}}), Says("'maze'", "missing"));
+  EXPECT_THAT(error_of("contest", driving(test::hook(), "random")), Says("'random'", "seconds", "flood, "));
+  EXPECT_THAT(error_of("contest", driving(test::hook(), "flood,certify")), Says("'flood,certify'", "several"));
+  EXPECT_THAT(error_of("contest", driving(test::hook(), "flood", "tank")), HasSubstr("'tank'"));
+  EXPECT_THAT(error_of("contest", driving(test::hook(), "flood", "half", "chess")), HasSubstr("'chess'"));
+  EXPECT_THAT(error_of("contest", {{"mouse", "flood"}}), Says("'maze'", "missing"));
   const NamedMaze large = {"large", Maze(MazeDraft({33, 4}, MazeDraft::Inside::open))};
-  EXPECT_THAT(error_of("drive", driving(large)), Says("33x4", "32x32"));
+  EXPECT_THAT(error_of("contest", driving(large)), Says("33x4", "32x32"));
 }
 
 /// Where no goal can be reached there is a search and no more.
@@ -171,7 +172,7 @@ TEST(PageDrive, PlaysWhatEndsWithoutARun) {
 }
 
 TEST(PageDrive, OpensARecordAsItWasDriven) {
-  const json driven = answer("drive", driving(test::hook()));
+  const json driven = answer("contest", driving(test::hook()));
   const std::string record = driven["record"];
   const json opened = answer("open", {{"name", "hook.jsonl"}}, record);
   EXPECT_EQ(opened["kind"], "record");
@@ -182,7 +183,7 @@ TEST(PageDrive, OpensARecordAsItWasDriven) {
 }
 
 TEST(PageDrive, OpensNoRecordThatCannotHaveHappened) {
-  const std::string record = answer("drive", driving(test::hook(), "flood"))["record"];
+  const std::string record = answer("contest", driving(test::hook(), "flood"))["record"];
   std::string changed = record;
   changed.replace(changed.find("\"until\":300000"), 14, "\"until\":300001");
   for (const char* call : {"open", "picture"})

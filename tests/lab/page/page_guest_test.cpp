@@ -43,7 +43,7 @@ json held(const json& request, const NamedMaze& maze, const char* mouse = "flood
 TEST(PageGuest, HasTheContestOfTheMindThatItIs) {
   for (const NamedMaze& maze : {test::loop(), test::corridor(), test::hook()}) {
     const json end = held(beginning(maze), maze, "flood", "a note\n");
-    const json ours = answer("run", {{"mouse", "flood"}, {"maze", data_of(maze)}, {"seed", 1}});
+    const json ours = answer("contest", {{"mouse", "flood"}, {"maze", data_of(maze)}, {"seed", 1}});
     for (const char* field : {"x", "y", "action", "known", "score", "outcome"})
       EXPECT_EQ(end["play"][field], ours["play"][field]) << field;
     EXPECT_EQ(end["play"]["mouse"], "mine");
@@ -113,9 +113,9 @@ json race_with(const json& played) {
 
 TEST(PageGuest, StandsWhereTheMindStandsThatItIs) {
   const json results = answer("race", race_with(played_as("flood")))["results"];
-  ASSERT_EQ(results["mice"].size(), 3U);
+  ASSERT_EQ(results["groups"][0]["mice"].size(), 3U);
   const auto of = [&](const std::string& name) {
-    for (const json& mouse : results["mice"])
+    for (const json& mouse : results["groups"][0]["mice"])
       if (mouse["name"] == name) return mouse;
     return json();
   };
@@ -151,7 +151,7 @@ TEST(PageGuest, RacesOnlyWithItsOwnContests) {
   EXPECT_THAT(error_of("race", budget), Says("not of this race"));
   json alone = race_with(whole);
   alone["mice"] = json::array();
-  EXPECT_EQ(answer("race", alone)["results"]["mice"].size(), 1U);
+  EXPECT_EQ(answer("race", alone)["results"]["groups"][0]["mice"].size(), 1U);
 }
 
 }  // namespace

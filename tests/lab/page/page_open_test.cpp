@@ -64,7 +64,7 @@ TEST(PageOpens, Records) {
   const RecordFile file = recorded("ariadne", test::loop(), 1, true);
   const json said = opened(write_record(file));
   EXPECT_EQ(said["kind"], "record");
-  const json ran = test::answer("run", {{"mouse", "ariadne"}, {"maze", data_of(test::loop())}, {"seed", 1}});
+  const json ran = test::answer("contest", {{"mouse", "ariadne"}, {"maze", data_of(test::loop())}, {"seed", 1}});
   EXPECT_EQ(said["play"], ran["play"]);
 }
 
@@ -182,8 +182,11 @@ TEST(PageOpens, Results) {
 TEST(PageOpens, ResultsWithoutFieldsThatItDoesNotKnow) {
   json more = results();
   const json known = more;
-  more["mice"][0]["results"][0]["extra"] = more["extra"] = 1;
-  EXPECT_EQ(opened(more.dump())["results"], known);
+  more["groups"][0]["mice"][0]["results"][0]["extra"] = {{"more", {1}}, {"known", 1}};
+  more["extra"] = 1;
+  json expected = known;
+  expected["groups"][0]["mice"][0]["results"][0]["extra"] = {{"known", 1}};
+  EXPECT_EQ(opened(more.dump())["results"], expected);
 }
 
 TEST(PageOpens, ResultsOfAnotherWorldWithWhatIsPlainInThem) {
@@ -211,13 +214,13 @@ TEST(PageOpens, ResultsOfMms) {
   std::vector<Race> races = {test::race_of("flood"), test::imagined_race({"mms:a"}, {test::plank()})};
   test::imagine(races[1], 0, 0, test::imagined_run(4, 1, 10, 2));
   json whole = json::parse(json_of(races, {}));
-  const json group = opened(whole.dump())["results"]["groups"][0];
+  const json group = opened(whole.dump())["results"]["groups"][1];
   EXPECT_EQ(group["world"], "mms");
-  EXPECT_EQ(group["mazes"], whole["groups"][0]["mazes"]);
-  EXPECT_EQ(group["mice"][0]["results"][0]["score"], whole["groups"][0]["mice"][0]["results"][0]["score"]);
-  whole["groups"][0]["mice"][0]["results"][0]["maze"] = "other";
+  EXPECT_EQ(group["mazes"], whole["groups"][1]["mazes"]);
+  EXPECT_EQ(group["mice"][0]["results"][0]["score"], whole["groups"][1]["mice"][0]["results"][0]["score"]);
+  whole["groups"][1]["mice"][0]["results"][0]["maze"] = "other";
   EXPECT_THAT(refused(whole.dump())["problems"][0]["reason"].get<std::string>(),
-              Says("'groups[0].mice[0].results[0].maze'", "mazes"));
+              Says("'groups[1].mice[0].results[0].maze'", "mazes"));
 }
 
 json refused_with(const char* field, const json& value) {
@@ -239,27 +242,32 @@ TEST(PageOpens, NoResultsWithWrongFields) {
   };
   EXPECT_THAT(error_in(refused_with("/seed", -1)), Says("race.json ", "race results"));
   EXPECT_THAT(reason("/seed", -1), Says("'seed'", "2^64 - 1"));
-  EXPECT_THAT(reason("/mice", 3), Says("'mice'", "list"));
-  EXPECT_THAT(reason("/mice/1/name", 3), Says("'mice[1].name'", "string"));
-  EXPECT_THAT(reason("/mice/0/interval", {1}), Says("'mice[0].interval'", "[low, high]"));
-  EXPECT_THAT(reason("/mice/0/parameters/stride", {1}), Says("'mice[0].parameters'", "'stride'"));
-  EXPECT_THAT(reason("/mice/1/results/2/score", "low"), Says("'mice[1].results[2].score'", "number"));
-  EXPECT_THAT(reason("/mice/1/results/2/maze", "other"), Says("'mice[1].results[2].maze'", "mazes"));
-  EXPECT_THAT(reason("/mice/1/results/2", 3), Says("'mice[1].results[2]'", "object"));
-  EXPECT_THAT(reason("/mazes/0/width", 1.5), Says("'mazes[0].width'", "whole number"));
+  EXPECT_THAT(reason("/groups", 3), Says("'groups'", "list"));
+  EXPECT_THAT(reason("/groups/0/mice", 3), Says("'groups[0].mice'", "list"));
+  EXPECT_THAT(reason("/groups/0/mice/1/name", 3), Says("'groups[0].mice[1].name'", "string"));
+  EXPECT_THAT(reason("/groups/0/mice/0/interval", {1}), Says("'groups[0].mice[0].interval'", "[low, high]"));
+  EXPECT_THAT(reason("/groups/0/mice/1/mean_score", "low"), Says("'groups[0].mice[1].mean_score'", "number"));
+  EXPECT_THAT(reason("/groups/0/mice/1/results/2/maze", "other"), Says("'groups[0].mice[1].results[2].maze'", "mazes"));
+  EXPECT_THAT(reason("/groups/0/mice/1/results/2", 3), Says("'groups[0].mice[1].results[2]'", "object"));
+  EXPECT_THAT(reason("/groups/0/mazes/0/width", 1.5), Says("'groups[0].mazes[0].width'", "whole number"));
   EXPECT_THAT(reason("/skipped/0/reasons", {1}), Says("'skipped[0].reasons[0]'", "string"));
   EXPECT_THAT(reason("/groups", {3}), Says("'groups[0]'", "object"));
 }
 
 TEST(PageOpens, ResultsOfAnEarlierVersionWhereTheyHaveWhatIsNeeded) {
-  json old = results();
-  old["labmouse"] = "0.0.1";
-  old["mice"][0].erase("mean_visited_share");
-  EXPECT_TRUE(opened(old.dump())["results"]["mice"][0]["mean_visited_share"].is_null());
-  old["mice"][0].erase("optimal_share");
+  json now = results();
+  now["labmouse"] = "0.0.1";
+  json& group = now["groups"][0];
+  // A race in steps stood at the top.
+  json old = now;
+  old.erase("groups");
+  for (const char* key : {"budget", "mazes", "mice", "notes"}) old[key] = group[key];
+  for (const char* key : {"unit", "score", "failure_score", "limit_score", "columns"}) group.erase(key);
+  EXPECT_EQ(opened(old.dump())["results"], now);
+  old["mice"][0].erase("runs");
   const json said = refused(old.dump(), "old.json");
   EXPECT_THAT(error_in(said), Says("old.json ", "race results", "0.0.1", version()));
-  expect_problem(said, 0, 0, "'mice[0].optimal_share'", "missing");
+  expect_problem(said, 0, 0, "'groups[0].mice[0].runs'", "missing");
 }
 
 TEST(PageOpens, NoJsonThatIsNone) {

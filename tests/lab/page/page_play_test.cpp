@@ -25,15 +25,14 @@ json running(const std::string& mouse, const NamedMaze& maze = test::loop()) {
 }
 
 json play_of(const std::string& mouse, const NamedMaze& maze = test::loop()) {
-  return answer("run", running(mouse, maze))["play"];
+  return answer("contest", running(mouse, maze))["play"];
 }
 
 /// The oracle explores by its shortest run, resets and runs: every number can be seen in the drawing of the hook.
 TEST(PagePlay, HasEachFrameAndEachStep) {
   json play = play_of("oracle", test::hook());
   // Every mouse of the roster can hold it again, by the same rules.
-  EXPECT_EQ(play["again"]["call"], "run");
-  EXPECT_EQ(play["again"]["with"], play["rules"]);
+  EXPECT_EQ(play["again"]["with"], json::parse(R"({"world": "steps", "conditions": {"budget": 1000}})"));
   EXPECT_EQ(play["again"]["mice"].size(), roster().size());
   play.erase("again");
   EXPECT_TRUE(play["traits"].erase("bound"));
@@ -107,33 +106,33 @@ TEST(PagePlay, SaysWhyAMouseGaveUp) {
 }
 
 TEST(PagePlay, ComesWithItsRecord) {
-  const json said = answer("run", running("ariadne"));
+  const json said = answer("contest", running("ariadne"));
   EXPECT_EQ(said["record"], write_record(recorded("ariadne", test::loop(), 1, true)));
 }
 
 TEST(PagePlay, TakesABudget) {
   json request = running("flood");
   request["budget"] = 3;
-  EXPECT_EQ(answer("run", request)["play"]["outcome"], "out of steps");
+  EXPECT_EQ(answer("contest", request)["play"]["outcome"], "out of steps");
   request["budget"] = 1000001;
-  EXPECT_THAT(error_of("run", request), Says("'budget'", "1 to 1000000"));
+  EXPECT_THAT(error_of("contest", request), Says("'budget'", "1 to 1000000"));
 }
 
 TEST(PagePlay, IsOfOneMouseOfTheRoster) {
-  EXPECT_THAT(error_of("run", running("flod")), Says("'flod'", "'flood'", "`labmouse mice`"));
-  EXPECT_THAT(error_of("run", running("flood,certify")), Says("'flood,certify'", "several"));
-  EXPECT_THAT(error_of("run", running("guest:ls")), Says("'guest:ls'", "program", "`labmouse race`"));
-  EXPECT_THAT(error_of("run", running("flood,mms:ls")), Says("'mms:ls'", "program"));
-  EXPECT_THAT(error_of("run", running("capstone:r.py")), Says("'capstone:r.py'", "program"));
-  EXPECT_THAT(error_of("run", running("festina")), Says("'festina'", "steps"));
-  EXPECT_THAT(error_of("run", running("ariadne:cell_most=1")), Says("'cell_most'", "steps"));
+  EXPECT_THAT(error_of("contest", running("flod")), Says("'flod'", "'flood'", "`labmouse mice`"));
+  EXPECT_THAT(error_of("contest", running("flood,certify")), Says("'flood,certify'", "several"));
+  EXPECT_THAT(error_of("contest", running("guest:ls")), Says("'guest:ls'", "program", "`labmouse race`"));
+  EXPECT_THAT(error_of("contest", running("flood,mms:ls")), Says("'mms:ls'", "program"));
+  EXPECT_THAT(error_of("contest", running("capstone:r.py")), Says("'capstone:r.py'", "program"));
+  EXPECT_THAT(error_of("contest", running("festina")), Says("'festina'", "steps"));
+  EXPECT_THAT(error_of("contest", running("ariadne:cell_most=1")), Says("'cell_most'", "steps"));
 }
 
 TEST(PagePlay, HasNoPriorsOfFiles) {
-  const std::string error = error_of("run", running("ariadne:prior=my.prior"));
+  const std::string error = error_of("contest", running("ariadne:prior=my.prior"));
   EXPECT_THAT(error, Says("'my.prior'", "'ariadne'", "file", "contest"));
-  EXPECT_THAT(error_of("run", running("flood,ariadne:prior=")), HasSubstr("is a file"));
-  EXPECT_THAT(error_of("run", running("ariadne:")), Says("'ariadne'", "key=value"));
+  EXPECT_THAT(error_of("contest", running("flood,ariadne:prior=")), HasSubstr("is a file"));
+  EXPECT_THAT(error_of("contest", running("ariadne:")), Says("'ariadne'", "key=value"));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ json packed(std::string_view spec) { return json::parse(pack_record(recorded(spe
 
 TEST(PageUnpacks, WhatRunningTheMouseGives) {
   for (const char* spec : {"ariadne", "flood:stride=1", "random"}) {
-    const json ran = answer("run", of_maze(test::loop(), {{"mouse", spec}, {"seed", 1}}));
+    const json ran = answer("contest", of_maze(test::loop(), {{"mouse", spec}, {"seed", 1}}));
     const json unpacked = answer("unpack", of_maze(test::loop(), {{"record", packed(spec)}}));
     EXPECT_EQ(unpacked["play"], ran["play"]) << spec;
   }

@@ -226,10 +226,11 @@ TEST(PageRobot, DrivesAndRacesWithATextBelowItsName) {
   const json maze = data_of(test::hook());
   const json classic = built_in("classic");
   const std::string mine = "mine\n" + classic["text"].get<std::string>();
-  json request = {{"mouse", "flood"}, {"maze", maze}, {"seed", 1}, {"robot", "classic"}, {"rules", "all-japan"}};
-  const json theirs = answer("drive", request);
+  json request = {{"world", "seconds"}, {"mouse", "flood"},   {"maze", maze},
+                  {"seed", 1},          {"robot", "classic"}, {"rules", "all-japan"}};
+  const json theirs = answer("contest", request);
   request["robot"] = mine;
-  const json driven = answer("drive", request);
+  const json driven = answer("contest", request);
   EXPECT_EQ(driven["play"]["score"], theirs["play"]["score"]);
   EXPECT_EQ(driven["play"]["drive"]["robot"]["name"], "mine");
   EXPECT_EQ(driven["play"]["drive"]["robot"]["hash"], theirs["play"]["drive"]["robot"]["hash"]);
@@ -238,17 +239,17 @@ TEST(PageRobot, DrivesAndRacesWithATextBelowItsName) {
   const json group = answer("race", race)["results"]["groups"][0];
   EXPECT_EQ(group["robot"]["name"], "mine");
   EXPECT_EQ(group["mice"][0]["mean_score"], theirs["play"]["score"]);
-  request["robot"] = group["robot"];
-  EXPECT_EQ(answer("drive", request)["record"], driven["record"]);
+  json again = {{"world", "seconds"}, {"mouse", "flood"}, {"maze", maze}, {"seed", 1}, {"conditions", group}};
+  EXPECT_EQ(answer("contest", again)["record"], driven["record"]);
   request["robot"] = "mine\n" + changed("classic", "cell", 5)["text"].get<std::string>();
-  EXPECT_THAT(error_of("drive", request), Says("mine", "'cell'", "20 to 1000 mm"));
+  EXPECT_THAT(error_of("contest", request), Says("mine", "'cell'", "20 to 1000 mm"));
   request["robot"] = 5;
-  EXPECT_THAT(error_of("drive", request), HasSubstr("'robot'"));
+  EXPECT_THAT(error_of("contest", request), HasSubstr("'robot'"));
 }
 
-/// One source: the tables of docs/robots.md say of each key what the page says beside its field.
+/// One source: the tables of docs/reference/files.md say of each key what the page says beside its field.
 TEST(RobotKeys, MeanWhatTheDocumentationSays) {
-  std::ifstream file(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "docs/robots.md");
+  std::ifstream file(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "docs/reference/files.md");
   std::stringstream text;
   text << file.rdbuf();
   const std::string documentation = text.str();

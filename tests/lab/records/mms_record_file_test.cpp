@@ -8,6 +8,7 @@
 #include "tests/lab/records/mms_record_fixture.hpp"
 #include "tests/lab/records/record_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -154,6 +155,7 @@ TEST(MmsRecordFile, OfEarlierVersionsHasThoseOfItsEnd) {
 }
 
 TEST(MmsRecordFile, MayBeLongerThanTheUsualLimitOfSimulatedTime) {
+  LABMOUSE_SKIP_SANITIZED();
   // A turn takes 0.13 s, so these take 3900 s.
   EXPECT_EQ(disagreement(never_ended("never ended", after_turns(0), 30'000)), "");
 }

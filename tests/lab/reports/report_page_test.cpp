@@ -79,7 +79,7 @@ TEST_F(AReport, HoldsTheResultsAsTheyAre) {
   EXPECT_THAT(report.notes, IsEmpty());
   const Json block = block_of(report.page, "labmouse-report");
   EXPECT_EQ(block["labmouse"], "report");
-  EXPECT_EQ(block["format"], 1);
+  EXPECT_EQ(block["format"], 2);
   EXPECT_EQ(block["results"].dump(), Json::parse(json_).dump());
 }
 
@@ -232,7 +232,7 @@ TEST_F(AReport, IsSafeFromHostileNames) {
   EXPECT_THAT(report.page, Not(HasSubstr("alert")));
   const Json block = block_of(report.page, "labmouse-report");
   const std::string shown = "</script><script>alert(1)</script>\"'&\xEF\xBF\xBD<!--";
-  EXPECT_EQ(block["results"]["mazes"][0]["name"], shown);
+  EXPECT_EQ(block["results"]["groups"][0]["mazes"][0]["name"], shown);
   EXPECT_EQ(records()["records"].size() + made().notes.size(), 1U);
 }
 

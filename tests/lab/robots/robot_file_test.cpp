@@ -289,7 +289,7 @@ TEST(RobotFiles, SaysWhichRobotThereIsNot) {
   EXPECT_THAT(find_robot("nowhere.toml").errors, ElementsAre(SaysAt("nowhere.toml", "no such")));
 }
 
-/// docs/physical.md says which logs and which firmware these are from.
+/// docs/explanation/physical-model.md says which logs and which firmware these are from.
 TEST(RobotFiles, HaveMeasuredMotors) {
   const Motors kerise = find_robot("kerise").robot.hardware->motors;
   EXPECT_DOUBLE_EQ(kerise.drive.gain, 4216.0);

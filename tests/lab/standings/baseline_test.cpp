@@ -115,10 +115,10 @@ TEST(Baseline, AFailureWithoutAScoreCountsTheTimeLimit) {
   EXPECT_NE(read_baseline(test::changed(json, "\"value\"", "\"other\""), *world).error, "");
 }
 
-/// A mouse in the fallible world in so many mazes, of which it finished the first ones in those seconds.
+/// A mouse in the failure model in so many mazes, of which it finished the first ones in those seconds.
 Race finishing(int mazes, int finished, double seconds) {
   Race race;
-  race.order.world = default_world("fallible");
+  race.order.world = default_world("failures");
   race.mice = test::mice("flood");
   for (int maze = 0; maze < mazes; ++maze) {
     NamedMaze named = test::loop();

@@ -129,7 +129,7 @@ TEST(MisstepFields, StandWhereAnyIsNotZero) {
   const Race race = hold_race({player("a", clumsy), player("b", solution), player("c", {Action::step(0, 1)})},
                               {test::corridor()}, test::in_steps());
   const auto json = nlohmann::json::parse(json_of(race, {}));
-  for (const auto& mouse : json.at("mice")) {
+  for (const auto& mouse : json.at("groups").at(0).at("mice")) {
     const auto& result = mouse.at("results").at(0);
     if (mouse.at("name") == "b") {
       for (const char* field : {"blocked_steps", "void_rotations", "cut_movements", "idle_resets"})

@@ -34,9 +34,9 @@ std::vector<std::string> keys(const Json& json) {
 /// A race as JSON, read back.
 class RaceAsJson : public testing::Test {
  protected:
-  const Json& maze(int i) const { return json_.at("mazes").at(static_cast<std::size_t>(i)); }
+  const Json& maze(int i) const { return json_.at("groups").at(0).at("mazes").at(static_cast<std::size_t>(i)); }
   const Json& mouse(std::string_view name) const {
-    for (const Json& mouse : json_.at("mice"))
+    for (const Json& mouse : json_.at("groups").at(0).at("mice"))
       if (mouse.at("name") == name) return mouse;
     throw std::runtime_error("no such mouse");
   }
@@ -130,7 +130,7 @@ TEST_F(RaceAsJson, ListsSkippedFilesWithTheReasons) {
 
 TEST_F(RaceAsJson, HasTheNotesOfTheTable) {
   std::string notes;
-  for (const Json& line : json_.at("notes")) notes += line.get<std::string>() + "\n";
+  for (const Json& line : json_.at("groups").at(0).at("notes")) notes += line.get<std::string>() + "\n";
   EXPECT_THAT(notes, Not(IsEmpty()));
   EXPECT_THAT(table_of(race_, false), EndsWith("\n\n" + notes));
 }
@@ -139,7 +139,7 @@ TEST(RaceAsJsonToo, AMouseWithoutARouteAnywhereHasNullMeans) {
   const Json json = Json::parse(json_of(hold_race(test::mice("flood"), {test::without_route()}, test::in_steps()), {}));
   for (const char* field :
        {"mean_score", "penalised_mean", "interval", "mean_ratio", "mean_discovered_share", "mean_visited_share"})
-    EXPECT_TRUE(json.at("mice")[0].at(field).is_null()) << field;
+    EXPECT_TRUE(json.at("groups").at(0).at("mice")[0].at(field).is_null()) << field;
   EXPECT_TRUE(json.at("skipped").empty());
 }
 

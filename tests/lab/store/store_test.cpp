@@ -468,6 +468,15 @@ TEST_F(AStore, Forgets) {
     EXPECT_EQ(number(std::string("SELECT count(*) FROM ") + table), 0) << table;
 }
 
+TEST_F(AStore, OfAnEarlierVersionHasWorldsUnderTheirFormerNames) {
+  race("flood");
+  open().run("UPDATE worlds SET name = 'strides'");
+  race("flood,certify");
+  EXPECT_EQ(held_, 3U);
+  EXPECT_EQ(number("SELECT count(*) FROM worlds"), 1);
+  EXPECT_EQ(number("SELECT count(*) FROM worlds WHERE name = 'steps'"), 1);
+}
+
 // What a store says.
 
 TEST_F(AStore, HasTheRaceInItsRows) {

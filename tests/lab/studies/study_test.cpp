@@ -377,8 +377,8 @@ TEST(StudyAsTable, HasStandingsDifferencesAndNotes) {
   const std::string table = table_of(made_up(), false);
   EXPECT_THAT(table, Says("2 mice", "2 mazes", "2 folds", "seed 1\n"));
   EXPECT_THAT(table, HasSubstr(leaderboard_of(made_up().race, false).substr(0, 150)));
-  EXPECT_THAT(table, HasSubstr("\nflood               2/2   1.583     0.0-8.1   1.583  1.000   2.5   0.00 100.0 "));
-  EXPECT_THAT(table, HasSubstr("\nflood:stride=1      1/2  50.567   0.0-678.7   1.133  1.062   4.0   0.00  50.0 "));
+  EXPECT_THAT(table, HasSubstr("\nflood               2/2   1.583     0.0-8.1   1.000    2.5      0.00\n"));
+  EXPECT_THAT(table, HasSubstr("\nflood:stride=1      1/2  50.567   0.0-678.7   1.062    4.0      0.00\n"));
   EXPECT_THAT(table,
               Says("+48.983", "-572.562 to +670.529", "0     0      2  0.500", "too few mazes", "8 mazes", "Add 6"));
   EXPECT_THAT(table, HasSubstr("\nflood:stride=1 / flood 31.937 [0.000, 296.220]\n"));
@@ -409,11 +409,11 @@ TEST(StudyAsCsv, NamesTheMiceInTheirOrder) {
 
 TEST(StudyAsJson, HasAllThatTheRaceHasAndMore) {
   const auto json = nlohmann::json::parse(json_of(made_up(), {{"bad.txt", {}}}));
-  EXPECT_EQ(json["mazes"].size(), 2U);
-  EXPECT_EQ(json["mazes"][0]["fold"].get<int>() + json["mazes"][1]["fold"].get<int>(), 1 + 2);
+  EXPECT_EQ(json["groups"][0]["mazes"].size(), 2U);
+  EXPECT_EQ(json["groups"][0]["mazes"][0]["fold"].get<int>() + json["groups"][0]["mazes"][1]["fold"].get<int>(), 1 + 2);
   EXPECT_EQ(json["folds"].size(), 2U);
   EXPECT_EQ(json["folds"][0]["training"], 1);
-  EXPECT_EQ(json["mice"][0]["results"].size(), 2U);
+  EXPECT_EQ(json["groups"][0]["mice"][0]["results"].size(), 2U);
   EXPECT_EQ(json["comparisons"][0]["mouse"], "flood:stride=1");
   EXPECT_EQ(json["comparisons"][0]["against"], "flood");
   EXPECT_EQ(json["comparisons"][0]["losses"], 2);

@@ -232,7 +232,7 @@ Tune made_up() {
 
 TEST(Tune, GainsNothingByFailing) {  // where failed contests have no score, and candidates fail in different mazes
   TuneOrder order = order_of(8);
-  order.race.world = find_world("fallible")->make({{"noise", "4"}}).world;
+  order.race.world = find_world("failures")->make({{"noise", "4"}}).world;
   order.race.runs = 10;
   const RangesResult ranges = read_ranges("festina", "search,slower,step");
   const Tune found = hold_tune("festina", ranges.ranges, mazes(), order);

@@ -1,4 +1,4 @@
-"""Robots from logs of a mouse and from measured turns: docs/logs.md has the method and examples.
+"""Robots from logs of a mouse and from measured turns: docs/how-to/robot-from-a-log.md has the method and examples.
 
 It needs SciPy, and for plots matplotlib: `pip install '.[fit]'` in the source folder of labmouse.
 

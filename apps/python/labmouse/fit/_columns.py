@@ -22,7 +22,7 @@ class Role:
 _DUTY = "a duty is a share of what the battery can give: write left=NAME/255, say"
 _YAW = "if it is in degrees/s, write {}=NAME*0.0174533"
 
-#: The table of docs/logs.md.
+#: The table of docs/how-to/robot-from-a-log.md.
 ROLES = {
     "time": Role("ms", -1e12, 1e12),
     "left": Role("", -1.0, 1.0, _DUTY),

@@ -16,7 +16,7 @@ from ._plots import save_plot
 from ._robots import FittedRobot, base_numbers, robot_numbers, robot_of_logs, robot_of_turns
 from ._turns import read_turns
 
-_COLUMNS = "which column of the log is what: ROLE=COLUMN, with a factor or divisor behind it, separated by commas (docs/logs.md has the roles)"
+_COLUMNS = "which column of the log is what: ROLE=COLUMN, with a factor or divisor behind it, separated by commas (docs/how-to/robot-from-a-log.md has the roles)"
 _WAY = "how far the mouse came in the whole log, where no column has a way that is known"
 _CELL = "with --turns: side of a cell; default: what S90 with its straights says, or that of the other robot"
 _ROBOT = "built-in robot, or a file with a slash or .toml in its name (default: classic)"

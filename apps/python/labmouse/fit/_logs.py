@@ -24,7 +24,7 @@ _EMPTY = ["", "-", "nan", "NaN"]
 class Log:
     """The rows of a log.
 
-    times: (rows,) ms since the first row, growing. values: by role (docs/logs.md) an array (rows,) in the unit of the role;
+    times: (rows,) ms since the first row, growing. values: by role (docs/how-to/robot-from-a-log.md) an array (rows,) in the unit of the role;
     empty fields are NaN. name: of its file, for messages.
     """
 
@@ -42,7 +42,7 @@ class Log:
 def read_log(path: "Union[str, os.PathLike[str]]", columns: str, *, period: float = 0.0) -> Log:
     """Reads a log, at most 10 minutes and 128 MiB.
 
-    columns: which column is what, as `--columns` has it (docs/logs.md). period: ms from row to row where no column has the
+    columns: which column is what, as `--columns` has it (docs/how-to/robot-from-a-log.md). period: ms from row to row where no column has the
     time. Raises Error with file, line and column of the first problem.
     """
     wanted = read_columns(columns, period)

@@ -1,4 +1,4 @@
-"""The capstone contest as an environment for learning: docs/learning.md has examples.
+"""The capstone contest as an environment for learning: docs/how-to/train-with-gymnasium.md has examples.
 
 Importing it registers the environment ``labmouse/Contest-v0`` with Gymnasium.
 """

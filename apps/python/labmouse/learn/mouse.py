@@ -116,8 +116,8 @@ class Learned:
         self.__name__ = name
 
     def __call__(self, briefing: Any) -> LearnedMouse:
-        if briefing.world != "strides":
-            raise Error(f"{self.__name__} has learned to move in steps, and races in the world strides alone")
+        if briefing.world != "steps":
+            raise Error(f"{self.__name__} has learned to move in steps, and races in the world steps alone")
         return LearnedMouse(self.weights, briefing)
 
     @classmethod

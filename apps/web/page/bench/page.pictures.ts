@@ -1,4 +1,4 @@
-// The pictures of docs/page.md: `npm run pictures`. Those of how the page was before are made from another page, by
+// The pictures of docs/reference/page.md: `npm run pictures`. Those of how the page was before are made from another page, by
 // `LABMOUSE_BEFORE=FILE npm run pictures`, where FILE is what scripts/page builds of commit f77c142.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,8 +1,8 @@
 // In which world mice run, and what is set of it: all that the core has, each with its settings.
 import type { About, Parameter, WorldInPage } from '../core/types';
+import { drivingWorld } from '../link/contest';
 import { isMine, myRobot, nameOf, onMyRobot, setMyRobot } from '../link/my-robot';
 import type { Settings } from '../results/holding';
-import { calledOf } from '../results/worlds';
 import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { controlOf, read } from './parameters';
@@ -103,15 +103,15 @@ export function createWorldChoice(about: About, changed: () => void, worlds = ab
   const select = h(
     'select',
     { onchange: () => (update(), changed()) },
-    ...worlds.map((one) => h('option', { value: one.name }, `${calledOf(one)}: ${one.summary}`)),
+    ...worlds.map((one) => h('option', { value: one.name }, `${one.name}: ${one.summary}`)),
   );
-  const home = worlds.find((one) => one.home) ?? worlds[0];
+  const [home] = worlds;
   const world = () => worlds.find(({ name }) => name === select.value) ?? home;
   const soon = (of: WorldInPage) => () => of === world() && changed();
   const rows = new Map(
     worlds.map((one) => [
       one.name,
-      new Map(one.home ? [] : one.settings.map((setting) => [setting.name, rowOf(setting, about, soon(one))])),
+      new Map(one === home ? [] : one.settings.map((setting) => [setting.name, rowOf(setting, about, soon(one))])),
     ]),
   );
   const note = h('span');
@@ -134,14 +134,15 @@ export function createWorldChoice(about: About, changed: () => void, worlds = ab
   update();
   return {
     element,
-    /** The world, and what is set of it: nothing of the home world, whose settings are the view's own. */
+    /** The world, and what is set of it: nothing of the first one, whose settings are the view's own. */
     chosen,
     /** What a contest that is driven needs; null in worlds where nothing is. */
     drive() {
       const { world, settings } = chosen();
-      return world.call === 'drive' ? { robot: String(settings.robot), rules: String(settings.rules) } : null;
+      if (world !== drivingWorld(about)) return null;
+      return { world: world.name, robot: String(settings.robot), rules: String(settings.rules) };
     },
-    /** Chooses that world, or the home world where there is no name. A setting that is none stays as it was. */
+    /** Chooses that world, or the first one where there is no name. A setting that is none stays as it was. */
     choose(name: string = home.name, settings: Settings = {}) {
       select.value = name;
       for (const [key, value] of Object.entries(settings)) rows.get(name)?.get(key)?.write(value);

@@ -98,12 +98,14 @@ export interface Named {
   summary: string;
 }
 
-/** A world in which mice of the roster race. */
+/** A world in which built-in mice race. The first one is meant where a race names none. */
 export interface WorldInPage {
   name: string;
   summary: string;
-  /** Whether it is meant where a race names none. */
-  home: boolean;
+  /** Whether mice of one's own run there, and `losses` knows where steps are lost. */
+  in_steps: boolean;
+  /** Whether `contest` runs a contest there with its play. */
+  plays: boolean;
   /** Whether contests differ for mice, too, that throw no dice themselves. */
   throws_dice: boolean;
   /** Contests in each maze of a mouse that meets dice, where nobody says. */
@@ -111,8 +113,6 @@ export interface WorldInPage {
   /** What a race there is asked besides. */
   settings: Parameter[];
   mice: string[];
-  /** What holds one contest there with its play; missing where only races are held. */
-  call?: 'run' | 'drive' | 'contest';
 }
 
 /** `about`: what the core brings. */
@@ -305,11 +305,8 @@ export interface Play {
   scores: (number | null)[];
   /** Only in seconds. */
   drive?: Drive;
-  /**
-   * How another mouse holds the same contest: the call, what it is asked besides, and who can. Missing where none
-   * can.
-   */
-  again?: { call: 'run' | 'drive' | 'contest'; with: Fields; mice: string[] };
+  /** How other mice have the same contest: what `contest` is asked besides, and who can. Missing where none can. */
+  again?: { with: { world: string; conditions: Fields }; mice: string[] };
 }
 
 /** What a run of a contest in seconds is worth by the rules, in microseconds. */
@@ -558,21 +555,14 @@ export interface RobotAnswer {
   no_route: string;
 }
 
-/** The results of a race as `labmouse race --format json` writes them; mice come best first. */
+/** The results of a race as `labmouse race --format json` writes them. */
 export interface RaceResults {
   labmouse: string;
   compiler: string;
   processor: string;
   seed: number;
-  /** Missing where no mouse raced by steps. */
-  budget?: number;
   stopped: boolean;
-  mazes: RacedMaze[];
-  mice: RacedMouse[];
-  /** What `labmouse race` says below its table, line by line; missing in results of older versions. */
-  notes?: string[];
-  /** Races in other worlds. */
-  groups?: RaceGroup[];
+  groups: RaceGroup[];
   skipped: { path: string; reasons: string[] }[];
 }
 
@@ -585,7 +575,7 @@ export interface RacedMaze extends Fields {
   height: number;
 }
 
-/** One contest in the results of a race; docs/races.md has the fields. */
+/** One contest in the results of a race; docs/reference/results.md has the fields. */
 export interface ContestResult extends Fields {
   maze: string;
   outcome: string;
@@ -599,11 +589,13 @@ export interface RacedMouse extends Fields {
   results: ContestResult[];
 }
 
-/** A race in one world; `worlds.json` knows what else stands in it. */
+/** A race in one world, best mouse first; `worlds.json` knows what else stands in it. */
 export interface RaceGroup extends Fields {
   world: string;
   /** How its mice are scored, in one line. */
   formula: string;
+  /** What `labmouse race` says below its table, line by line; missing in results of older versions. */
+  notes?: string[];
   mazes: RacedMaze[];
   mice: RacedMouse[];
 }
@@ -633,10 +625,10 @@ export interface ShownWorld {
    * Where it is not the field `score` of a contest: the field inside of which field, and what it is multiplied by.
    */
   score?: { key: string; inner: string; unit: number };
-  /** Whether its race stands at the top of results. */
-  home?: boolean;
-  /** What runs a contest there again. */
-  call?: 'run' | 'drive' | 'contest';
+  /** Whether `losses` knows where its contests lose their steps. */
+  in_steps?: boolean;
+  /** Whether `contest` runs a contest there again. */
+  plays?: boolean;
 }
 
 /** `worlds.json`: the tables of all worlds that the core knows. */
@@ -682,7 +674,7 @@ export type Opened = {
  */
 export interface Report {
   labmouse: 'report';
-  format: 1;
+  format: 2;
   version: string;
   results: RaceResults;
   mazes: Record<string, string>;
@@ -798,18 +790,6 @@ export interface Calls {
     request: { link: string };
     answer: { maze: MazeData };
   };
-  /** A contest of a mouse of the roster, as `labmouse run MOUSE MAZE --seed N --explain`. */
-  run: {
-    request: {
-      mouse: string;
-      maze: MazeData;
-      seed: number;
-      budget?: number;
-      exploration_factor?: number;
-      stride?: number;
-    };
-    answer: { play: Play; record: string };
-  };
   /**
    * A robot that the page brings (`built_in`), with those values, or of the text in `bytes`; and the best route of
    * a maze.
@@ -841,19 +821,12 @@ export interface Calls {
     answer: { regions: RouteRegions; svg: string };
   };
   /**
-   * A contest in seconds of a mouse that drives there. `record` is empty where it cannot be saved. `robot`: a name;
-   * a name with the text of its file in the lines below; or as results have it.
-   */
-  drive: {
-    request: { mouse: string; maze: MazeData; seed: number; robot: string | Fields; rules: string };
-    answer: { play: Play; record: string };
-  };
-  /**
-   * The same in any world of such mice. The settings of the world stand beside `world`, by their names, as for
-   * `race`; or `conditions` are those of a race there, as results have them.
+   * A contest of a built-in mouse in any world, as `labmouse run MOUSE MAZE --seed N --explain`. The settings of
+   * the world stand beside `world`, by their names, as for `race`; or `conditions` are those of a race there, as
+   * results have them.
    */
   contest: {
-    request: Fields & { world: string; mouse: string; maze: MazeData; seed: number; conditions?: Fields };
+    request: Fields & { world?: string; mouse: string; maze: MazeData; seed: number; conditions?: Fields };
     answer: { play: Play; record: string };
   };
   /** A packed record of a report. A mouse of the roster has its reasons again. */

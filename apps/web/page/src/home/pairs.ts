@@ -15,13 +15,12 @@ export const pairs: Pair[] = [
 ];
 
 /** With published figures, so that what is seen could have been seen at a contest. */
-const robot = 'classic';
-const rules = 'all-japan';
+const conditions = { world: 'seconds', robot: 'classic', rules: 'all-japan' };
 
 export type Met = Shown;
 
 export async function meet(core: Core, { maze: name, mice }: Pair): Promise<[Met, Met]> {
   const { maze } = await core.call('builtin_maze', { name });
-  const [one, other] = mice.map((mouse) => core.call('drive', { mouse, maze, seed: 1, robot, rules }));
+  const [one, other] = mice.map((mouse) => core.call('contest', { mouse, maze, seed: 1, ...conditions }));
   return [await one, await other];
 }

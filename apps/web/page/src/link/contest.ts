@@ -9,29 +9,34 @@ export interface Contest {
   maze: MazeData;
   seed: number;
   budget?: number;
-  /** In seconds. */
-  drive?: { robot: string; rules: string };
+  /** In the world of drivingWorld(). */
+  drive?: Driven;
 }
+
+/** What is driven where. */
+export type Driven = { world: string; robot: string; rules: string };
+
+/** The world of which links name robot and rules alone: that of driving robots without chance. */
+export const drivingWorld = ({ worlds }: About) =>
+  worlds.find(({ throws_dice, settings }) => !throws_dice && settings.some(({ name }) => name === 'robot'));
 
 /** Runs it. */
-export function contestOf(core: Core, { mouse, maze, seed, budget, drive }: Contest) {
-  if (drive) return core.call('drive', { mouse, maze, seed, ...drive });
-  return core.call('run', { mouse, maze, seed, ...(budget !== undefined && { budget }) });
-}
+export const contestOf = (core: Core, { mouse, maze, seed, budget, drive }: Contest) =>
+  core.call('contest', { mouse, maze, seed, ...(drive ?? (budget !== undefined && { budget })) });
 
 /** What was asked for, so that a play came of it; null where the page runs no such contest. */
-function asked(play: Play): Contest | null {
-  const { mouse, maze, seed, rules, drive, again } = play;
-  if (seed === null || !again) return null;
-  if (drive) return { mouse, maze, seed, drive: { robot: drive.robot.name, rules: drive.rules.name } };
+function asked(play: Play, about: About): Contest | null {
+  const { mouse, maze, seed, rules, drive, again, world } = play;
+  if (seed === null || !again || (drive && world !== drivingWorld(about)?.name)) return null;
+  if (drive) return { mouse, maze, seed, drive: { world, robot: drive.robot.name, rules: drive.rules.name } };
   return { mouse, maze, seed, ...(rules && { budget: rules.budget }) };
 }
 
 const walk = ({ action, clock, outcome, score }: Play) => JSON.stringify([action, clock, outcome, score]);
 
 /** The contest of a play, after the core has run it again and has done the same; throws in words where it has not. */
-export async function contestBehind(core: Core, play: Play): Promise<Contest> {
-  const contest = asked(play);
+export async function contestBehind(core: Core, play: Play, about: About): Promise<Contest> {
+  const contest = asked(play, about);
   const again = contest && (await contestOf(core, contest).catch(() => null));
   if (contest && again && walk(again.play) === walk(play)) return contest;
   throw new Error(
@@ -47,14 +52,8 @@ export function contestsInMoment(contests: Contest[], about: About): Pick<Moment
     mice: contests.map(({ mouse }) => mouse),
     seeds: new Set(seeds).size === 1 ? seeds.slice(0, 1) : seeds,
     ...(budget !== undefined && budget !== about.rules.budget && { budget }),
-    ...drive,
+    ...(drive && { robot: drive.robot, rules: drive.rules }),
   };
-}
-
-/** What is driven where, as a link says: robot and rules, in the world that has them. */
-export interface Driven {
-  world: string;
-  with: NonNullable<Contest['drive']>;
 }
 
 /** The robot and the rules that a link names; null where it names none. Throws in words where the page has them not. */
@@ -67,12 +66,11 @@ export function driveOf({ robot, rules }: Pick<Moment, 'robot' | 'rules'>, about
   };
   // One of the view Robot stands in the link with all of its numbers.
   const ours = robot !== undefined && isMine(robot) ? robot : known(about.robots, robot, 'robot');
-  const world = about.worlds.find(({ call }) => call === 'drive')?.name ?? '';
-  return { world, with: { robot: ours, rules: known(about.drive_rules, rules, 'rules') } };
+  return { world: drivingWorld(about)?.name ?? '', robot: ours, rules: known(about.drive_rules, rules, 'rules') };
 }
 
 /** The contests that a link names, in that maze. */
 export function contestsOf({ mice, seeds, budget, robot, rules }: Moment, about: About, maze: MazeData): Contest[] {
-  const drive = driveOf({ robot, rules }, about)?.with;
+  const drive = driveOf({ robot, rules }, about) ?? undefined;
   return mice.map((mouse, i) => ({ mouse, maze, seed: seeds[i] ?? seeds[0] ?? 1, budget, drive }));
 }

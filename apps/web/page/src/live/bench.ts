@@ -1,6 +1,6 @@
 // Runs what is chosen, at once on every change, and shows the walk.
 import type { MazeData } from '../core/types';
-import { contestOf } from '../link/contest';
+import { contestOf, type Driven } from '../link/contest';
 import { isSameMaze } from '../maze/same';
 import type { Camera } from '../maze/camera';
 import { createPlayer } from '../player/player';
@@ -16,7 +16,7 @@ export interface Order {
   seed: number;
   budget: number;
   /** For a contest in seconds, which has no budget of steps. */
-  drive: { robot: string; rules: string } | null;
+  drive: Driven | null;
 }
 
 export type Bench = ReturnType<typeof createBench>;

@@ -22,7 +22,7 @@ async function contest(page: Page, spec: string, { maze, seed, budget }: Task): 
   const base = { spec, isReference: isReference(spec) };
   try {
     const { results } = await page.core.call('race', { mice: [spec], mazes: [maze], seed, runs: 1, budget });
-    const [mouse] = results.mice;
+    const [mouse] = results.groups[0].mice;
     const result: ContestResult = mouse.results[0];
     return { ...base, result, ratio: mouse.mean_ratio, outcome: result.outcome };
   } catch (error) {

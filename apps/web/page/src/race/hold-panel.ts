@@ -90,7 +90,7 @@ function createOrderForm(page: EarlyPage, about: About) {
   function read(): Order {
     const { world: where, settings } = world.chosen();
     const asked = { mice: mice.chosen(), mazes: mazes.chosenMazes(), runs: runs.read(), seed: seed.read() };
-    return { ...asked, ...(!where.home && { world: { ...settings, world: where.name } }) };
+    return { ...asked, ...(where !== about.worlds[0] && { world: { ...settings, world: where.name } }) };
   }
   function set(order: Order) {
     world.choose(order.world?.world, order.world);

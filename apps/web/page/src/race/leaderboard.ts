@@ -4,18 +4,17 @@ import { h } from '../ui/dom';
 import { isNumber } from '../ui/format';
 import { columnsOf, orderedBy } from './leaderboard-columns';
 import { legendOf, sortedTable } from '../ui/sorted-table';
-import { isHome, worldOf } from '../results/worlds';
+import { worldOf } from '../results/worlds';
 
 export type Leaderboard = ReturnType<typeof leaderboard>;
 
-/** What `labmouse race` says below its table; where the results lack it, what it always says. */
-function notesOf({ notes, world, formula }: RaceGroup): string[] {
-  if (!isHome({ world })) return [`World of ${world}. Score: ${formula}; lower is better.`];
-  if (Array.isArray(notes) && notes.length > 0) return notes.map(String);
-  return [
-    'Score: speed-run steps + exploration steps / 30; lower is better.',
-    "A failed contest counts 100 in 'all' and is left out of 'solved'.",
-  ];
+/** What `labmouse race` says below its table; where the results lack it, how mice are scored. */
+function notesOf({ notes, world, formula, failure_score: failed }: RaceGroup): string[] {
+  if (notes?.length) return notes;
+  const failures = isNumber(failed)
+    ? `A failed contest counts ${failed}.`
+    : 'Failed contests are left out of all means.';
+  return [`World of ${world}. Score: ${formula}; lower is better. ${failures}`];
 }
 
 /** `onOrder` is told the positions of the mice in their new order; `own` are marked: one's mouse, and what it was before. */

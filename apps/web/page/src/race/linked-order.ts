@@ -2,7 +2,7 @@
 import type { Core } from '../core/client';
 import type { About, Parameter, WorldInPage } from '../core/types';
 import type { Moment } from '../link/address';
-import { driveOf } from '../link/contest';
+import { drivingWorld, driveOf } from '../link/contest';
 import { placesOf } from '../link/mazes';
 import { typed } from '../choice/world-choice';
 import { isMine, withoutRemarks } from '../link/my-robot';
@@ -33,7 +33,7 @@ function worldMoment(about: About, { world, ...settings }: World): Partial<Momen
     const text = String(settings[name]);
     return isMine(text) ? withoutRemarks(text) : text;
   };
-  if (known.call === 'drive') return { robot: told('robot'), rules: told('rules') };
+  if (known === drivingWorld(about)) return { robot: told('robot'), rules: told('rules') };
   const set = known.settings.filter(
     (one) => (settings[one.name] ?? typed(one.default, one)) !== typed(one.default, one),
   );
@@ -57,14 +57,14 @@ function mayBe(told: string, { name, type, choices }: Parameter): boolean {
   return choices === undefined || choices.includes(told) || (name === 'robot' && isMine(told));
 }
 
-/** The world that a link names; undefined for the home world. */
+/** The world that a link names; undefined for the first one. */
 function worldIn(about: About, { world, set = [], robot, rules }: Moment): Order['world'] {
   const drive = driveOf({ robot, rules }, about);
   if (world === undefined) {
     if (set.length > 0) throw new Error('This link cannot be followed: it says set= without world=.');
-    return drive ? { ...drive.with, world: drive.world } : undefined;
+    return drive ?? undefined;
   }
-  const known = about.worlds.find(({ name, home }) => name === world && !home);
+  const known = about.worlds.slice(1).find(({ name }) => name === world);
   if (!known) throw new Error(`This link cannot be followed: this page knows no other world '${world.slice(0, 40)}'.`);
   if (drive) throw new Error('This link cannot be followed: next to world=, the robot and the rules stand in set=.');
   const usual = known.settings.map((setting) => [setting.name, typed(setting.default, setting)]);

@@ -2,7 +2,6 @@
 import type { EarlyPage } from '../page/page';
 import { boardOf, groupsOf, type Board } from '../results/contests';
 import type { LoadedRace } from '../results/loaded';
-import { isHome } from '../results/worlds';
 import { button } from '../ui/controls';
 import { h } from '../ui/dom';
 import { replayContests } from './contest-play';
@@ -29,10 +28,10 @@ interface BoardParts {
 
 /** Where steps are lost: in seconds that depends on speed and heading, too, and is no matter of cells. */
 function lossPart(page: EarlyPage, race: LoadedRace, board: Board): { painted: Painted[]; element: HTMLElement } {
-  const { title } = board.shows;
+  const { title, inSteps } = board.shows;
   const elsewhere =
     'This map is drawn of races in steps. Elsewhere a move costs what its speed and heading make of it, so that no cell alone can be blamed: choose a contest above, and compare two mice on one clock.';
-  if (!isHome(board)) return { painted: [], element: part(`Where steps are lost${title}`, elsewhere) };
+  if (!inSteps) return { painted: [], element: part(`Where steps are lost${title}`, elsewhere) };
   const lost = heat(page, race, board);
   const about =
     'What the contests of a maze cost beyond the best possible score, by the cell in which it was lost. A step loses what it leaves the mouse behind a shortest way; after the goal, every step of the exploration counts.';

@@ -9,10 +9,8 @@ export type Beside = ReturnType<typeof createBeside>;
 const usual = 'ariadne';
 
 /** The same contest held by that mouse. */
-function holdAgain(page: Page, { maze, seed, again }: Play, mouse: string): Promise<Shown> {
-  const request = { ...again!.with, mouse, maze, seed: seed ?? 1 };
-  return page.core.call(again!.call, request as never) as Promise<Shown>;
-}
+const holdAgain = (page: Page, { maze, seed, again }: Play, mouse: string): Promise<Shown> =>
+  page.core.call('contest', { ...again!.with, mouse, maze, seed: seed ?? 1 });
 
 /** `shown` hears of both plays. */
 export function createBeside(page: Page, shown: (plays: Shown[]) => void) {

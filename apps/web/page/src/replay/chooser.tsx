@@ -4,7 +4,6 @@ import type { Core } from '../core/client';
 import type { About, Fields, MazeData, Play, WorldInPage } from '../core/types';
 import { namedApart } from '../choice/picks';
 import { mazesOf } from '../results/holding';
-import { calledOf } from '../results/worlds';
 import { h } from '../ui/dom';
 import type { Page } from '../page/page';
 import { holdContest } from '../write/contest';
@@ -40,17 +39,13 @@ export const usualSettings = ({ settings }: WorldInPage) =>
     ]),
   );
 
-/** A world in which single contests are held, by its name; the home world where it is none. */
+/** A world in which single contests are held, by its name; the first one where it is none. */
 export const worldNamed = ({ worlds }: About, name: string): WorldInPage =>
-  worlds.find((one) => one.name === name && one.call) ?? worlds.find(({ home }) => home)!;
+  worlds.find((one) => one.name === name && one.plays) ?? worlds[0];
 
 /** A contest of a mouse of ours. */
-const ours = (core: Core, world: WorldInPage, mouse: string, maze: MazeData, settings = {}) =>
-  core.call(world.call!, {
-    ...{ mouse, maze, seed, ...usualSettings(world) },
-    ...(world.call === 'contest' && { world: world.name }),
-    ...settings,
-  } as never) as Promise<Shown>;
+const ours = (core: Core, world: WorldInPage, mouse: string, maze: MazeData, settings = {}): Promise<Shown> =>
+  core.call('contest', { world: world.name, mouse, maze, seed, ...usualSettings(world), ...settings });
 
 /** In seconds: so long before belief and truth part a contest to watch begins. */
 const before = 2;
@@ -76,7 +71,7 @@ interface FormProps {
 /** The mice that run in that world. */
 const Mice = ({ about, own, world }: Pick<FormProps, 'about' | 'own'> & { world: WorldInPage }) => (
   <>
-    {world.home && own.length > 0 && (
+    {world.in_steps && own.length > 0 && (
       <optgroup label="Yours">
         {own.map((work) => (
           <option value={ownName(work)}>
@@ -149,7 +144,7 @@ export function Form({ picked, about, own, mazes, choose, ...others }: FormProps
     </label>
   );
   const mice = <Mice {...{ about, own, world }} />;
-  const worlds = about.worlds.filter(({ call }) => call);
+  const worlds = about.worlds.filter(({ plays }) => plays);
   return (
     <>
       <div class="choice">
@@ -159,7 +154,7 @@ export function Form({ picked, about, own, mazes, choose, ...others }: FormProps
         {select(
           'World',
           'world',
-          worlds.map((one) => <option value={one.name}>{calledOf(one)}</option>),
+          worlds.map((one) => <option value={one.name}>{one.name}</option>),
         )}
       </div>
       <Others own={own} {...others} />
@@ -175,8 +170,8 @@ function usualPick(about: About): Picked {
 /** Takes a change; a mouse that does not run in that world is replaced by one that does. */
 function change(picked: Picked, changes: Partial<Picked>, about: About) {
   Object.assign(picked, changes);
-  const { mice, home } = worldNamed(about, picked.world);
-  const runs = (name: string) => mice.includes(name) || (home && name.startsWith('own:'));
+  const { mice, in_steps } = worldNamed(about, picked.world);
+  const runs = (name: string) => mice.includes(name) || (in_steps && name.startsWith('own:'));
   if (!runs(picked.mouse)) picked.mouse = mice.includes(usualMouse) ? usualMouse : mice[0];
   if (!runs(picked.beside)) picked.beside = '';
 }

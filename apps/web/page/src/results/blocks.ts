@@ -2,7 +2,7 @@
 import { unpack } from '../core/unpack';
 import type { RaceResults, Report, ReportRecords } from '../core/types';
 
-const format = 1;
+const format = 2;
 
 /** The text of the block of that name; null where the page has none. */
 export const blockText = (id: string): string | null => document.getElementById(id)?.textContent?.trim() ?? null;
@@ -31,9 +31,8 @@ const isMouse = (value: unknown) => named(value) && listOf((value as Record<stri
 
 /** Whether that has the lists of a race, so that it can be shown. What the numbers are worth is for the core to know. */
 export function isResults(value: unknown): value is RaceResults {
-  if (!isObject(value) || !listOf(value.mazes, named) || !listOf(value.mice, isMouse)) return false;
-  if (value.groups === undefined) return true;
-  return listOf(value.groups, (group) => isObject(group) && listOf(group.mazes, named) && listOf(group.mice, isMouse));
+  const isGroup = (group: unknown) => isObject(group) && listOf(group.mazes, named) && listOf(group.mice, isMouse);
+  return isObject(value) && listOf(value.groups, isGroup);
 }
 
 /** The report of that block's text; throws what is wrong with it, in words. */

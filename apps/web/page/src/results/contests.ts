@@ -2,7 +2,7 @@
 import type { ContestResult, Fields, RaceGroup, RaceResults } from '../core/types';
 import { shortNames } from './names';
 import { orNull } from '../ui/format';
-import { homeGroup, worldOf, type RacedWorld } from './worlds';
+import { worldOf, type RacedWorld } from './worlds';
 
 export interface Contest {
   outcome: string;
@@ -135,7 +135,6 @@ export function boardOf(group: RaceGroup): Board {
 }
 
 /** All races of these results that have mice, each world's by itself. */
-export const groupsOf = (results: RaceResults): RaceGroup[] =>
-  [homeGroup({ ...results }), ...(results.groups ?? [])].filter(({ mice }) => mice.length > 0);
+export const groupsOf = ({ groups }: RaceResults): RaceGroup[] => groups.filter(({ mice }) => mice.length > 0);
 
 export const boardsOf = (results: RaceResults): Board[] => groupsOf(results).map(boardOf);

@@ -13,7 +13,7 @@ export interface Order {
   /** Contests of each stochastic mouse, in each maze. */
   runs: number;
   seed: number;
-  /** The world, with what is set of it; the home world where it is missing. */
+  /** The world, with what is set of it; the first one where it is missing. */
   world?: Settings & { world: string };
 }
 

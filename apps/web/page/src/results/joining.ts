@@ -15,32 +15,20 @@ function inOrder(group: RaceGroup, mice: RaceGroup['mice']): RaceGroup['mice'] {
 export function joined(pieces: RaceResults[], stopped: boolean): RaceResults | null {
   if (pieces.length === 0) return null;
   const [first] = pieces;
-  const mice = sorted(
-    pieces.flatMap((piece) => piece.mice),
-    (mouse) => orNull(mouse.penalised_mean),
-    'ascending',
-  );
-  const groups = first.groups?.map((group, index) => ({
+  const groups = first.groups.map((group, index) => ({
     ...group,
+    // They speak of the race as a whole, so those of pieces cannot be put together.
+    notes: pieces.length === 1 ? group.notes : undefined,
     mice: inOrder(
       group,
-      pieces.flatMap((piece) => piece.groups?.[index]?.mice ?? []),
+      pieces.flatMap((piece) => piece.groups[index]?.mice ?? []),
     ),
   }));
-  // The notes speak of the race as a whole, so those of pieces cannot be put together.
-  const notes = pieces.length === 1 ? first.notes : undefined;
-  return {
-    ...first,
-    notes,
-    stopped: stopped || pieces.some((piece) => piece.stopped),
-    mice,
-    ...(groups && { groups }),
-  };
+  return { ...first, stopped: stopped || pieces.some((piece) => piece.stopped), groups };
 }
 
 /** Races that differ in a setting of their world, as one result with a group for each. */
 export function sideBySide(races: RaceResults[]): RaceResults {
   const [first] = races;
-  if (races.length === 1) return first;
-  return { ...first, notes: undefined, groups: races.flatMap(({ groups }) => groups ?? []) };
+  return { ...first, groups: races.flatMap(({ groups }) => groups) };
 }

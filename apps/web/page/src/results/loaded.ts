@@ -62,9 +62,7 @@ function byContest(records: PackedRecord[]): Map<string, PackedRecord[]> {
 /** Those results with their mazes and records. */
 export function loadedRace(results: RaceResults, sources: Sources): LoadedRace {
   let index: Promise<Map<string, PackedRecord[]>> | null = null;
-  const raced = new Map(
-    [...(results.groups ?? []).flatMap((group) => group.mazes), ...results.mazes].map((maze) => [maze.name, maze]),
-  );
+  const raced = new Map(results.groups.flatMap(({ mazes }) => mazes).map((maze) => [maze.name, maze]));
   return {
     results,
     order: sources.order,

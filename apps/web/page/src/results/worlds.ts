@@ -7,8 +7,10 @@ import { isNumber, number, orNull } from '../ui/format';
 import type { Column } from '../ui/sorted-table';
 
 export interface RacedWorld {
-  /** Behind the titles of its pictures; empty for the world at the top of results. */
+  /** Behind the titles of its pictures; empty for races in steps. */
   title: string;
+  /** Whether the core knows where its contests lose their steps. */
+  inSteps: boolean;
   /** What a contest without a score counts where mice are compared; null in results of older versions that do not say it. */
   limit: number | null;
   /** Whether contests without a score count in the mean; where they do not, mice that scored in more come first. */
@@ -31,15 +33,6 @@ export interface RacedWorld {
     contest: { mouse: string; maze: MazeData; seed: number },
   ) => Promise<{ play: Play; record: string }>;
 }
-
-/** The world whose race stands at the top of results. */
-const home = 'steps';
-/** What a world that the core offers is called here: results know the home world under that name. */
-export const calledOf = (world: { name: string; home: boolean }): string => (world.home ? home : world.name);
-export const isHome = ({ world }: { world: string }): boolean => world === home;
-
-/** The race at the top of results, as the groups are. */
-export const homeGroup = (fields: Fields): RaceGroup => ({ ...fields, world: home }) as RaceGroup;
 
 const inner = (value: unknown, key: string): unknown =>
   typeof value === 'object' && value !== null ? (value as Fields)[key] : undefined;
@@ -87,19 +80,14 @@ const ratio = columnOf({
   digits: 3,
 });
 
-/** What each call of the core is asked besides mouse, maze and seed, from the conditions of a race. */
-const asked: Record<NonNullable<ShownWorld['call']>, (conditions: Fields) => Fields> = {
-  run: ({ budget }) => ({ ...(isNumber(budget) && { budget }) }),
-  drive: ({ robot, rules }) => ({ robot, rules: String(inner(rules, 'name') ?? '') }),
-  contest: ({ mice: _mice, mazes: _mazes, ...conditions }) => ({ world: conditions.world, conditions }),
-};
+/** What `contest` is asked besides mouse, maze and seed. */
+const conditionsOf = ({ mice: _mice, mazes: _mazes, world, ...conditions }: RaceGroup) => ({ world, conditions });
 
 /** What the page shows of the world of a race. */
 export function worldOf(group: RaceGroup): RacedWorld {
-  const isIts = ({ names, table }: ShownWorlds[number]) => (table.home ? isHome(group) : names.includes(group.world));
-  const table = (tables as ShownWorlds).find(isIts)?.table;
+  const table = (tables as ShownWorlds).find(({ names }) => names.includes(group.world))?.table;
   const said = table ?? (group as Partial<ShownWorld>);
-  const { unit = 'points', bound = 'bound', failure_score, call } = said;
+  const { unit = 'points', bound = 'bound', failure_score } = said;
   const {
     key = 'score',
     inner: field = '',
@@ -109,7 +97,8 @@ export function worldOf(group: RaceGroup): RacedWorld {
   const mean = table?.columns.find(isMean) ?? usualMean;
   const own = table?.columns.filter((column) => column !== mean).map(columnOf);
   return {
-    title: isHome(group) ? '' : `, ${group.world}${noise}`,
+    title: table?.in_steps ? '' : `, ${group.world}${noise}`,
+    inSteps: table?.in_steps ?? false,
     limit: orNull(group.limit_score) ?? orNull(group.failure_score) ?? orNull(failure_score),
     countsFailures: isNumber(failure_score),
     unit,
@@ -119,9 +108,6 @@ export function worldOf(group: RaceGroup): RacedWorld {
     columns: [ratio, ...(own ?? namedColumns(group))],
     bound: (maze) => scaled(maze[bound], table ? factor : 1) ?? scaled(maze.bound_us, 1e-6),
     score: (result) => scaled(field === '' ? result[key] : inner(result[key], field), factor),
-    again:
-      call &&
-      ((core, contest) =>
-        core.call(call, { ...contest, ...asked[call](group) } as never) as Promise<{ play: Play; record: string }>),
+    again: table?.plays ? (core, contest) => core.call('contest', { ...contest, ...conditionsOf(group) }) : undefined,
   };
 }

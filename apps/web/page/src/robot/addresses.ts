@@ -52,7 +52,7 @@ export async function followRobot(desk: RobotDesk, hash: string) {
   const { moment } = readAddress(hash);
   if (moment.and && !moment.vary)
     throw new Error('This link cannot be followed: it varies a second number and no first one.');
-  const robot = moment.robot && driveOf({ robot: moment.robot }, about)?.with.robot;
+  const robot = moment.robot && driveOf({ robot: moment.robot }, about)?.robot;
   const maze = await mazeAt(core, moment);
   if (robot) desk.begin(originOf(robot));
   desk.draft.linked = true;

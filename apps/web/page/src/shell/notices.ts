@@ -51,8 +51,7 @@ function alertOf(error: unknown, remedies: Remedy[], close: (alert: HTMLElement)
 }
 
 const works: Partial<Record<CallName, string>> = {
-  run: 'The mouse runs …',
-  drive: 'The mouse drives …',
+  contest: 'The mouse runs …',
   race: 'Mice race …',
   open: 'Reading …',
   unpack: 'Reading …',

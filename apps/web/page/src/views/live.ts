@@ -1,6 +1,6 @@
 import type { MazeData, Mouse } from '../core/types';
 import { addressOf, readAddress, type Moment } from '../link/address';
-import { driveOf } from '../link/contest';
+import { drivingWorld, driveOf } from '../link/contest';
 import { mazeAt, placeOf } from '../link/mazes';
 import { createBench, type Bench, type Order } from '../live/bench';
 import { createEveryone, type Everyone } from '../live/everyone';
@@ -45,7 +45,7 @@ function createForms(page: Page, changed: () => void, everyone: () => Everyone) 
   const budget = h('input', { type: 'number', min: 1, step: 1, value: rules.budget, oninput: another });
   const budgetRow = field('Budget', budget, h('span', `limit for both runs together; ${rules.budget} in contests`));
   const seedRow = field('Seed', seed);
-  const single = page.about.worlds.filter(({ call }) => call === 'run' || call === 'drive');
+  const single = page.about.worlds.filter((one) => one.in_steps || one === drivingWorld(page.about));
   const world = createWorldChoice(page.about, () => (showWorld(), changed()), single);
   function showWorld() {
     budgetRow.hidden = everyone().button.hidden = world.drive() !== null;
@@ -90,7 +90,7 @@ function showComplaint(side: HTMLElement) {
 async function addressFor(page: Page, { spec, maze, seed, budget, drive }: Order, moment = {}) {
   const place = await placeOf(page.core, page.about, maze);
   const steps = drive || budget === page.about.rules.budget ? {} : { budget };
-  const driven = drive && { ...drive, robot: withoutRemarks(drive.robot) };
+  const driven = drive && { rules: drive.rules, robot: withoutRemarks(drive.robot) };
   return addressOf('live', { mice: [spec], ...place, seeds: [seed], ...steps, ...driven, ...moment });
 }
 
@@ -107,7 +107,7 @@ async function setForms(
   if (link.mice.length > 0) mouse.choose(link.mice[0]);
   if (link.seeds.length > 0) seed.value = String(link.seeds[0]);
   if (link.budget !== undefined) budget.value = String(link.budget);
-  if (drive || link.mice.length > 0) (world.choose(drive?.world, drive?.with), showWorld());
+  if (drive || link.mice.length > 0) (drive ? world.choose(drive.world, { ...drive }) : world.choose(), showWorld());
   if (link.time !== undefined || link.look) bench.begin(link);
   const maze = await mazeAt(page.core, link);
   return () => {

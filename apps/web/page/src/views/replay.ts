@@ -26,7 +26,7 @@ async function playsOf({ core, about }: Page, moment: Moment): Promise<Shown[]> 
 /** What a link says of contests in one maze; throws in words where it cannot hold them. */
 async function placeInLink({ core, about }: Page, plays: Play[]): Promise<Partial<Moment>> {
   const contests = [];
-  for (const play of plays) contests.push(await contestBehind(core, play));
+  for (const play of plays) contests.push(await contestBehind(core, play, about));
   const conditions = contests.map(({ budget, drive }) => JSON.stringify([budget, drive]));
   if (!plays.every((play) => isSameMaze(play, plays[0])) || new Set(conditions).size > 1)
     throw new Error('A link holds contests in one maze under the same conditions. Send the records instead.');

@@ -1,4 +1,4 @@
-// What a program reads and answers, beside the editor: the same as docs/guest-protocol.md and docs/guests.md have it.
+// What a program reads and answers, beside the editor: the same as docs/reference/protocols.md and docs/reference/protocols.md have it.
 import { h } from '../ui/dom';
 import type { LanguageId } from './runtime';
 

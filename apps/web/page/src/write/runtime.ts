@@ -30,7 +30,7 @@ export interface Language {
   usesWasm: boolean;
 }
 
-/** To the worker. A line is one of the line protocol (docs/guest-protocol.md), without its end. */
+/** To the worker. A line is one of the line protocol (docs/reference/protocols.md), without its end. */
 export type ToWorker = { kind: 'start'; program: string } | { kind: 'hear'; line: string };
 
 /** From the worker. Errors that it does not catch are failures, too. */

@@ -16,7 +16,7 @@ test('a contest in the browser has the record of the native program', async () =
   for (const mouse of ['ariadne', 'certify', 'cautious']) {
     const record = await page.evaluate(async (name) => {
       const { maze } = await window.labmouse.call('builtin_maze', { name: 'contest-05' });
-      return (await window.labmouse.call('run', { mouse: name, maze, seed: 7 })).record;
+      return (await window.labmouse.call('contest', { mouse: name, maze, seed: 7 })).record;
     }, mouse);
     const file = temporary(`${mouse}.jsonl`);
     native('run', mouse, 'contest-05', '--seed', '7', '--explain', '--record', file);

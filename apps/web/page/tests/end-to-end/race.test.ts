@@ -20,7 +20,8 @@ function withBlock(name: string, text: string): string {
 const results = JSON.parse(
   native('race', '--mice', 'flood,certify,cautious,oracle', '--runs', '3', '--format', 'json'),
 ) as RaceResults;
-const report = { labmouse: 'report', format: 1, version: results.labmouse, results, mazes: {} };
+const [group] = results.groups;
+const report = { labmouse: 'report', format: 2, version: results.labmouse, results, mazes: {} };
 
 const leaderboard = (page: Page) => page.getByRole('region', { name: 'Leaderboard, table' });
 const mice = (page: Page) => leaderboard(page).locator('tbody tr:visible th .name').allTextContents();
@@ -203,7 +204,7 @@ test('the table of a report is sorted, searched, and marks references', async ()
 
 /** The order in which the results have their mice. */
 function byMean(a: string, b: string) {
-  const place = (name: string) => results.mice.findIndex((mouse) => name.startsWith(mouse.name));
+  const place = (name: string) => group.mice.findIndex((mouse) => name.startsWith(mouse.name));
   return place(a) - place(b);
 }
 
@@ -212,19 +213,17 @@ test('a report is found again after other results', async () => {
   const back = page.getByRole('button', { name: 'Back to the report' });
   await leaderboard(page).waitFor();
   expect(await back.count()).toBe(0);
-  const fewer = { ...results, mice: results.mice.slice(0, 2) };
+  const fewer = { ...results, groups: [{ ...group, mice: group.mice.slice(0, 2) }] };
   await drop(page, { name: 'results.json', content: JSON.stringify(fewer) });
   await back.click();
   await page.waitForFunction(() => document.querySelectorAll('.race table.sorted tbody th .name').length >= 4);
-  expect(await mice(page)).toEqual(
-    results.mice.map(({ name, contestant }) => (contestant ? name : `${name}reference`)),
-  );
+  expect(await mice(page)).toEqual(group.mice.map(({ name, contestant }) => (contestant ? name : `${name}reference`)));
   expect(await back.count()).toBe(0);
 });
 
 test('what stands below the table of a race is told below the leaderboard', async () => {
   const notes = ['Score: low is good.', '  <b>odd</b> line'];
-  const noted = { ...report, results: { ...results, notes } };
+  const noted = { ...report, results: { ...results, groups: [{ ...group, notes }] } };
   const page = await open('', { file: withBlock('noted.html', pack(noted)) });
   const text = await page.locator('.lines').textContent();
   expect(text!.split('\n')).toEqual(notes);
@@ -236,8 +235,8 @@ test('the matrix is walked by keys, and tells what it shows', async () => {
   await cells.focus();
   await page.keyboard.press('End');
   await page.keyboard.press('ArrowDown');
-  const [, second] = results.mice;
-  const last = [...results.mazes]
+  const [, second] = group.mice;
+  const last = [...group.mazes]
     .map(({ name }) => name)
     .sort((a, b) => a.localeCompare(b, 'en', { numeric: true }))
     .at(-1);
@@ -275,7 +274,7 @@ test('a report is without barriers in light and dark, at every width, and no wid
 
 test.each([
   ['cut', pack(report).slice(0, 3000), 'incomplete or damaged'],
-  ['of a later format', pack({ ...report, format: 2, version: '9.9' }), 'format 2, made by labmouse 9.9'],
+  ['of a later format', pack({ ...report, format: 3, version: '9.9' }), 'format 3, made by labmouse 9.9'],
   ['without results', pack({ ...report, results: null }), 'has no results'],
 ])('a report that is %s is told, and the page goes on', async (_, text, message) => {
   const page = await open('', { file: withBlock('bad.html', text) });
@@ -309,8 +308,9 @@ test('of many complaints the newest are shown and the rest counted, until a form
 test('names are text, whatever they look like', async () => {
   const name = '<img src=x onerror=alert(1)>';
   const odd = structuredClone(report);
-  odd.results.mice[1].name = name;
-  odd.results.mice[2].results[0].outcome = '<b>bold</b>';
+  const { mice: named } = odd.results.groups[0];
+  named[1].name = name;
+  named[2].results[0].outcome = '<b>bold</b>';
   const page = await open('', { file: withBlock('odd.html', pack(odd)) });
   await page.getByRole('application').waitFor();
   expect(await mice(page)).toContain(name);

@@ -68,9 +68,9 @@ async function clickCell(page: Page, mouse: string, column: number, board = 0) {
 const stem = (path: string) => path.replace(/^.*\//, '').replace(/\.\w+$/, '');
 /** The mazes in the order of the columns. */
 const columns = (results: RaceResults) =>
-  [...results.mazes].sort((a, b) => stem(a.name).localeCompare(stem(b.name), 'en', { numeric: true }));
+  [...results.groups[0].mazes].sort((a, b) => stem(a.name).localeCompare(stem(b.name), 'en', { numeric: true }));
 const contests = (results: RaceResults, mouse: string, maze: string): ContestResult[] =>
-  results.mice.find(({ name }) => name === mouse)!.results.filter((contest) => contest.maze === maze);
+  results.groups[0].mice.find(({ name }) => name === mouse)!.results.filter((contest) => contest.maze === maze);
 
 const race = hold(manyMazes ? some(manyMazes, /^alljapan-0/) : some(join(root, 'mazes'), /^contest-[01][0-9]\.txt$/));
 
@@ -81,7 +81,7 @@ describe(`a race in ${race.mazes.length} mazes`, () => {
     const shown = await Promise.all(rows.map((row) => row.locator('th .name, td').allTextContents()));
     const digits = (value: number | null, count: number) => (value === null ? '–' : value.toFixed(count));
     expect(shown.map(([name, solved, all, , ratio, solvedMean]) => [name, solved, all, ratio, solvedMean])).toEqual(
-      race.results.mice.map((mouse) => [
+      race.results.groups[0].mice.map((mouse) => [
         mouse.name,
         `${mouse.solved} of ${mouse.runs}`,
         ...[mouse.penalised_mean, mouse.mean_ratio, mouse.mean_score].map((mean) => digits(mean as number | null, 3)),
@@ -172,7 +172,7 @@ test('a report of a single contest opens in the player, and a link into it where
   native('report', folder, '-o', report, '--page', builtPage);
   const page = await open('', { file: report });
   await page.waitForFunction(() => document.title === 'Replay · labmouse');
-  const { mice } = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8')) as RaceResults;
+  const [{ mice }] = (JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8')) as RaceResults).groups;
   expect(Number(await score(page))).toBeCloseTo(Number(mice[0].results[0].score), 3);
   const linked = await open('#race', { file: report });
   await leaderboard(linked).waitFor();
@@ -202,7 +202,7 @@ describe('files and links', () => {
       {
         results: [contest],
       },
-    ] = (JSON.parse(results) as RaceResults).mice.filter(({ name }) => name === 'flood');
+    ] = (JSON.parse(results) as RaceResults).groups[0].mice.filter(({ name }) => name === 'flood');
     expect(await score(page)).toBe(Number(contest.score).toFixed(3));
   });
 
@@ -226,8 +226,9 @@ describe('files and links', () => {
     const [header, ...lines] = readFileSync(record, 'utf8').split('\n');
     const { maze, ...bare } = JSON.parse(header);
     const wrongMaze = { ...maze, drawing: [...maze.drawing].reverse() };
-    const { mice, ...rest } = race.results;
-    const older = { ...rest, labmouse: '0.0.1', mice: mice.map(({ runs: _, ...mouse }) => mouse) };
+    const [{ mice, ...group }] = race.results.groups;
+    const groups = [{ ...group, mice: mice.map(({ runs: _, ...mouse }) => mouse) }];
+    const older = { ...race.results, labmouse: '0.0.1', groups };
     const hostile: [string, string | Buffer, RegExp][] = [
       ['broken.txt', 'o---o---o\n|     | |\no   o---o\n|       |\no---o---o\n', /broken\.txt.*line 2, column 7: /s],
       ['bare.jsonl', [JSON.stringify(bare), ...lines].join('\n'), /bare\.jsonl.*maze/s],
@@ -237,7 +238,11 @@ describe('files and links', () => {
         /unfit\.jsonl does not match its maze.*step 1: recorded at/s,
       ],
       ['cut.json', race.text.slice(0, race.text.length / 2), /cut\.json.*line \d+, column \d+/s],
-      ['older.json', JSON.stringify(older), /older\.json.*written by labmouse 0\.0\.1.*'mice\[0\]\.runs' is missing/s],
+      [
+        'older.json',
+        JSON.stringify(older),
+        /older\.json.*written by labmouse 0\.0\.1.*'groups\[0\]\.mice\[0\]\.runs' is missing/s,
+      ],
       [
         'report.html',
         readFileSync(race.report).subarray(0, 50_000),

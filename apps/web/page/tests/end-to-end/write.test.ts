@@ -80,7 +80,7 @@ test('one change, a name, and it stands on the leaderboard', async () => {
   const results = JSON.parse(
     execFileSync(program, [...words, '--format', 'json', '--directory', folder], { encoding: 'utf8' }),
   );
-  const mean = results.mice[0].penalised_mean.toFixed(3);
+  const mean = results.groups[0].mice[0].penalised_mean.toFixed(3);
   await page.getByRole('link', { name: 'Race', exact: true }).first().click();
   const race = page.getByRole('region', { name: 'Race' });
   await race.getByText('long-legs').first().waitFor();

@@ -6,16 +6,18 @@ import { boardsOf, type Contest } from '../../src/results/contests';
 import type { EarlyPage } from '../../src/page/page';
 import type { LoadedRace } from '../../src/results/loaded';
 
-const results = {
+const group = {
+  world: 'steps',
   budget: 500,
   mazes: [{ name: 'a', width: 8, height: 8, bound: 10, optimum: 9 }],
   mice: ['ariadne', 'guest:x', 'oracle'].map((name) => ({
     name,
     results: [{ maze: 'a', seed: 7, outcome: 'solved', score: 12 }],
   })),
-} as unknown as RaceResults;
+};
+const results = { groups: [group] } as unknown as RaceResults;
 
-/** A page whose core answers `run` and `unpack` with plays of those actions. */
+/** A page whose core answers `contest` and `unpack` with plays of those actions. */
 function setup({
   run,
   record,
@@ -56,7 +58,9 @@ describe('the replay of a contest', () => {
   it('is run again with its seed and budget where there is no record', async () => {
     const { asked, open } = setup({ run: ['a'] });
     expect(await open(0)).toMatchObject({ remark: '' });
-    expect(asked).toEqual([['run', { mouse: 'ariadne', maze: { name: 'a' }, seed: 7, budget: 500 }]]);
+    expect(asked).toEqual([
+      ['contest', { world: 'steps', mouse: 'ariadne', maze: { name: 'a' }, seed: 7, conditions: { budget: 500 } }],
+    ]);
   });
   it('tells where this version behaves differently', async () => {
     expect((await setup({ run: ['a'], score: 13 }).open(0)).remark).toMatch(/behaves differently.*12.*13/);
@@ -64,7 +68,7 @@ describe('the replay of a contest', () => {
   it('takes the run, which has reasons, where its actions are those of the record', async () => {
     const { asked, open } = setup({ run: ['a', 'b'], record: ['a', 'b'] });
     expect(await open(0)).toMatchObject({ remark: '' });
-    expect(asked.map(([name]) => name).sort()).toEqual(['run', 'unpack']);
+    expect(asked.map(([name]) => name).sort()).toEqual(['contest', 'unpack']);
   });
   it('takes the record, and tells, where the run differs', async () => {
     const { play, remark } = await setup({ run: ['a', 'c'], record: ['a', 'b'] }).open(0);

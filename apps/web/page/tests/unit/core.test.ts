@@ -40,7 +40,7 @@ describe.skipIf(!existsSync(file))('the core', () => {
   beforeAll(async () => {
     core = await startModule(await WebAssembly.compile(readFileSync(file)));
     maze = answer('builtin_maze', { name: 'contest-01' }).maze;
-    ({ play, record } = answer('run', { mouse: 'ariadne', maze, seed: 1 }));
+    ({ play, record } = answer('contest', { mouse: 'ariadne', maze, seed: 1 }));
   });
 
   test('tells what it brings', () => {
@@ -99,7 +99,7 @@ describe.skipIf(!existsSync(file))('the core', () => {
 
   test('holds races and reads their results', () => {
     const { results } = answer('race', { mice: ['flood', 'certify'], mazes: [maze], seed: 1, runs: 1 });
-    expect(results.mice.map((mouse) => mouse.solved)).toEqual([1, 1]);
+    expect(results.groups[0].mice.map((mouse) => mouse.solved)).toEqual([1, 1]);
     expect(results.processor).toBe('WebAssembly');
     expect(answer('open', { name: 'race.json' }, text(JSON.stringify(results)))).toEqual({ kind: 'results', results });
   });
@@ -140,9 +140,9 @@ describe.skipIf(!existsSync(file))('the core', () => {
   });
 
   test('says what is wrong with a request or a file, and lives on', () => {
-    expect(failure('run', { mouse: 'flod', maze, seed: 1 }).error).toContain("did you mean 'flood'?");
-    expect(failure('run', { mouse: 'guest:ls', maze, seed: 1 }).error).toContain('which the page cannot start');
-    expect(failure('run', { mouse: 'ariadne:prior=mine', maze, seed: 1 }).error).toContain(
+    expect(failure('contest', { mouse: 'flod', maze, seed: 1 }).error).toContain("did you mean 'flood'?");
+    expect(failure('contest', { mouse: 'guest:ls', maze, seed: 1 }).error).toContain('which the page cannot start');
+    expect(failure('contest', { mouse: 'ariadne:prior=mine', maze, seed: 1 }).error).toContain(
       'which the page cannot read',
     );
     expect(failure('inspect', { maze: { ...maze, walls: [] } }).error).toContain('0 cells');

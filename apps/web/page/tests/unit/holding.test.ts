@@ -17,7 +17,7 @@ function coreOf(asked: Fields[]): Core {
     asked.push(request);
     const { mice, noise } = request as { mice: string[]; noise: string };
     const group = { world: 'physical', noise: Number(noise), mazes: [], mice: [{ name: mice[0], results: [] }] };
-    return { results: { labmouse: '1', mazes: [], mice: [], stopped: false, groups: [group] } };
+    return { results: { labmouse: '1', stopped: false, groups: [group] } };
   };
   return { call } as unknown as Core;
 }
@@ -38,10 +38,10 @@ it('is held once for each noise, with all mice in each', async () => {
     ['flood', 'certify'].flatMap((mouse) => ['0', '1', '2'].map((noise) => [[mouse], noise])),
   );
   const { groups } = held!.results;
-  expect(groups!.map(({ noise, mice }) => [noise, mice.map(({ name }) => name)])).toEqual(
+  expect(groups.map(({ noise, mice }) => [noise, mice.map(({ name }) => name)])).toEqual(
     [0, 1, 2].map((noise) => [noise, ['flood', 'certify']]),
   );
-  expect(noiseCurves(groups!)!.noises).toEqual([0, 1, 2]);
+  expect(noiseCurves(groups)!.noises).toEqual([0, 1, 2]);
 });
 
 it('of one noise is held once for each mouse', async () => {
@@ -63,7 +63,7 @@ it('that is stopped between two noises has no mouse with one of them alone', asy
     () => undefined,
     () => asked.length < 3,
   );
-  expect(held!.results.groups!.map(({ mice }) => mice.map(({ name }) => name))).toEqual([['flood'], ['flood']]);
+  expect(held!.results.groups.map(({ mice }) => mice.map(({ name }) => name))).toEqual([['flood'], ['flood']]);
   expect(held!.results.stopped).toBe(true);
 });
 

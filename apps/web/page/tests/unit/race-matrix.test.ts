@@ -62,7 +62,8 @@ const result = (maze: string, score: number | null, seed = 1) => ({
   exploration_steps: 30,
   speed_steps: score === null ? null : 20,
 });
-const results = {
+const inSteps = {
+  world: 'steps',
   mazes: [
     { name: 'mazes/easy.txt', width: 16, height: 16, optimum: 19, bound: 20 },
     { name: 'mazes/closed.txt', width: 8, height: 8, optimum: null, bound: null },
@@ -82,7 +83,8 @@ const results = {
     },
     { name: 'oracle', contestant: false, results: [result('mazes/easy.txt', 20)] },
   ],
-} as unknown as RaceResults;
+};
+const results = { groups: [inSteps] } as unknown as RaceResults;
 
 describe('the contests of a race', () => {
   const [board] = boardsOf(results);
@@ -112,8 +114,9 @@ describe('the contests of a race', () => {
   });
   it('survive numbers that are none, and contests in mazes that nobody knows', () => {
     const odd = structuredClone(results) as RaceResults;
-    odd.mazes[0].bound = 'x' as unknown as number;
-    odd.mice[0].results.push(result('elsewhere', 5) as never, result('mazes/hard.txt', 'NaN' as never) as never);
+    const [group] = odd.groups;
+    group.mazes[0].bound = 'x' as unknown as number;
+    group.mice[0].results.push(result('elsewhere', 5) as never, result('mazes/hard.txt', 'NaN' as never) as never);
     const [board] = boardsOf(odd);
     expect(board.mazes[0].bound).toBeNull();
     expect(board.cells[0][2].contests).toHaveLength(2);
@@ -139,7 +142,7 @@ describe('the contests of a race', () => {
       ],
     });
     const groups = [group('seconds', { value: 6_000_000, run: 2 }, null), group('toy', 6, 'lost')];
-    const boards = boardsOf({ ...results, mice: [], groups } as unknown as RaceResults);
+    const boards = boardsOf({ ...results, groups } as unknown as RaceResults);
     expect(boards.map(({ world }) => world)).toEqual(['seconds', 'toy']);
     for (const { mazes, cells } of boards) {
       expect(mazes[0].bound).toBe(5);
@@ -173,7 +176,7 @@ describe('the contests of a race', () => {
         },
       ],
     };
-    const boards = boardsOf({ ...results, mice: [], groups: [group] } as unknown as RaceResults);
+    const boards = boardsOf({ ...results, groups: [group] } as unknown as RaceResults);
     expect(boards.map(({ world }) => world)).toEqual(['mms']);
     expect(boards[0].cells[0][0]).toMatchObject({ solved: 0, ratio: null });
     expect(cellText(boards[0], 0, 0)).toBe('mms:x in a (16×16): gave up; best 20');

@@ -5,7 +5,7 @@ import { noiseCurves } from '../../src/race/noise-data';
 const ended = (score: number | null, ended_by: string | null) => ({ maze: 'a', outcome: 'x', score, ended_by });
 const race = (noise: unknown, mice: Record<string, ReturnType<typeof ended>[]>) =>
   ({
-    world: 'fallible',
+    world: 'failures',
     noise,
     mice: Object.entries(mice).map(([name, results]) => ({ name, results })),
   }) as unknown as RaceGroup;

@@ -26,7 +26,8 @@ describe('ticks', () => {
 });
 
 const contest = (maze: string, score: number | null) => ({ maze, seed: 1, outcome: 'x', score });
-const [board] = boardsOf({
+const group = {
+  world: 'steps',
   mazes: [
     { name: 'a', width: 8, height: 8, optimum: 9, bound: 10 },
     { name: 'b', width: 8, height: 8, optimum: 9, bound: 10 },
@@ -36,7 +37,8 @@ const [board] = boardsOf({
     { name: 'one', results: [contest('a', 10), contest('b', null), contest('closed', null)] },
     { name: 'two', results: [contest('a', 15), contest('a', null), contest('b', 20)] },
   ],
-} as unknown as RaceResults);
+};
+const [board] = boardsOf({ groups: [group] } as unknown as RaceResults);
 
 describe('distributions', () => {
   it('count the contests within a ratio, of all in mazes with a route', () => {

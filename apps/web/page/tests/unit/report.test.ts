@@ -7,8 +7,9 @@ import { loadedRace, type Sources } from '../../src/results/loaded';
 import { find, shortNames, stem } from '../../src/results/names';
 
 const pack = (json: unknown) => gzipSync(JSON.stringify(json)).toString('base64');
-const results = { mazes: [{ name: 'a.txt', width: 8, height: 8 }], mice: [{ name: 'flood', results: [] }] };
-const report = { labmouse: 'report', format: 1, version: '0.1.0', results, mazes: { 'a.txt': 'LINK', odd: 5 } };
+const group = { mazes: [{ name: 'a.txt', width: 8, height: 8 }], mice: [{ name: 'flood', results: [] }] };
+const results = { groups: [group] };
+const report = { labmouse: 'report', format: 2, version: '0.1.0', results, mazes: { 'a.txt': 'LINK', odd: 5 } };
 
 describe('the report of a page', () => {
   it('is read, also where its text was broken into lines', async () => {
@@ -24,8 +25,8 @@ describe('the report of a page', () => {
     await expect(readReport(text)).rejects.toThrow(/incomplete or damaged/);
   });
   it('is refused where it is of another format, with the version that made it', async () => {
-    await expect(readReport(pack({ ...report, format: 2, version: '9.0' }))).rejects.toThrow(
-      /format 2, made by labmouse 9\.0.*reads format 1/,
+    await expect(readReport(pack({ ...report, format: 3, version: '9.0' }))).rejects.toThrow(
+      /format 3, made by labmouse 9\.0.*reads format 2/,
     );
     await expect(readReport(pack({ ...report, format: undefined }))).rejects.toThrow(/format undefined/);
   });
@@ -38,10 +39,10 @@ describe('the report of a page', () => {
   });
   it.each([
     ['no results', undefined],
-    ['mice without contests', { ...results, mice: [{ name: 'flood' }] }],
-    ['mice without names', { ...results, mice: [{ results: [] }] }],
-    ['contests without a maze', { ...results, mice: [{ name: 'flood', results: [{ outcome: 'x' }] }] }],
-    ['groups that are none', { ...results, groups: 5 }],
+    ['mice without contests', { groups: [{ ...group, mice: [{ name: 'flood' }] }] }],
+    ['mice without names', { groups: [{ ...group, mice: [{ results: [] }] }] }],
+    ['contests without a maze', { groups: [{ ...group, mice: [{ name: 'flood', results: [{ outcome: 'x' }] }] }] }],
+    ['groups that are none', { groups: 5 }],
   ])('is refused where it has %s', async (_, odd) => {
     await expect(readReport(pack({ ...report, results: odd }))).rejects.toThrow(/has no results/);
   });
@@ -104,14 +105,12 @@ describe('a loaded race', () => {
     records: async () => [record('flood', 'a', 1), record('flood', 'a', 2), record('guest', 'b')],
     ...more,
   });
-  const raced = {
-    mazes: ['a.txt', 'x/contest-01.txt', 'dropped.txt', 'wide.txt', 'gone.txt'].map((name) => ({
-      name,
-      width: 8,
-      height: 8,
-    })),
-    mice: [],
-  } as unknown as RaceResults;
+  const mazes = ['a.txt', 'x/contest-01.txt', 'dropped.txt', 'wide.txt', 'gone.txt'].map((name) => ({
+    name,
+    width: 8,
+    height: 8,
+  }));
+  const raced = { groups: [{ mazes, mice: [] }] } as unknown as RaceResults;
 
   it('has its mazes from the report, from the page and from the core, where they fit', async () => {
     const race = loadedRace(raced, sources());

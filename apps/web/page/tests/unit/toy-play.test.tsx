@@ -66,7 +66,7 @@ describe.skipIf(!existsSync(wasm))('a contest of a world that nobody has told th
   /** As a page does that was opened with the report. */
   async function reported() {
     const page = { core, ready: Promise.resolve(about), complain: expect.unreachable } as unknown as EarlyPage;
-    const results = { mazes: [], mice: [], groups: report.groups } as unknown as RaceResults;
+    const results = { groups: report.groups } as unknown as RaceResults;
     const sources = { core, ready: page.ready, links: new Map(), opened: new Map() };
     const race = loadedRace(results, { ...sources, records: async () => report.records });
     return contestPlay(page, race, boardsOf(results)[0], { mouse: 0, maze: 0, position: 0 });
@@ -99,11 +99,11 @@ describe.skipIf(!existsSync(wasm))('a contest of a world that nobody has told th
   it('has no link, and nobody stands beside it, for the page cannot hold it', async () => {
     const { play } = await reported();
     expect(play.again).toBeUndefined();
-    await expect(contestBehind(core, play)).rejects.toThrow('cannot hold');
+    await expect(contestBehind(core, play, about)).rejects.toThrow('cannot hold');
   });
   it('is ordered by what the core says of its world', async () => {
     const toy: WorldInPage = {
-      ...{ name: 'toy', summary: 'mice that stumble', home: false, throws_dice: true, usual_runs: 3, mice: ['flood'] },
+      ...{ name: 'toy', summary: 'mice that stumble', in_steps: false, plays: true, throws_dice: true, usual_runs: 3, mice: ['flood'] },
       settings: [
         { name: 'clumsiness', type: 'whole', default: '50', meaning: 'How often', low: 0, high: 100 },
         { name: 'asleep', type: 'flag', default: 'false', meaning: 'Whether it sleeps' },
@@ -111,7 +111,7 @@ describe.skipIf(!existsSync(wasm))('a contest of a world that nobody has told th
       ],
     };
     const world = createWorldChoice({ ...about, worlds: [...about.worlds, toy] }, () => undefined);
-    expect(world.chosen()).toMatchObject({ world: { home: true }, settings: {} });
+    expect(world.chosen()).toMatchObject({ world: about.worlds[0], settings: {} });
     world.choose('toy', { shoes: 'clogs', clumsiness: 7 });
     expect(world.chosen()).toEqual({ world: toy, settings: { clumsiness: 7, asleep: false, shoes: 'clogs' } });
     expect(world.drive()).toBeNull();
@@ -131,7 +131,7 @@ describe.skipIf(!existsSync(wasm))('a contest of a world that nobody has told th
     }
     const linked = (text: string) =>
       orderIn(core, known, readAddress(`#race&mouse=flood&in=contest-01&${text}`).moment);
-    const home = about.worlds.find(({ home }) => home)!;
+    const [home] = about.worlds;
     for (const wrong of [
       ...[
         'world=mars',

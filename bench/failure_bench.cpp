@@ -1,0 +1,79 @@
+// How long a contest takes in the failure model and in the physical one: with its mind, and with the decisions that
+// the mind took there in place of it, which leaves what the worlds themselves cost.
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bench_mazes.hpp"
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/physical.hpp"
+#include "labmouse/contest/script.hpp"
+#include "labmouse/lab/hazards/hazard_file.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+enum class In { failures, physical };
+enum class By { mind, script };
+
+class Contests {
+ public:
+  explicit Contests(std::string_view mouse) : mouse_(*find_mouse(mouse)) {
+    share_route_tables(model_);
+    conditions_.noise.all = 1.0;
+  }
+
+  std::size_t count() const { return mazes_.size(); }
+  PhysicalRecord held_by_mind(In world, std::size_t i) const {
+    const auto mind = mouse_.make(brief(mazes_[i], rules_, model_, i), Settings(mouse_.parameters));
+    return held(world, i, *mind);
+  }
+  PhysicalRecord held_by_script(In world, std::size_t i, const PhysicalRecord& record) const {
+    std::vector<double> paces;
+    for (const DriveRun& run : record.drive.runs) paces.push_back(run.pace);
+    Script script(mazes_[i].size(), record.actions, std::move(paces));
+    return held(world, i, script);
+  }
+
+ private:
+  PhysicalRecord held(In world, std::size_t i, Strategy& mouse) const {
+    if (world == In::failures) return drive_with_failures(mazes_[i], rules_, model_, conditions_, hazards_, i, mouse);
+    return drive_physically(mazes_[i], rules_, model_, conditions_, i, mouse);
+  }
+
+  const RosterEntry& mouse_;
+  std::vector<Maze> mazes_ = bench_mazes(16);
+  DriveModel model_ = find_robot("kerise").model;
+  DriveRules rules_ = find_rules("all-japan").rules;
+  Hazards hazards_ = hazards_of(*find_hazards("kerise").file);
+  PhysicalConditions conditions_;
+};
+
+void contest(benchmark::State& state, std::string_view mouse, In world, By by) {
+  const Contests contests(mouse);
+  std::vector<PhysicalRecord> records;
+  for (std::size_t i = 0; by == By::script && i < contests.count(); ++i)
+    records.push_back(contests.held_by_mind(world, i));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(by == By::mind ? contests.held_by_mind(world, i)
+                                            : contests.held_by_script(world, i, records[i]));
+    i = (i + 1) % contests.count();
+  }
+}
+BENCHMARK_CAPTURE(contest, flood_return_failures, "flood-return", In::failures, By::mind);
+BENCHMARK_CAPTURE(contest, flood_return_physical, "flood-return", In::physical, By::mind);
+BENCHMARK_CAPTURE(contest, certify_failures, "certify", In::failures, By::mind);
+BENCHMARK_CAPTURE(contest, certify_physical, "certify", In::physical, By::mind);
+BENCHMARK_CAPTURE(contest, script_failures, "flood-return", In::failures, By::script);
+BENCHMARK_CAPTURE(contest, script_physical, "flood-return", In::physical, By::script);
+
+}  // namespace
+}  // namespace labmouse

@@ -1,0 +1,156 @@
+#include "labmouse/contest/failure_drive.hpp"
+
+#include <algorithm>
+
+#include "labmouse/body/specimen.hpp"
+#include "labmouse/contest/drive_gates.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+
+namespace labmouse {
+namespace {
+
+MazeTime part_of(MazeTime time, double part) { return static_cast<MazeTime>(static_cast<double>(time) * part); }
+
+}  // namespace
+
+FailureDriver::FailureDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
+                             const Hazards& hazards, std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record)
+    : TimedDriver(maze, model, time_limit, record.drive),
+      handling_(conditions.handling),
+      usual_pace_(conditions.pilot.pace),
+      walls_(maze, conditions.map, record),
+      dice_(seed_for(seed, "hazards")),
+      hazards_(hazards),
+      noise_(conditions.noise.all),
+      noise_share_(dice_.unit()) {
+  record.by_dice = true;
+  const Specimen mouse(*model.robot.hardware, conditions.noise, maze.size(), seed);
+  record.frailty = mouse.frailty();
+  luck_ = luck_of(mouse);
+  set_pace(1.0);
+}
+
+/// A contest between two noises that were counted is held under one of them, the likelier the nearer it is; and so a
+/// run between two paces.
+void FailureDriver::set_pace(double pace) {
+  pace_ = usual_pace_ * pace;
+  const auto paces = between(hazards_.paces, pace_, [](const HazardsAtPace& at) { return at.pace; });
+  const HazardsAtPace& at_pace = hazards_.paces[dice_.unit() < paces.part ? paces.above : paces.below];
+  const auto noises = between(at_pace.noises, noise_, [](const HazardsAtNoise& at) { return at.noise; });
+  const HazardsAtNoise& at = at_pace.noises[noise_share_ < noises.part ? noises.above : noises.below];
+  odds_ = &at.by_luck[static_cast<std::size_t>(luck_)];
+}
+
+std::size_t FailureDriver::one_of(std::span<const double> shares) {
+  double left = dice_.unit();
+  std::size_t place = 0;
+  while (place + 1 < shares.size() && left >= shares[place]) left -= shares[place++];
+  // What rounding has left over belongs to what there is.
+  while (place > 0 && shares[place] <= 0.0) --place;
+  return place;
+}
+
+void FailureDriver::put_at_start() {
+  TimedDriver::put_at_start();
+  astray_ = one_of(odds_->put);
+  crash_.reset();
+  walls_.put_down();
+}
+
+void FailureDriver::carry_to_start() {
+  clock_ += handling_;
+  put_at_start();
+}
+
+void FailureDriver::look_about() {
+  const Heading heading = place_.pose.heading;
+  const double clear = dice_.unit();
+  WallEvidence seen;
+  seen.left = read_wall(left_of(heading), false, clear);
+  seen.ahead = read_wall(heading, true, clear);
+  seen.right = read_wall(right_of(heading), false, clear);
+  walls_.read(clock_, place_.pose, seen);
+}
+
+/// Where a mouse reads nothing it is by where it stands, and so for all walls about it: what is less clear than a wall
+/// has to be is not read.
+Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
+  const Wall wall = wall_at(place_.pose.cell, side);
+  // Nobody has to read the border.
+  if (on_border(wall, maze_.size())) return 0;
+  const bool again = read_.contains(wall);
+  read_.insert(wall);
+  const Reading reading = reading_of(maze_.is_open(place_.pose.cell, side), ahead, again);
+  ReadingHazard shares = odds_->readings[static_cast<std::size_t>(reading)][astray_];
+  double& silent = shares[evidence_class(0)];
+  if (clear < silent) return 0;
+  for (double& told : shares) told /= 1.0 - silent;
+  silent = 0.0;
+  return evidence_in(one_of(shares));
+}
+
+FailureDriver::Went FailureDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
+  const ManoeuvreHazard& hazard = odds_->manoeuvres[static_cast<std::size_t>(manoeuvre)][astray_];
+  if (!way_is_open) return {RunEnd::misread, 0.5};
+  if (dice_.unit() < hazard.crash) return {dice_.unit() < hazard.slid ? RunEnd::slid : RunEnd::strayed, dice_.unit()};
+  astray_ = one_of(hazard.after);
+  return {};
+}
+
+bool FailureDriver::crash_at(MazeTime time, RunEnd cause) {
+  if (reach(time)) crash_ = cause;
+  return false;
+}
+
+bool FailureDriver::reach(MazeTime time) {
+  clock_ = std::min(time, time_limit_);
+  return clock_ < time_limit_;
+}
+
+bool FailureDriver::is_open(const Action& part) const {
+  const Heading heading = after_search(place_, part).pose.heading;
+  for (int cell = 0; cell < part.movement; ++cell)
+    if (!maze_.is_open(neighbour(place_.pose.cell, heading, cell), heading)) return false;
+  return true;
+}
+
+bool FailureDriver::make(const Action& part, bool replanned) {
+  const Cell from = place_.pose.cell;
+  const MazeTime begin = clock_, time = time_of(part);
+  const Went went = drive(manoeuvre_of(maze_, place_, part), is_open(part));
+  if (went.crash) return crash_at(begin + part_of(time, went.part), *went.crash);
+  if (!reach(begin + time)) return false;
+  advance(part, begin, replanned);
+  if (walls_.weighs()) walls_.pass(clock_, from, place_.pose);
+  look_about();
+  return true;
+}
+
+bool FailureDriver::run(const DriveRoute& route) {
+  DriveRun& run = record_.runs.back();
+  const MazeTime begin = run.begin = clock_;
+  set_gates(run, maze_, model_);
+  const auto happen = [&](std::optional<MazeTime>& gate) {
+    if (gate) gate = begin + slowed(*gate - begin);
+    if (gate > clock_) gate.reset();
+  };
+  bool stands = true;
+  for (const DriveSegment& segment : route.segments) {
+    DriveRoute piece;
+    piece.segments.push_back(segment);
+    const WallSet needed = walls_of(piece);
+    bool open = true;
+    needed.for_each([&](Wall wall) { open = open && maze_.is_open(wall.cell, wall.side); });
+    const Went went = drive(manoeuvre_of(segment), open);
+    const MazeTime length = segment.end - segment.begin;
+    stands = went.crash ? crash_at(begin + slowed(segment.begin + part_of(length, went.part)), *went.crash)
+                        : reach(begin + slowed(segment.end));
+    if (!stands) break;
+  }
+  for (auto* gate : {&run.gate_out, &run.gate_in, &run.centre}) happen(*gate);
+  run.end = clock_;
+  stand_behind(route);
+  return stands;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,15 @@
+// Values and conditions of worlds as JSON.
+#pragma once
+
+#include "labmouse/lab/races/world.hpp"
+#include "labmouse/lab/text/json.hpp"
+
+namespace labmouse {
+
+/// Null where there is no value.
+Json json_of(const Value& value);
+
+/// An object of World::conditions(), from which restore_world() makes the world again.
+Json conditions_json(const World& world);
+
+}  // namespace labmouse
