@@ -75,11 +75,11 @@ void add_hindsight(Command& command, BoundOptions& options) {
   RaceOrder& race = options.order.race;
   command
       .add_option("--perturbed", options.order.others,
-                  "Number of variants (or, for a mouse that throws dice, seeds) to take the best of; 0 for none")
+                  "Number of variants (or, for a stochastic mouse, seeds) to take the best of; 0 for none")
       ->check(in_range(0, 100'000))
       ->capture_default_str()
       ->needs(hindsight);
-  command.add_option("--runs", race.runs, "Contests in each maze for a mouse that throws dice")
+  command.add_option("--runs", race.runs, "Contests in each maze for a stochastic mouse")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str()
       ->needs(hindsight);

@@ -6,7 +6,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
+#include "labmouse/lab/reports/file_kind.hpp"
 #include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -83,6 +85,19 @@ void write_out(std::string_view text, std::FILE* stream, bool at_once = true) {
   throw UsageError(fmt::format("error: cannot write to standard output: {}", cause_of(errno)));
 }
 
+/// Throws UsageError where the file is one of ours and no maze.
+void refuse_other_file(const std::string& path) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) return;
+  const FileKind kind = kind_of_file(read_file(path, std::size_t{1} << 28U).content);
+  if (kind == FileKind::record)
+    throw UsageError(
+        fmt::format("{}: error: this is a record, not a maze; `labmouse show --record FILE` draws it", path));
+  if (kind == FileKind::results)
+    throw UsageError(
+        fmt::format("{}: error: this is the results of a race, not a maze; `labmouse report` shows them", path));
+}
+
 std::string describe_all(const std::vector<SkippedFile>& files) {
   std::string text;
   for (const SkippedFile& file : files)
@@ -121,6 +136,7 @@ void tell_remarks(const std::vector<std::string>& remarks) {
 
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places) {
   MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths);
+  for (const SkippedFile& file : collection.errors) refuse_other_file(file.path);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));
   tell_skipped(collection.skipped);
   if (collection.mazes.empty())

@@ -35,7 +35,7 @@ struct HazardOptions {
   double within = 3.0, interval_within = 5.0;
 };
 
-/// Holds all contests in the failure model, too; whether they end alike.
+/// Runs all contests in the failure model, too; whether they end alike.
 int check_hazards(const HazardOptions& options, HazardOrder order, const std::vector<Contestant>& mice,
                   const std::vector<NamedMaze>& mazes) {
   for (const std::string name : {"--pace", "--spread", "--search-speed", "--save", "--format"})

@@ -21,7 +21,7 @@ Lesson hold(std::vector<NamedMaze> mazes) {
   LessonHooks hooks;
   hooks.stop = &interruptible.stopped();
   hooks.finished = [&](std::size_t all) { progress.advance(all); };
-  return hold_lesson(std::move(mazes), *home_world(), hooks);
+  return hold_lesson(std::move(mazes), *first_world(), hooks);
 }
 
 int learn(const LearnOptions& options) {

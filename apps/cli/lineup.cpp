@@ -143,7 +143,7 @@ bool check_one(const Contestant& mouse, const Maze& maze, std::size_t width) {
   if (mouse.interpreter && !mouse.interpreter->version.empty())
     line += fmt::format("Python {:<7} ", mouse.interpreter->version);
   line += fmt::format("{}{}", first.good ? "" : "error: ", shown(first.how));
-  if (!same) line += "; differs from run to run: it reads the clock, or throws dice of its own";
+  if (!same) line += "; differs from run to run: it reads the clock, or uses random numbers of its own";
   if (!first.good && !first.last.empty() && first.how.find(first.last) == std::string::npos)
     line += fmt::format("\n{:<{}} | {}", "", width, shown(first.last));
   print(line + "\n");

@@ -48,7 +48,7 @@ constexpr const char* start_page =
   labmouse race --mice flood,capstone:robot.py         race your capstone robot
   labmouse race --mice flood 'mms:python3 mouse.py'    race your program for the simulator mms
   labmouse run ariadne contest-05 --watch              watch one contest, step by step
-  labmouse run ariadne contest-05 --world physical     the same with a robot that slips and misreads walls
+  labmouse run ariadne contest-05 --world physical     the same with a robot that slips and detects walls wrongly
   labmouse show contest-05                             draw a maze
   labmouse mice                                        list the built-in mice
 

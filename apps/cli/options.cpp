@@ -277,12 +277,13 @@ void Command::refer(std::initializer_list<std::string> headings, const std::stri
       left_out.push_back("--" + option->get_lnames().front());
       option->group("");
     }
-  app_->footer(fmt::format("Also, as explained by `{} --help`: {}\n\n{}", command, fmt::join(left_out, " "), footer_));
+  referred_ = fmt::format("Also, as explained by `{} --help`: {}\n\n", command, fmt::join(left_out, " "));
+  app_->footer(referred_ + footer_);
 }
 
 void Command::footer(const std::string& text) {
   footer_ = text;
-  app_->footer(text);
+  app_->footer(referred_ + footer_);
 }
 void Command::callback(const std::function<void()>& action) { app_->callback(action); }
 void Command::hand_over(const std::function<void(const std::vector<std::string>&)>& action) {

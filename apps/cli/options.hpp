@@ -138,7 +138,7 @@ class Command {
 
   CLI::App* app_;
   std::string group_ = "Options";
-  std::string footer_;
+  std::string referred_, footer_;
   std::list<Option> options_;
   std::list<Command> subcommands_;
 };

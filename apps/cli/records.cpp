@@ -17,11 +17,11 @@ Option* add_record_maze(Command& command, std::string& maze) {
 }
 
 std::string load_record_text(const std::string& path) {
-  FileContent file = read_file(path, std::size_t{1} << 28U);
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown))
     throw UsageError(
         fmt::format("{}: error: this is a folder; name one of its records, FOLDER/MOUSE/MAZE.jsonl", path));
+  FileContent file = read_file(path, std::size_t{1} << 28U);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", path, file.error));
   return std::move(file.content);
 }

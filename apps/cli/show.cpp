@@ -2,15 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "command.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
-#include "labmouse/lab/reports/file_kind.hpp"
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "records.hpp"
 
@@ -70,11 +67,6 @@ void show_maze(const ShowOptions& options) {
     if (needs_record(layer))
       throw UsageError(fmt::format("error: layer {} needs a record; name one with --record FILE instead of the maze",
                                    name_of(layer)));
-  std::error_code unknown;
-  if (std::filesystem::is_regular_file(options.maze, unknown) &&
-      kind_of_file(read_file(options.maze, std::size_t{1} << 20U).content) == FileKind::record)
-    throw UsageError(
-        fmt::format("{}: error: this is a record, not a maze; `labmouse show --record FILE` draws it", options.maze));
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules rules;
   DrawingLayers layers = layers_of(maze.maze, rules, chosen);

@@ -176,7 +176,7 @@ ExitCode verify(StoreOptions options) {
   if (!found.error.empty()) throw UsageError(found.error);
   for (const std::string& remark : found.remarks) tell(remark + "\n");
   for (const std::string& difference : found.differences) print(difference + "\n");
-  std::string text = fmt::format("{} held again: {} equal, {} not.", counted(found.held, "contest", "contests"),
+  std::string text = fmt::format("{} re-run: {} equal, {} not.", counted(found.held, "contest", "contests"),
                                  found.equal, found.differences.size());
   if (found.stopped) text += " Stopped early.";
   print(text + left_out(found));

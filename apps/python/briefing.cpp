@@ -105,7 +105,7 @@ void bind_briefings(nb::module_& module) {
           "Cells that a reading reaches at most: in a reading of so many, no wall was seen at the end.")
       .def_prop_ro(
           "seed", [](const PythonBriefing& told) { return told.briefing.seed; },
-          "For a mouse that throws dice: the same contest always has the same seed; below 2**64.")
+          "For a stochastic mouse: the same contest always has the same seed; below 2**64.")
       .def("__getstate__", &fields_of)
       .def("__setstate__",
            [](PythonBriefing& told, const BriefingFields& fields) { new (&told) PythonBriefing(briefing_of(fields)); })

@@ -1,5 +1,5 @@
-// How likely what goes wrong: at a manoeuvre, at a reading, by how far astray a mouse is and how unlucky its draws are.
-// labmouse/lab/hazards counts them in the physical world; the failure model throws dice by them.
+// Failure rates: of each manoeuvre and each wall reading, by the localization error and the severity of the mouse's
+// draws. labmouse/lab/hazards counts them in the physical world; the failure model draws errors at these rates.
 #pragma once
 
 #include <array>

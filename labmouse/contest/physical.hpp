@@ -1,5 +1,5 @@
-// One contest of a mouse that may err: in the physical world, in which a pilot drives and a body slips, misreads and
-// crashes; or in the failure model, by dice. The protocol is that of contest/drive_contest.
+// One contest of a mouse that may err: in the physical world, where a simulated controller drives a simulated robot; or
+// in the failure model, where errors are drawn at random. The protocol is that of contest/drive_contest.
 //
 // A strategy sees corridors of one cell, made of what the pilot's evidence is rather for. By the map of the conditions
 // the first reading of a wall stays for ever, as in most mice, and what speaks against it later is counted; or readings
@@ -31,10 +31,10 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
                                 const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse,
                                 const PilotParts& parts = {});
 
-/// The same in the failure model, and fast: the mouse strays, misreads walls and crashes by dice whose chances were
-/// counted in the physical world, with the draws that the seed has there. How far astray it is goes on from manoeuvre
-/// to manoeuvre, and how unlucky its draws are is the same all through a contest: a bad mouse fails again. Of the
-/// conditions it takes noise, pace, map and handling.
+/// The same in the failure model, and fast: localization errors, wall detection errors and crashes are drawn at the
+/// rates of `hazards`, which were counted in the physical world, with the random draws that the seed has there. A
+/// localization error lasts from manoeuvre to manoeuvre, and the severity of the draws lasts for the contest: a mouse
+/// with weak motors fails again. Of the conditions it uses noise, pace, map and handling.
 PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                    const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
                                    Strategy& mouse);

@@ -63,7 +63,14 @@ TEST_F(AUser, IsToldWhatAFileIsThatIsAnother) {
   file("corridor.txt", corridor);
   ASSERT_EQ(labmouse({"run", "flood", "corridor.txt", "--record", "walk.jsonl"}).code, 0);
   file("race.json", labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--format", "json"}).out);
-  is_refused({"show", "walk.jsonl"}, "walk.jsonl", "record", "--record");
+  for (const std::vector<std::string>& maze_is_read_by :
+       {std::vector<std::string>{"show"}, {"inspect"}, {"run", "flood"}, {"race", "--mazes"}}) {
+    std::vector<std::string> words = maze_is_read_by;
+    words.emplace_back("walk.jsonl");
+    is_refused(words, "walk.jsonl", "record", "--record");
+    words.back() = "race.json";
+    is_refused(words, "race.json", "results", "labmouse report");
+  }
   for (const char* command : {"replay", "score"}) {
     is_refused({command, "corridor.txt"}, "corridor.txt", "maze", "labmouse run");
     is_refused({command, "race.json"}, "race.json", "race", "labmouse report");

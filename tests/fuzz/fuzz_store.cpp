@@ -50,7 +50,7 @@ void write(const std::string& path, std::string_view content) {
 Race race_with(const std::string& path) {
   const auto store = std::make_shared<Store>(path, Database::Access::scratch);
   RaceOrder order;
-  order.world = home_world();
+  order.world = first_world();
   order.runs = 2;
   order.jobs = 1;
   order.store = store;

@@ -61,7 +61,7 @@ class Given(NamedTuple):
     specs: "list[tuple[str, str]]"
     """Names, where the user gave one, and SPECs."""
     own: "list[_Own]"
-    """Mice in Python: name, maker, and whether they throw dice."""
+    """Mice in Python: name, maker, and whether they are stochastic."""
 
     def native(self, workers: "Workers | None", label: "str | None" = None, stored: bool = False) -> "_Native":
         """The mice as the compiled part takes them; raises Error where nothing is known of one that is to be stored."""

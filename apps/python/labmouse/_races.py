@@ -190,7 +190,7 @@ def race(
     world: 'steps', 'seconds', 'physical', 'failures' or 'mms'; None for the one that suits the mice. `robot` and `rules` are
         settings of those in seconds (a built-in name or a file), `budget` (steps of a contest) of 'steps';
         other settings have the names of the command line's options.
-    runs: contests in each maze of a mouse that throws dice, and of each mouse in 'physical' and 'failures'; None for
+    runs: contests in each maze of a stochastic mouse, and of each mouse in 'physical' and 'failures'; None for
         20, and 3 in 'physical'. seed: for all random choices.
     jobs: threads, and processes of mice in Python; 0 for as many as there are processors. Results do not depend on it: each
         contest of a mouse in Python begins with the state of your variables at the call, and leaves them alone.

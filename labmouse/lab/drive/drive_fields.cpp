@@ -184,10 +184,11 @@ constexpr auto seconds_table = joined(
     std::array<Column, 4>{
         {{"excess", "%", 6, above_best, "mean_excess", "above fastest, %",
           "How much longer the routes of the best runs take than the fastest route, in percent.", 2, false, 100.0},
-         {"fastest", "routes", 7, [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); },
-          "optimal", "best runs", "Contests whose best run took the fastest route.", 0, true, 1.0, true},
-         {"", "proven", 6, [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); }, "proven",
-          "proven", "Contests in which the mouse knew that no route could be faster.", 0, true, 1.0, true},
+         rarely({"fastest", "routes", 7,
+                 [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); }, "optimal",
+                 "best runs", "Contests whose best run took the fastest route.", 0, true}),
+         rarely({"", "proven", 6, [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); },
+                 "proven", "proven", "Contests in which the mouse knew that no route could be faster.", 0, true}),
          {"runs per", "contest", 8,
           [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "starts"), 1); },
           "mean_starts", "runs", "Mean number of starts in a contest.", 1}}});
@@ -249,12 +250,13 @@ constexpr auto physical_mouse =
 constexpr auto physical_table = joined(
     std::array<Column, 4>{
         {scored_column,
-         {"95 %", "range, %", 8, finished_text, "finished_interval", "scored, 95 %",
+         {"95 %", "range, %", 8, finished_text, "finished_interval", "finished, 95 %",
           "Share of the contests that ended with a score, in percent: 95 % interval over the mazes.", 0, true, 100.0},
          score_column,
          {"failures", "at limit", 8,
           [](const Race& r, const Standing& s) { return columns::number(penalised(r, s), 3); }, "penalised",
-          "penalised, s", "Mean score over all contests, in seconds; one without a score counts the time limit.", 3}}},
+          "failures at limit, s",
+          "Mean score over all contests, in seconds; one without a score counts the time limit.", 3}}},
     time_columns<P>,
     std::array<Column, 7>{
         {{"", "runs", 5, count_text<P::starts>, "starts", "runs",
@@ -268,9 +270,8 @@ constexpr auto physical_table = joined(
          {"no route", "left", 8, count_text<P::walled_in>, "walled_in", "no route left",
           "Runs that ended because the map had no route left, or contradicted what the mouse saw."},
          {"time", "limit", 5, count_text<P::late>, "late", "time limit", "Runs that the time limit cut short."},
-         {"wrong", "walls", 5, count_text<P::misreads>, "misreads", "walls read wrongly",
-          "Walls that the mouse took for closed where they are open, or for open where they are closed.", 0, false, 1.0,
-          true}}});
+         rarely({"wrong", "walls", 5, count_text<P::misreads>, "misreads", "walls read wrongly",
+                 "Walls that the mouse took for closed where they are open, or for open where they are closed.", 0})}});
 
 }  // namespace
 

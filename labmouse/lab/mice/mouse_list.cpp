@@ -44,7 +44,7 @@ std::string parameter_lines(const RosterEntry& mouse) {
 }
 
 std::string summary_of(const RosterEntry& mouse) {
-  return fmt::format("{}{}", mouse.summary, mouse.uses_chance(Settings(mouse.parameters)) ? " (throws dice)" : "");
+  return fmt::format("{}{}", mouse.summary, mouse.uses_chance(Settings(mouse.parameters)) ? " (stochastic)" : "");
 }
 
 /// The text in lines of a width that is easy to read, each after the indent.

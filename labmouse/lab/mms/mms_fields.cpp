@@ -134,10 +134,11 @@ std::string interval(const Race&, const Standing& standing) {
 constexpr std::array<Column, 9> table = {
     {{"", "finished", 8, columns::solved},
      {"mean", "score", 6, [](const Race&, const Standing& s) { return columns::number(s.mean_all, 1); }, "mean_score",
-      "score, all", "Mean score of mms over all runs; an unsolved one counts 2000, as in mms.", 3},
+      "mean score", "Mean score of mms over all runs; an unfinished one counts 2000, as in mms.", 3},
      {"95 %", "interval", 11, interval},
-     {"score of", "finished", 8, [](const Race&, const Standing& s) { return columns::number(s.mean_solved, 1); },
-      "mean_solved_score", "score, solved", "Mean score of mms over the solved runs.", 1, false, 1.0, true},
+     rarely({"score of", "finished", 8,
+             [](const Race&, const Standing& s) { return columns::number(s.mean_solved, 1); }, "mean_solved_score",
+             "score of finished", "Mean score of mms over the finished runs.", 1}),
      {"score /", "best", 7, [](const Race&, const Standing& s) { return columns::number(s.mean_ratio, 2); }},
      {"best", "run", 6,
       [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "best_run"), 1); },
@@ -145,13 +146,12 @@ constexpr std::array<Column, 9> table = {
      {"run /", "best", 6,
       [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "run_ratio"), 2); },
       "mean_run_ratio", "run / best",
-      "Mean over the solved runs of the best run divided by the best possible one in that maze.", 2},
-     {"", "total", 6, [](const Race& r, const Standing& s) { return columns::number(mean_total(r, s), 0); },
-      "mean_total", "total", "Mean effective distance and turns of all that the mouse did in a run.", 0, false, 1.0,
-      true},
-     {"s per", "run", 6,
-      [](const Race& r, const Standing& s) { return columns::number(mean_of_all(r, s, "seconds"), 2); }, "mean_seconds",
-      "s a run", "Mean time that a run took here, in seconds.", 2, false, 1.0, true}}};
+      "Mean over the finished runs of the best run divided by the best possible one in that maze.", 2},
+     rarely({"", "total", 6, [](const Race& r, const Standing& s) { return columns::number(mean_total(r, s), 0); },
+             "mean_total", "total", "Mean effective distance and turns of all that the mouse did in a run.", 0}),
+     rarely({"s per", "run", 6,
+             [](const Race& r, const Standing& s) { return columns::number(mean_of_all(r, s, "seconds"), 2); },
+             "mean_seconds", "s a run", "Mean time that a run took here, in seconds.", 2})}};
 
 }  // namespace
 

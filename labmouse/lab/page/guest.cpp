@@ -87,7 +87,7 @@ std::vector<Contestant> read_played_mice(PageRequest& request, const std::vector
   for (const ReadJson& each : request.list("played")) {
     if (!request.error().empty()) break;
     if (!order.world->rules_in_steps())
-      request.reject(fmt::format("mice of one's own do not race in the world {}", order.world->name()));
+      request.reject(fmt::format("your own mice race in steps only, not in the world {}", order.world->name()));
     mice.push_back(read_mouse(request, each, mazes, order));
     const auto same = [&](const Contestant& mouse) { return mouse.name == mice.back().name; };
     if (std::count_if(mice.begin(), mice.end(), same) > 1)

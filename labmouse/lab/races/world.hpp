@@ -83,8 +83,14 @@ struct Column {
   int digits = 0;                 ///< decimals on the page
   bool higher_is_better = false;
   double factor = 1.0;  ///< by which the page multiplies the field: 100 makes a share a percentage
-  bool more = false;    ///< only printed with `--columns all`
+  bool rare = false;    ///< only printed with `--columns all`
 };
+
+/// A column that is only printed with `--columns all`.
+constexpr Column rarely(Column column) {
+  column.rare = true;
+  return column;
+}
 
 /// A figure that studies compare besides the score: a number above 0 whose ratio between two mice says something, by
 /// its key in the JSON of a contest and as a table calls it.

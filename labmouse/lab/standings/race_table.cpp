@@ -22,7 +22,7 @@ namespace {
 std::vector<const Column*> columns_of(const Race& race, bool all) {
   std::vector<const Column*> columns;
   for (const Column& column : race.world().fields().columns)
-    if (all || !column.more) columns.push_back(&column);
+    if (all || !column.rare) columns.push_back(&column);
   return columns;
 }
 

@@ -7,6 +7,7 @@
 
 #include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/races/value_json.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/figures.hpp"
 #include "labmouse/lab/text/json.hpp"
@@ -15,20 +16,6 @@ namespace labmouse {
 namespace {
 
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-Json json_of_field(const Value& value) {
-  return std::visit(
-      [](const auto& held) -> Json {
-        using Held = std::decay_t<decltype(held)>;
-        if constexpr (std::is_same_v<Held, std::monostate>)
-          return nullptr;
-        else if constexpr (std::is_same_v<Held, JsonText>)
-          return Json::parse(held.text);
-        else
-          return held;
-      },
-      value);
-}
 
 bool is_timing(const World& world, std::string_view field) {
   return std::any_of(world.timings().begin(), world.timings().end(),
@@ -42,7 +29,7 @@ std::string fields_text(const Race& race, const ContestResult& result) {
     if (field.key == "maze" || field.key == "seed" || field.key == "outcome" || is_timing(race.world(), field.key))
       continue;
     const Value value = field.of(race, result);
-    if (!std::holds_alternative<std::monostate>(value)) json[std::string(field.key)] = json_of_field(value);
+    if (!std::holds_alternative<std::monostate>(value)) json[std::string(field.key)] = json_of(value);
   }
   return dumped(json);
 }

@@ -20,7 +20,7 @@ Contestant bare(const Contestant& mouse) {
 }
 
 /// The place on the list of the first world that takes a mouse; the list's length where none does.
-std::size_t home_of(const Contestant& mouse) {
+std::size_t place_of(const Contestant& mouse) {
   std::size_t place = 0;
   while (place < all_worlds().size() && !all_worlds()[place]->make({}).world->refuse(mouse).empty()) ++place;
   return place;
@@ -97,15 +97,16 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
   if (!world.empty()) return enter_each(mice, *find_world(world), settings);
   std::vector<std::vector<Contestant>> by_world(all_worlds().size());
   for (Contestant& mouse : mice) {
-    const std::size_t home = home_of(mouse);
-    if (home == by_world.size()) return {{}, fmt::format("error: mouse '{}' cannot race in any world", mouse.name), {}};
+    const std::size_t place = place_of(mouse);
+    if (place == by_world.size())
+      return {{}, fmt::format("error: mouse '{}' cannot race in any world", mouse.name), {}};
     // A parameter must not choose the world without a word.
-    if (const std::size_t usual = home > 0 ? home_of(bare(mouse)) : home; usual != home)
+    if (const std::size_t usual = place > 0 ? place_of(bare(mouse)) : place; usual != place)
       return {{},
               fmt::format("error: {}; leave it out, or add --world {}",
-                          all_worlds()[usual]->make({}).world->refuse(mouse), all_worlds()[home]->name),
+                          all_worlds()[usual]->make({}).world->refuse(mouse), all_worlds()[place]->name),
               {}};
-    by_world[home].push_back(std::move(mouse));
+    by_world[place].push_back(std::move(mouse));
   }
   EntriesResult result;
   for (std::size_t i = 0; i < by_world.size(); ++i) {

@@ -67,6 +67,6 @@ const RecordKind& kind_of_packed(const ReadJson& packed) {
   return kind_where([&](const RecordKind& kind) { return packed.is_object() && packed.contains(kind.packed); });
 }
 
-std::shared_ptr<const World> home_world() { return all_worlds().front()->make({}).world; }
+std::shared_ptr<const World> first_world() { return all_worlds().front()->make({}).world; }
 
 }  // namespace labmouse

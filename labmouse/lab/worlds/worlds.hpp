@@ -20,7 +20,7 @@ std::shared_ptr<const World> default_world(std::string_view name);
 /// no such world, or no such conditions.
 std::shared_ptr<const World> restore_world(std::string_view name, std::string_view conditions);
 /// The first world with its defaults.
-std::shared_ptr<const World> home_world();
+std::shared_ptr<const World> first_world();
 
 /// The kind of record that a text is meant to be, by its first line; that of the first world where it names none.
 const RecordKind& kind_of_record(std::string_view text);

@@ -142,7 +142,7 @@ TEST_F(LearnedMice, CanBeTaughtWhereTheirPriorIsTheDefault) {
 
 TEST_F(LearnedMice, RaceAsIfTheyHadAFileOfTheMazesThatTheyAreTaughtWith) {
   const std::vector<NamedMaze> training = mazes(5);
-  const std::string learned = file("five.prior", file_of(hold_lesson(training, *home_world())));
+  const std::string learned = file("five.prior", file_of(hold_lesson(training, *first_world())));
   const Contestant taught = mouse("ariadne:travel=30").taught(pointers_to(training), Rules(), nullptr);
   EXPECT_EQ(taught.name, "ariadne:travel=30");
   const Contestant from_file = mouse("ariadne:travel=30:prior=" + learned);
@@ -163,7 +163,7 @@ TEST_F(LearnedMice, AreTaughtAnewForEachFoldOfAStudy) {
     std::vector<NamedMaze> training, held_out;
     for (std::size_t i = 0; i < study.race.mazes.size(); ++i)
       (study.fold_of[i] == fold ? held_out : training).push_back(study.race.mazes[i]);
-    const std::string learned = file("fold.prior", file_of(hold_lesson(training, *home_world())));
+    const std::string learned = file("fold.prior", file_of(hold_lesson(training, *first_world())));
     const Race race = hold_race({mouse("ariadne:prior=" + learned)}, held_out, test::in_steps());
     std::vector<std::optional<double>> expected, scores;
     for (const ContestResult& contest : race.results) expected.push_back(contest.score);

@@ -165,7 +165,7 @@ TEST(PageCalls, HoldARaceAsTheLabDoes) {
 
 TEST(PageCalls, RaceTheRosterWhereNoMouseIsNamed) {
   const json results = answer("race", race({{"mice", json::array()}, {"runs", 1}}))["results"];
-  EXPECT_EQ(results["groups"][0]["mice"].size(), residents_of(*home_world()).size());
+  EXPECT_EQ(results["groups"][0]["mice"].size(), residents_of(*first_world()).size());
 }
 
 TEST(PageCalls, RefuseRacesThatCannotBe) {

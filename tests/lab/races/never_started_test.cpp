@@ -44,7 +44,7 @@ TEST(NeverStarted, CountsJustTheContestsThatWereHeld) {
 
 TEST(NeverStarted, IsNoMouseOfTheRoster) {
   RaceOrder order;
-  order.world = home_world();
+  order.world = first_world();
   EXPECT_EQ(never_started_lines(hold_race(test::mice("flood"), {test::loop(), test::without_route()}, order)), "");
 }
 

@@ -77,7 +77,7 @@ TEST(MisstepLines, OfSeveralAreInThePlural) {
 TEST(MisstepLines, OfAMouseWithoutMisstepsThereAreNone) { EXPECT_EQ(misstep_lines(played(solution)), ""); }
 
 TEST(MisstepLines, OfOurMiceThereAreNone) {
-  EXPECT_EQ(misstep_lines(hold_race(residents_of(*home_world()), {test::loop(), test::hook()}, test::in_steps())), "");
+  EXPECT_EQ(misstep_lines(hold_race(residents_of(*first_world()), {test::loop(), test::hook()}, test::in_steps())), "");
 }
 
 TEST(MisstepLines, OfARaceAreTotalsWithTheFirstStep) {

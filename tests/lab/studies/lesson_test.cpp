@@ -14,7 +14,7 @@ namespace {
 using test::Says;
 using ::testing::HasSubstr;
 
-Lesson lesson_of(std::vector<NamedMaze> mazes) { return hold_lesson(std::move(mazes), *home_world()); }
+Lesson lesson_of(std::vector<NamedMaze> mazes) { return hold_lesson(std::move(mazes), *first_world()); }
 
 NamedMaze mirrored_loop() { return {"mirrored", transformed(test::loop().maze, {true, 1})}; }
 
@@ -66,7 +66,7 @@ TEST(ALesson, MayBeStopped) {
                                stop = told.size() == 2;
                              },
                              &stop};
-  const Lesson lesson = hold_lesson({test::loop(), test::hook(), test::corridor()}, *home_world(), hooks);
+  const Lesson lesson = hold_lesson({test::loop(), test::hook(), test::corridor()}, *first_world(), hooks);
   EXPECT_THAT(told, testing::ElementsAre(3U, 3U));
   EXPECT_EQ(lesson.done, 2U);
   EXPECT_THAT(summary_of(lesson), Says("Stopped", "2 of 3 mazes", "no prior"));

@@ -155,7 +155,7 @@ TEST_P(AWorld, HasATable) {
   const std::string all = table_of(held, false, true);
   for (const Column& column : held.world().fields().columns) {
     EXPECT_THAT(all, HasSubstr(std::string(column.second)));
-    if (!column.more) {
+    if (!column.rare) {
       EXPECT_THAT(table, HasSubstr(std::string(column.second)));
     }
   }
@@ -529,7 +529,7 @@ TEST(Entering, LeavesOutMazesInWhichAWorldHoldsNoContests) {
 }
 
 TEST(Entering, ResidentsAreTheMiceOfTheRosterThatAWorldTakes) {
-  EXPECT_EQ(residents_of(*home_world()).size(), roster().size());
+  EXPECT_EQ(residents_of(*first_world()).size(), roster().size());
   EXPECT_THAT(residents_of(*default_world("seconds")), Not(IsEmpty()));
   EXPECT_LT(residents_of(*default_world("seconds")).size(), all_contestants().size());
   EXPECT_THAT(residents_of(*default_world("mms")), IsEmpty());

@@ -105,13 +105,13 @@ export function createWorldChoice(about: About, changed: () => void, worlds = ab
     { onchange: () => (update(), changed()) },
     ...worlds.map((one) => h('option', { value: one.name }, `${one.name}: ${one.summary}`)),
   );
-  const [home] = worlds;
-  const world = () => worlds.find(({ name }) => name === select.value) ?? home;
+  const [first] = worlds;
+  const world = () => worlds.find(({ name }) => name === select.value) ?? first;
   const soon = (of: WorldInPage) => () => of === world() && changed();
   const rows = new Map(
     worlds.map((one) => [
       one.name,
-      new Map(one === home ? [] : one.settings.map((setting) => [setting.name, rowOf(setting, about, soon(one))])),
+      new Map(one === first ? [] : one.settings.map((setting) => [setting.name, rowOf(setting, about, soon(one))])),
     ]),
   );
   const note = h('span');
@@ -124,13 +124,13 @@ export function createWorldChoice(about: About, changed: () => void, worlds = ab
   function update() {
     const { name, mice } = world();
     for (const [one, list] of rows) for (const row of list.values()) row.element.hidden = one !== name;
-    note.textContent = mice.length < home.mice.length ? `mice that run there: ${mice.join(', ')}` : '';
+    note.textContent = mice.length < first.mice.length ? `mice that run there: ${mice.join(', ')}` : '';
   }
   function chosen() {
     const list = [...rows.get(world().name)!].map(([name, row]) => [name, row.read()]);
     return { world: world(), settings: Object.fromEntries(list) as Settings };
   }
-  select.value = home.name;
+  select.value = first.name;
   update();
   return {
     element,
@@ -143,7 +143,7 @@ export function createWorldChoice(about: About, changed: () => void, worlds = ab
       return { world: world.name, robot: String(settings.robot), rules: String(settings.rules) };
     },
     /** Chooses that world, or the first one where there is no name. A setting that is none stays as it was. */
-    choose(name: string = home.name, settings: Settings = {}) {
+    choose(name: string = first.name, settings: Settings = {}) {
       select.value = name;
       for (const [key, value] of Object.entries(settings)) rows.get(name)?.get(key)?.write(value);
       update();

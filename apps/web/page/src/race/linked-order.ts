@@ -9,7 +9,7 @@ import { isMine, withoutRemarks } from '../link/my-robot';
 import { eachOf, type Order, type Settings } from '../results/holding';
 
 /** Contests that take a second or two on any machine. */
-const quick = { home: 150, others: 12 };
+const quick = { first: 150, others: 12 };
 
 /** The number of contests in all its races; one in each maze if neither the mouse nor the world is stochastic. */
 function contestsOf(about: About, { mice, mazes, runs, world }: Order): number {
@@ -21,7 +21,7 @@ function contestsOf(about: About, { mice, mazes, runs, world }: Order): number {
 
 /** Whether a race may begin without a click. */
 export const isQuick = (about: About, order: Order): boolean =>
-  contestsOf(about, order) <= (order.world ? quick.others : quick.home);
+  contestsOf(about, order) <= (order.world ? quick.others : quick.first);
 
 type World = NonNullable<Order['world']>;
 

@@ -1,0 +1,75 @@
+"""scripts/words finds what it is for, and tests/docs/run_examples.py writes examples as they are today.
+
+usage: words_test.py ROOT
+"""
+
+import importlib.machinery
+import importlib.util
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+from contextlib import redirect_stdout
+
+ROOT = pathlib.Path(sys.argv.pop(1))
+
+
+def loaded(path):
+    loader = importlib.machinery.SourceFileLoader(path.stem, str(path))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(path.stem, loader))
+    loader.exec_module(module)
+    return module
+
+
+class Words(unittest.TestCase):
+    def said_of(self, page, header="// A header.\n"):
+        """The exit code and the lines about a tree with that page of the manual."""
+        words = loaded(ROOT / "scripts" / "words")
+        with tempfile.TemporaryDirectory() as name:
+            words.ROOT = pathlib.Path(name).resolve()
+            for path, text in {"README.md": "# Mice\n", "docs/reference/a.md": page, "labmouse/a.hpp": header}.items():
+                (words.ROOT / path).parent.mkdir(parents=True, exist_ok=True)
+                (words.ROOT / path).write_text(text, encoding="utf-8")
+            sys.argv = ["words"]
+            with redirect_stdout(io.StringIO()) as out:
+                code = words.main()
+        return code, out.getvalue().splitlines()
+
+    def test_plain_pages_pass(self):
+        page = "# A\n\nIt runs. [Here](#a), [there](../../README.md), [out](https://example.org).\n\n```\na mind strays\n```\n"
+        self.assertEqual(self.said_of(page)[0], 0)
+
+    def test_what_is_wrong_is_found(self):
+        for page in ("A mind explores.", "It is in a line\nup with the fallible world.", "word " * 36 + "end.",
+                     "[lost](b.md)", "[lost](#b)", "# A\n\n[lost](../../README.md#rats)"):
+            code, lines = self.said_of(page + "\n")
+            self.assertEqual((code, len(lines)), (1, 2), page)
+            self.assertIn("docs/reference/a.md", lines[0])
+
+    def test_headers_begin_with_a_sentence(self):
+        self.assertEqual(self.said_of("# A\n", "#pragma once\n")[0], 1)
+
+
+class Examples(unittest.TestCase):
+    def test_are_written_as_they_are_today(self):
+        updated = loaded(ROOT / "tests" / "docs" / "run_examples.py").updated
+        self.assertEqual(updated(["a 1", "b 2"], "a 1\nb 3\n"), ["a 1", "b 3"])
+        self.assertEqual(updated(["a 1"], "a 1\nb 3\n"), ["a 1", "b 3"])
+        self.assertEqual(updated(["head", "...", "tail"], "Head\nx\ny\nTail\n"), ["Head", "...", "Tail"])
+        self.assertEqual(updated(["version..."], "version 2\n"), ["version..."])
+        self.assertEqual(updated(["old 1..."], "new 22\n"), ["new 2..."])
+
+    def test_are_written_into_their_page(self):
+        examples = loaded(ROOT / "tests" / "docs" / "run_examples.py")
+        page = "text\n\n```console\n$ one\n1\n$ two \\\n> more\n2\n```\n"
+        with tempfile.TemporaryDirectory() as name:
+            path = pathlib.Path(name) / "page.md"
+            path.write_text(page, encoding="utf-8")
+            found = examples.examples(page)
+            examples.update(str(path), [(number, expected, f"new {i}\n") for i, (number, _, expected) in enumerate(found)])
+            self.assertEqual(path.read_text(encoding="utf-8"), page.replace("\n1\n", "\nnew 0\n").replace("\n2\n", "\nnew 1\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
