@@ -1,4 +1,4 @@
-# cmake -DBUILD=dir -DFOLDER=dir -DSOURCE=dir -DGENERATOR=name -DCXX=path -DTYPE=name -DFLAGS=flags -P build_and_run.cmake
+# cmake -DBUILD=dir -DFOLDER=dir -DSOURCE=dir -DGENERATOR=name -DCXX=path -DTYPE=name -P build_and_run.cmake
 execute_process(COMMAND mktemp -d -t labmouse-consumer-XXXXXX OUTPUT_VARIABLE folder OUTPUT_STRIP_TRAILING_WHITESPACE
                 COMMAND_ERROR_IS_FATAL ANY)
 
@@ -13,7 +13,7 @@ endfunction()
 
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/installed)
 step(${CMAKE_COMMAND} -S ${FOLDER}/project -B ${folder}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX}
-     -DCMAKE_BUILD_TYPE=${TYPE} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_PREFIX_PATH=${folder}/installed)
+     -DCMAKE_BUILD_TYPE=${TYPE} -DCMAKE_PREFIX_PATH=${folder}/installed)
 step(${CMAKE_COMMAND} --build ${folder}/build)
 if(EXISTS ${folder}/build/library)
   step(${CMAKE_COMMAND} -E chdir ${folder}/build ./library)
@@ -29,7 +29,7 @@ if(PKG_CONFIG)
   file(GLOB_RECURSE pc ${folder}/installed/*/labmouse.pc)
   cmake_path(GET pc PARENT_PATH pc)
   step(sh -c "PKG_CONFIG_PATH=${pc} && export PKG_CONFIG_PATH && \
-    ${CXX} -std=c++20 ${FLAGS} '${FOLDER}/project/one_eyed.cpp' $(${PKG_CONFIG} --cflags --libs labmouse) -o ${folder}/without_cmake")
+    ${CXX} -std=c++20 '${FOLDER}/project/one_eyed.cpp' $(${PKG_CONFIG} --cflags --libs labmouse) -o ${folder}/without_cmake")
   step(${folder}/without_cmake)
   if(NOT output STREQUAL output_of_one_eyed)
     message(FATAL_ERROR "what was built with pkg-config prints something else: ${output}")

@@ -11,6 +11,7 @@ namespace labmouse {
 template <class AnyJson>
 AnyJson with_groups(AnyJson results) {
   if (!results.is_object() || !results.contains("mice")) return results;
+  if (results.contains("groups") && !results["groups"].is_array()) return results;
   AnyJson groups = AnyJson::array();
   if (!results["mice"].is_array() || !results["mice"].empty()) {
     AnyJson group = {{"world", "steps"}, {"formula", "speed-run steps + exploration steps / 30"}};
@@ -18,7 +19,7 @@ AnyJson with_groups(AnyJson results) {
       if (results.contains(key)) group[key] = results[key];
     groups.push_back(std::move(group));
   }
-  if (results.contains("groups") && results["groups"].is_array())
+  if (results.contains("groups"))
     for (AnyJson& group : results["groups"]) groups.push_back(std::move(group));
   for (const char* key : {"budget", "notes", "mazes", "mice"}) results.erase(key);
   results["groups"] = std::move(groups);

@@ -96,6 +96,7 @@ TEST(ReportResults, ThatLackAFieldSayWhich) {
   EXPECT_THAT(wrong(R"({"labmouse":7})"), Says("'labmouse'", "string"));
   EXPECT_THAT(wrong(R"({"labmouse":"1"})"), Says("'groups'", "missing"));
   EXPECT_THAT(wrong(R"({"labmouse":"1","mice":[1]})"), Says("'groups[0].mazes'", "missing"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mice":[],"groups":3})"), Says("'groups'", "list"));
   EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[{"name":"a","width":"3"}],"mice":[1]})"),
               Says("'groups[0].mazes[0].width'", "whole number"));
   EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":{}})"), Says("'groups[0].mice'", "list"));

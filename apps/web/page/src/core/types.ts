@@ -102,7 +102,7 @@ export interface Named {
 export interface WorldInPage {
   name: string;
   summary: string;
-  /** Whether mice of one's own run there, and `losses` knows where steps are lost. */
+  /** Whether the user's own mice run there, and `losses` knows where steps are lost. */
   in_steps: boolean;
   /** Whether `contest` runs a contest there with its play. */
   plays: boolean;

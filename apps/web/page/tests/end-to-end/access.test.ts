@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { Core } from '../../src/core/client';
-import { barriers, drop, native, open, temporary } from './harness';
+import { barriers, drop, native, open, temporary, themes } from './harness';
 
 declare global {
   interface Window {
@@ -21,7 +21,7 @@ async function expectNoBarriers(page: Page, place: string) {
   expect(await barriers(page), place).toEqual([]);
 }
 
-test.each(['light', 'dark'] as const)('every view is without barriers when %s', async (colorScheme) => {
+test.each(themes)('every view is without barriers when %s', async (colorScheme) => {
   const page = await open('', { colorScheme, reducedMotion: 'reduce' });
   await expectNoBarriers(page, 'the home page');
   const views = page.getByRole('navigation', { name: 'Views' }).getByRole('link');
@@ -34,25 +34,22 @@ test.each(['light', 'dark'] as const)('every view is without barriers when %s', 
   }
 });
 
-test.each(['light', 'dark'] as const)(
-  'results, a replay and a complaint are without barriers when %s',
-  async (theme) => {
-    const page = await open('#race', { colorScheme: theme });
-    await drop(page, { name: 'bad.txt', content: 'no maze' });
-    await page.getByRole('alert').getByText('bad.txt').first().waitFor();
-    const mazes = ['capstone-1', 'contest-05'];
-    const results = native('race', '--mice', 'flood,certify', '--mazes', ...mazes, '--format', 'json');
-    await drop(page, { name: 'results.json', content: results });
-    await page.getByRole('region', { name: 'Leaderboard, table' }).waitFor();
-    await expectNoBarriers(page, 'results');
-    const records = ['ariadne', 'flood'].map((mouse) => {
-      const file = temporary(`${mouse}-access.jsonl`);
-      native('run', mouse, 'capstone-1', '--explain', '--record', file);
-      return { name: `${mouse}.jsonl`, content: readFileSync(file) };
-    });
-    await drop(page, ...records);
-    await page.locator('.replay .player canvas').nth(1).waitFor();
-    await page.keyboard.press('End');
-    await expectNoBarriers(page, 'a replay of two');
-  },
-);
+test.each(themes)('results, a replay and a complaint are without barriers when %s', async (theme) => {
+  const page = await open('#race', { colorScheme: theme });
+  await drop(page, { name: 'bad.txt', content: 'no maze' });
+  await page.getByRole('alert').getByText('bad.txt').first().waitFor();
+  const mazes = ['capstone-1', 'contest-05'];
+  const results = native('race', '--mice', 'flood,certify', '--mazes', ...mazes, '--format', 'json');
+  await drop(page, { name: 'results.json', content: results });
+  await page.getByRole('region', { name: 'Leaderboard, table' }).waitFor();
+  await expectNoBarriers(page, 'results');
+  const records = ['ariadne', 'flood'].map((mouse) => {
+    const file = temporary(`${mouse}-access.jsonl`);
+    native('run', mouse, 'capstone-1', '--explain', '--record', file);
+    return { name: `${mouse}.jsonl`, content: readFileSync(file) };
+  });
+  await drop(page, ...records);
+  await page.locator('.replay .player canvas').nth(1).waitFor();
+  await page.keyboard.press('End');
+  await expectNoBarriers(page, 'a replay of two');
+});

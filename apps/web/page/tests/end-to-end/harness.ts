@@ -18,6 +18,9 @@ export const manyMazes = existsSync(join(root, '../shared/mazes/classic'))
 /** Whether all cases are asked for, as by `make proof`; otherwise those that take long are left out. */
 export const proof = process.env.LABMOUSE_PROOF !== undefined;
 
+/** Of views that look the same but for their colours, one is enough. */
+export const themes: ('light' | 'dark')[] = proof ? ['light', 'dark'] : ['dark'];
+
 /** Runs the native program and returns what it prints. */
 export function native(...words: string[]): string {
   return execFileSync(program, words, { encoding: 'utf8', maxBuffer: 1 << 28 });

@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, native, open, picture, temporary } from './harness';
+import { barriers, native, open, picture, temporary, themes } from './harness';
 
 const part = (page: Page) => page.getByRole('region', { name: 'Where steps are lost' });
 
@@ -55,7 +55,7 @@ test('its picture can be saved', async () => {
   expect(readFileSync(temporary('lost-steps.svg'), 'utf8')).toContain('Where steps are lost in contest-02');
 });
 
-test.each(['light', 'dark'] as const)('it is without barriers in the %s, on a telephone too', async (colorScheme) => {
+test.each(themes)('it is without barriers in the %s, on a telephone too', async (colorScheme) => {
   const page = await openHeat({ colorScheme, viewport: { width: 390, height: 844 } });
   await part(page).scrollIntoViewIfNeeded();
   await picture(page, `heat-${colorScheme}`);

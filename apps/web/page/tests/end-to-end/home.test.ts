@@ -1,7 +1,7 @@
 // The home page: a race that runs at once, and where one goes from it.
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, open, picture } from './harness';
+import { barriers, open, picture, proof } from './harness';
 
 const clock = async (page: Page) => Number(await page.getByRole('timer').textContent());
 const frames = (page: Page) =>
@@ -131,7 +131,7 @@ test('a replay in a tab that is hidden costs nothing either', async () => {
   await expect.poll(async () => Number(await position())).toBeGreaterThan(then);
 });
 
-test.each(['', '#replay', '#live', '#race', '#write', '#draw', '#robot'])(
+test.each(proof ? ['', '#replay', '#live', '#race', '#write', '#draw', '#robot'] : ['', '#race'])(
   'where less motion is asked for, nothing moves by itself: %s',
   async (hash) => {
     const page = await open(hash, counting(false, { reducedMotion: 'reduce' }));

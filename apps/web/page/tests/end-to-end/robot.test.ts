@@ -2,7 +2,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, drop, keptInBrowser, native, open, picture, temporary } from './harness';
+import { barriers, drop, keptInBrowser, native, open, picture, proof, temporary } from './harness';
 
 const view = (page: Page) => page.getByRole('region', { name: 'Robot', exact: true });
 const status = (page: Page) => view(page).locator('.verdict').textContent();
@@ -118,7 +118,7 @@ test('which route wins for which robot is what the command line says, in words, 
   expect(await place.getByRole('table').count()).toBe(0);
 });
 
-test('of two numbers there is a map, a row for each value of the second', async () => {
+test.runIf(proof)('of two numbers there is a map, a row for each value of the second', async () => {
   const page = await opened();
   const place = regions(page);
   await place.getByLabel('Vary: from').fill('4000');
@@ -231,7 +231,7 @@ const halfWith = (speed: number) =>
     `[straight]\nspeed = ${speed}`,
   );
 
-test('it fits a telephone, in light and dark', async () => {
+test.runIf(proof)('it fits a telephone, in light and dark', async () => {
   for (const colorScheme of ['light', 'dark'] as const) {
     const page = await opened({ viewport: { width: 390, height: 844 }, colorScheme });
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);

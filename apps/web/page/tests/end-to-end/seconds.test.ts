@@ -3,7 +3,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, choose, drop, native, open, picture, temporary } from './harness';
+import { barriers, choose, drop, native, open, picture, proof, temporary } from './harness';
 
 /** Drives the example, with its maze. */
 async function driven(options = {}) {
@@ -161,7 +161,7 @@ test('a record of the physical world shows the true mouse and the one that it th
   await expect.poll(() => pixels(page)).toBe(both);
 });
 
-test('nothing is in the way of anybody, in light and dark, at every width', async () => {
+test.runIf(proof)('nothing is in the way of anybody, in light and dark, at every width', async () => {
   const page = await driven();
   await fastRun(page).click();
   await scrub(page, (await end(page)) - 2);

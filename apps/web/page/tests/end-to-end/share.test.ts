@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { RaceResults, WorldInPage } from '../../src/core/types';
-import { barriers, drop, keptInBrowser, native, open, picture, root, replayed } from './harness';
+import { barriers, drop, keptInBrowser, native, open, picture, proof, replayed, root } from './harness';
 
 const tell = (page: Page) => page.locator('.status');
 
@@ -47,7 +47,7 @@ test('a replay of two mice goes into a link and comes back at its moment', async
   await expect.poll(() => position(other).inputValue()).toBe('55');
 });
 
-test('so does a contest in seconds, in a maze of its own', async () => {
+test.runIf(proof)('so does a contest in seconds, in a maze of its own', async () => {
   const live = await opened('#live&mouse=certify&in=contest-02&seed=1&robot=classic&rules=all-japan&at=20.5');
   const outcome = (page: Page) => page.locator('.verdict').first();
   await expect.poll(() => outcome(live).textContent()).toContain('certify in contest-02');
@@ -81,72 +81,87 @@ const unusual = ({ settings }: WorldInPage) =>
     return [name, choices?.at(-1) ?? String(name === 'pace' ? 0.5 : 2 * Number(usual))];
   });
 
-test('a race of a link is that of the command line, in every other world, with what is set of it', async () => {
-  const about = await (await opened('#draw')).evaluate(() => window.labmouse.call('about', {}));
-  const others = about.worlds.slice(1);
-  expect(others.length).toBeGreaterThan(1);
-  for (const world of others) {
-    const { name, mice, throws_dice } = world;
-    const [first, second] = mice;
-    const set = unusual(world);
-    const told = set.filter(([key, value]) => value !== world.settings.find((one) => one.name === key)!.default);
-    const where =
-      name === 'seconds'
-        ? set.map((pair) => pair.join('='))
-        : [`world=${name}`, ...told.map((pair) => `set=${pair.join('=')}`)];
-    const mazes = ['capstone-1', 'contest-02'];
-    const link = `#race&mouse=${first}&mouse=${second}&in=${mazes.join()}&seed=5&runs=2&${where.join('&')}`;
-    const page = await opened(link);
-    // Where there is noise its title says how much.
-    const table = page.getByRole('region', { name: new RegExp(`^Leaderboard, ${name}(, noise [\\d.]+)?, table$`) });
-    await table.waitFor();
-    expect(await linkOf(page)).toBe(link);
-    const words = ['--mice', `${first},${second}`, '--mazes', ...mazes, '--seed', '5', '--runs', '2', '--world', name];
-    const asked = ['race', ...words, ...set.flatMap(([key, value]) => [`--${key}`, value]), '--format'];
-    // Notes are of the race as a whole, which the page holds mouse by mouse.
-    const groupsIn = (text: string) => (JSON.parse(text) as RaceResults).groups.map(({ notes: _, ...group }) => group);
-    const groups = groupsIn(native(...asked, 'json'));
-    const saved = page.waitForEvent('download');
-    await page.getByRole('button', { name: 'Save results' }).click();
-    expect(groupsIn(readFileSync(await (await saved).path(), 'utf8'))).toEqual(groups);
+test.runIf(proof)(
+  'a race of a link is that of the command line, in every other world, with what is set of it',
+  async () => {
+    const about = await (await opened('#draw')).evaluate(() => window.labmouse.call('about', {}));
+    const others = about.worlds.slice(1);
+    expect(others.length).toBeGreaterThan(1);
+    for (const world of others) {
+      const { name, mice, throws_dice } = world;
+      const [first, second] = mice;
+      const set = unusual(world);
+      const told = set.filter(([key, value]) => value !== world.settings.find((one) => one.name === key)!.default);
+      const where =
+        name === 'seconds'
+          ? set.map((pair) => pair.join('='))
+          : [`world=${name}`, ...told.map((pair) => `set=${pair.join('=')}`)];
+      const mazes = ['capstone-1', 'contest-02'];
+      const link = `#race&mouse=${first}&mouse=${second}&in=${mazes.join()}&seed=5&runs=2&${where.join('&')}`;
+      const page = await opened(link);
+      // Where there is noise its title says how much.
+      const table = page.getByRole('region', { name: new RegExp(`^Leaderboard, ${name}(, noise [\\d.]+)?, table$`) });
+      await table.waitFor();
+      expect(await linkOf(page)).toBe(link);
+      const words = [
+        '--mice',
+        `${first},${second}`,
+        '--mazes',
+        ...mazes,
+        '--seed',
+        '5',
+        '--runs',
+        '2',
+        '--world',
+        name,
+      ];
+      const asked = ['race', ...words, ...set.flatMap(([key, value]) => [`--${key}`, value]), '--format'];
+      // Notes are of the race as a whole, which the page holds mouse by mouse.
+      const groupsIn = (text: string) =>
+        (JSON.parse(text) as RaceResults).groups.map(({ notes: _, ...group }) => group);
+      const groups = groupsIn(native(...asked, 'json'));
+      const saved = page.waitForEvent('download');
+      await page.getByRole('button', { name: 'Save results' }).click();
+      expect(groupsIn(readFileSync(await (await saved).path(), 'utf8'))).toEqual(groups);
 
-    // A word that the terminal parts into two lines is whole here.
-    expect((groups[0].columns as string[]).filter((title) => title.includes('-'))).toEqual([]);
+      // A word that the terminal parts into two lines is whole here.
+      expect((groups[0].columns as string[]).filter((title) => title.includes('-'))).toEqual([]);
 
-    // The table is that of the terminal: the same mice in the same order, with the same figures.
-    const lines = native(...asked, 'table').split('\n');
-    const expected = lines.flatMap((line) => {
-      const [mouse, scored, ...figures] = line.split(/ +/);
-      return mice.includes(mouse)
-        ? [[mouse, scored.replace('/', ' of '), figures.find((one) => /\.\d{3}$/.test(one))]]
-        : [];
-    });
-    expect(expected).toHaveLength(2);
-    const rows = await table.locator('tbody tr').all();
-    const shown = await Promise.all(rows.map((row) => row.locator('th .name, td').allTextContents()));
-    expect(shown.map((row) => row.slice(0, 3))).toEqual(expected);
+      // The table is that of the terminal: the same mice in the same order, with the same figures.
+      const lines = native(...asked, 'table').split('\n');
+      const expected = lines.flatMap((line) => {
+        const [mouse, scored, ...figures] = line.split(/ +/);
+        return mice.includes(mouse)
+          ? [[mouse, scored.replace('/', ' of '), figures.find((one) => /\.\d{3}$/.test(one))]]
+          : [];
+      });
+      expect(expected).toHaveLength(2);
+      const rows = await table.locator('tbody tr').all();
+      const shown = await Promise.all(rows.map((row) => row.locator('th .name, td').allTextContents()));
+      expect(shown.map((row) => row.slice(0, 3))).toEqual(expected);
 
-    // Each cell of the matrix has its contests, with their mean.
-    const place = groups[0].score as { key: string; inner: string; unit: number };
-    const cells = page.getByRole('application');
-    await cells.focus();
-    for (const [mouse] of shown)
-      for (const [column, maze] of mazes.entries()) {
-        const results = groups[0].mice.find(({ name }) => name === mouse)!.results.filter((one) => one.maze === maze);
-        expect(results).toHaveLength(throws_dice ? 2 : 1);
-        const scores = results.map(
-          ({ score }) => (score as unknown as Record<string, number>)[place.inner] * place.unit,
-        );
-        await cells.press(column === 0 ? 'Home' : 'ArrowRight');
-        const caption = page.locator('.caption[aria-live]').first();
-        expect(await caption.textContent()).toContain(`${mouse} in ${maze}`);
-        const mean = scores.reduce((sum, score) => sum + score, 0) / scores.length;
-        expect(await caption.textContent()).toContain(` ${mean.toFixed(3)}; best `);
-        if (column === 1) await cells.press('ArrowDown');
-      }
-    expect(await page.locator('.alert').count()).toBe(0);
-  }
-});
+      // Each cell of the matrix has its contests, with their mean.
+      const place = groups[0].score as { key: string; inner: string; unit: number };
+      const cells = page.getByRole('application');
+      await cells.focus();
+      for (const [mouse] of shown)
+        for (const [column, maze] of mazes.entries()) {
+          const results = groups[0].mice.find(({ name }) => name === mouse)!.results.filter((one) => one.maze === maze);
+          expect(results).toHaveLength(throws_dice ? 2 : 1);
+          const scores = results.map(
+            ({ score }) => (score as unknown as Record<string, number>)[place.inner] * place.unit,
+          );
+          await cells.press(column === 0 ? 'Home' : 'ArrowRight');
+          const caption = page.locator('.caption[aria-live]').first();
+          expect(await caption.textContent()).toContain(`${mouse} in ${maze}`);
+          const mean = scores.reduce((sum, score) => sum + score, 0) / scores.length;
+          expect(await caption.textContent()).toContain(` ${mean.toFixed(3)}; best `);
+          if (column === 1) await cells.press('ArrowDown');
+        }
+      expect(await page.locator('.alert').count()).toBe(0);
+    }
+  },
+);
 
 test('a race of dice that the world throws is long, too, and waits', async () => {
   const link = '#race&mouse=flood&in=capstone-1&seed=1&runs=100&world=physical';
@@ -156,54 +171,57 @@ test('a race of dice that the world throws is long, too, and waits', async () =>
   expect(await page.getByRole('region', { name: /^Leaderboard/ }).count()).toBe(0);
 });
 
-test('an edited robot in another maze goes into a link, and leaves the one that is kept elsewhere alone', async () => {
-  const view = (page: Page) => page.getByRole('region', { name: 'Robot', exact: true });
-  const key = (page: Page, name: string) => view(page).locator(`[data-key="${name}"]`);
-  const route = (page: Page) => view(page).getByRole('table', { name: 'The best route' }).locator('td').first();
-  const edit = async (page: Page, name: string, acceleration: string) => {
-    await expect.poll(() => route(page).textContent()).toMatch(/ s/);
-    await view(page).getByLabel('Name').fill(name);
-    await key(page, 'curve.lateral_acceleration').fill(acceleration);
-    await expect.poll(() => route(page).textContent()).toContain('was');
-  };
-  const page = await opened('#robot');
-  await edit(page, 'swift', '12000');
-  const inCapstone = await route(page).textContent();
-  await view(page).getByLabel('Built-in maze').selectOption('contest-02');
-  await expect.poll(() => route(page).textContent()).not.toBe(inCapstone);
-  const time = (await route(page).textContent())!.split(' s')[0];
-  const link = await linkOf(page);
-  expect(link).toMatch(/^#robot&in=contest-02&robot=swift%0A/);
+test.runIf(proof)(
+  'an edited robot in another maze goes into a link, and leaves the one that is kept elsewhere alone',
+  async () => {
+    const view = (page: Page) => page.getByRole('region', { name: 'Robot', exact: true });
+    const key = (page: Page, name: string) => view(page).locator(`[data-key="${name}"]`);
+    const route = (page: Page) => view(page).getByRole('table', { name: 'The best route' }).locator('td').first();
+    const edit = async (page: Page, name: string, acceleration: string) => {
+      await expect.poll(() => route(page).textContent()).toMatch(/ s/);
+      await view(page).getByLabel('Name').fill(name);
+      await key(page, 'curve.lateral_acceleration').fill(acceleration);
+      await expect.poll(() => route(page).textContent()).toContain('was');
+    };
+    const page = await opened('#robot');
+    await edit(page, 'swift', '12000');
+    const inCapstone = await route(page).textContent();
+    await view(page).getByLabel('Built-in maze').selectOption('contest-02');
+    await expect.poll(() => route(page).textContent()).not.toBe(inCapstone);
+    const time = (await route(page).textContent())!.split(' s')[0];
+    const link = await linkOf(page);
+    expect(link).toMatch(/^#robot&in=contest-02&robot=swift%0A/);
 
-  const other = await opened('#robot');
-  await edit(other, 'own-one', '9000');
-  await expect.poll(() => keptInBrowser(other, 'robot')).toContain('own-one');
-  await other.evaluate((hash) => (location.hash = hash), link);
-  await expect.poll(() => route(other).textContent()).toBe(`${time} s`);
-  expect(await view(other).getByLabel('Name').inputValue()).toBe('swift');
-  expect(await key(other, 'curve.lateral_acceleration').inputValue()).toBe('12000');
-  expect(await view(other).getByLabel('Built-in maze').inputValue()).toBe('contest-02');
-  expect(await linkOf(other)).toBe(link);
-  expect(await keptInBrowser(other, 'robot')).toContain('own-one');
-  // So it does where the page begins with it.
-  const fresh = await opened(link);
-  await expect.poll(() => route(fresh).textContent()).toBe(`${time} s`);
-  expect(await view(fresh).getByLabel('Name').inputValue()).toBe('swift');
-  await key(fresh, 'curve.lateral_acceleration').fill('12001');
-  await expect.poll(() => keptInBrowser(fresh, 'robot')).toContain('12001');
-  expect(new URL(fresh.url()).hash).toBe('#robot');
+    const other = await opened('#robot');
+    await edit(other, 'own-one', '9000');
+    await expect.poll(() => keptInBrowser(other, 'robot')).toContain('own-one');
+    await other.evaluate((hash) => (location.hash = hash), link);
+    await expect.poll(() => route(other).textContent()).toBe(`${time} s`);
+    expect(await view(other).getByLabel('Name').inputValue()).toBe('swift');
+    expect(await key(other, 'curve.lateral_acceleration').inputValue()).toBe('12000');
+    expect(await view(other).getByLabel('Built-in maze').inputValue()).toBe('contest-02');
+    expect(await linkOf(other)).toBe(link);
+    expect(await keptInBrowser(other, 'robot')).toContain('own-one');
+    // So it does where the page begins with it.
+    const fresh = await opened(link);
+    await expect.poll(() => route(fresh).textContent()).toBe(`${time} s`);
+    expect(await view(fresh).getByLabel('Name').inputValue()).toBe('swift');
+    await key(fresh, 'curve.lateral_acceleration').fill('12001');
+    await expect.poll(() => keptInBrowser(fresh, 'robot')).toContain('12001');
+    expect(new URL(fresh.url()).hash).toBe('#robot');
 
-  // What is refused has no link; a robot that the page brings is named.
-  await key(fresh, 'clearance').fill('70');
-  await expect.poll(() => view(fresh).locator('.verdict').getAttribute('data-state')).toBe('bad');
-  await fresh.getByRole('button', { name: 'Copy link' }).click();
-  await fresh.locator('.alert').waitFor();
-  await view(fresh).getByRole('combobox', { name: 'Start from' }).selectOption('half');
-  await expect.poll(() => view(fresh).locator('.verdict').getAttribute('data-state')).toBe('good');
-  expect(await linkOf(fresh)).toBe('#robot&in=contest-02&robot=half');
-});
+    // What is refused has no link; a robot that the page brings is named.
+    await key(fresh, 'clearance').fill('70');
+    await expect.poll(() => view(fresh).locator('.verdict').getAttribute('data-state')).toBe('bad');
+    await fresh.getByRole('button', { name: 'Copy link' }).click();
+    await fresh.locator('.alert').waitFor();
+    await view(fresh).getByRole('combobox', { name: 'Start from' }).selectOption('half');
+    await expect.poll(() => view(fresh).locator('.verdict').getAttribute('data-state')).toBe('good');
+    expect(await linkOf(fresh)).toBe('#robot&in=contest-02&robot=half');
+  },
+);
 
-test('which route wins for which robot goes into a link, and stays over a reload', async () => {
+test.runIf(proof)('which route wins for which robot goes into a link, and stays over a reload', async () => {
   const view = (page: Page) => page.getByRole('region', { name: 'Robot', exact: true });
   const regions = (page: Page) => page.getByRole('region', { name: 'Which route wins', exact: true });
   const table = (page: Page) => regions(page).getByRole('table', { name: 'Which route wins' });

@@ -3,6 +3,7 @@
 import { expect, test } from 'vitest';
 import { firstRun, frontDoor, memory, playing, twoMice, type Figure, type Opening } from '../../bench/measures';
 import { size } from '../../bench/size';
+import { proof } from './harness';
 import stated from '../../bench/stated.json';
 
 const most = (figure: Figure) => 3 * stated[figure].stated;
@@ -18,7 +19,7 @@ async function bestOf<Look>(look: () => Promise<Look>, willDo: (one: Look) => bo
 
 test('the file is small', () => expect(size()).toBeLessThan(most('size')));
 
-test.each([
+test.runIf(proof).each([
   ['movement, processor', frontDoor],
   ['run, processor', firstRun],
 ] as const)('%s', async (figure, look) => {
@@ -28,7 +29,7 @@ test.each([
 });
 
 // Frames a second depend on who else has the processors; what a frame costs does not. 60 of them have 16 ms each.
-test('a replay of two mice in 64 by 64 cells', async () => {
+test.runIf(proof)('a replay of two mice in 64 by 64 cells', async () => {
   const page = await twoMice(64);
   const isCheap = ({ cost }: { cost: number }) => cost < most('cost');
   await expect(bestOf(() => playing(page, '64×', 1), isCheap)).resolves.toSatisfy(isCheap);

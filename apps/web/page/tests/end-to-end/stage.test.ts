@@ -1,7 +1,7 @@
 // The picture comes first: how large it is, what is beside it on the first screen, and closer looks at it.
 import type { Locator, Page } from 'playwright-core';
 import { describe, expect, it, test } from 'vitest';
-import { choose, open } from './harness';
+import { choose, open, proof } from './harness';
 
 const desk = { width: 1440, height: 900 };
 const phone = { width: 390, height: 844 };
@@ -128,7 +128,7 @@ describe.each(views)('the stage of %s', (name, opened) => {
   });
 });
 
-test('the slider has room to be dragged in windows of any width', async () => {
+test.runIf(proof)('the slider has room to be dragged in windows of any width', async () => {
   const slider = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
   for (const width of [1024, 1180, 1440]) {
     const live = await walked({ viewport: { width, height: 700 } });
@@ -136,7 +136,7 @@ test('the slider has room to be dragged in windows of any width', async () => {
   }
 });
 
-test('on a telephone maze, controls and slider are on the first screen, also with two mice', async () => {
+test.runIf(proof)('on a telephone maze, controls and slider are on the first screen, also with two mice', async () => {
   const options = { viewport: phone, hasTouch: true };
   const slider = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
   const [raced, written] = ['race', 'write'].map((name) => views.find(([view]) => view === name)![1]);
@@ -249,7 +249,7 @@ async function pinch(page: Page, canvas: Locator) {
   await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
 }
 
-test('two fingers look closer, and draw nothing', async () => {
+test.runIf(proof)('two fingers look closer, and draw nothing', async () => {
   const options = { viewport: phone, hasTouch: true };
   const replay = await replayed('ariadne', options);
   const whole = await pixels(replay);
