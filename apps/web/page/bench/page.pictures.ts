@@ -1,7 +1,8 @@
-// The pictures of docs/reference/page.md: `npm run pictures`. Those of how the page was before are made from another page, by
+// The pictures of README and docs/reference/page.md: `npm run pictures`. Those of how the page was before are made from another page, by
 // `LABMOUSE_BEFORE=FILE npm run pictures`, where FILE is what scripts/page builds of commit f77c142.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { applyPalette, GIFEncoder, quantize } from 'gifenc';
 import type { Page } from 'playwright-core';
 import { test } from 'vitest';
 import { open, picture, root } from '../tests/end-to-end/harness';
@@ -182,4 +183,58 @@ const singles: [name: string, view: View][] = [
 test.skipIf(before)('each view', { timeout: 300_000 }, async () => {
   for (const [name, view] of singles)
     await sheet(`page-${name}`, [[await shot({ ...view, name }, 'light', sizes[0])]], 0.75);
+});
+
+// As large as README shows it: the search runs at 27 times their speed, the speed runs, which begin after 90 s, at three.
+test.skipIf(before)('the home page moves', { timeout: 300_000 }, async () => {
+  const size = { width: 640, height: 400 };
+  const times = [...Array(23).keys()].map((i) => 1 + 4 * i).concat([...Array(16).keys()].map((i) => 90 + 0.45 * i));
+  const page = await open('#home&pair=2&at=1', { viewport: sizes[0], reducedMotion: 'reduce', before: async () => {} });
+  await page.locator('.lane canvas').first().waitFor();
+  const gif = GIFEncoder();
+  const frames: Uint8ClampedArray[] = [];
+  for (const time of times) {
+    await page.evaluate(async (hash) => {
+      location.hash = hash;
+      for (let i = 0; i < 4; ++i) await new Promise(requestAnimationFrame);
+    }, `#home&pair=2&at=${time}`);
+    const image = (await page.screenshot()).toString('base64');
+    const rgba = await page.evaluate(
+      async ({ image, width, height }) => {
+        const bytes = Uint8Array.from(atob(image), (sign) => sign.charCodeAt(0));
+        const context = new OffscreenCanvas(width, height).getContext('2d')!;
+        context.imageSmoothingQuality = 'high';
+        context.drawImage(await createImageBitmap(new Blob([bytes])), 0, 0, width, height);
+        const { data } = context.getImageData(0, 0, width, height);
+        let text = '';
+        for (let i = 0; i < data.length; i += 0x8000) text += String.fromCharCode(...data.subarray(i, i + 0x8000));
+        return btoa(text);
+      },
+      { image, ...size },
+    );
+    frames.push(new Uint8ClampedArray(Buffer.from(rgba, 'base64')));
+  }
+  await page.context().close();
+  // All frames have the colours of the last, which has most, and one for what is as in the frame before.
+  const palette = quantize(frames.at(-1)!, 127);
+  const unchanged = palette.push([0, 0, 0]) - 1;
+  let before: Uint8Array | undefined;
+  for (const frame of frames) {
+    const index = applyPalette(frame, palette.slice(0, unchanged));
+    gif.writeFrame(
+      index.map((colour, pixel) => (colour === before?.[pixel] ? unchanged : colour)),
+      size.width,
+      size.height,
+      {
+        palette,
+        delay: frame === frames.at(-1) ? 3000 : 150,
+        transparent: true,
+        transparentIndex: unchanged,
+        dispose: 1,
+      },
+    );
+    before = index;
+  }
+  gif.finish();
+  writeFileSync(join(root, 'docs/page-home.gif'), gif.bytes());
 });
