@@ -32,7 +32,7 @@ class Contests {
 
   std::size_t count() const { return mazes_.size(); }
   PhysicalRecord held_by_mind(In world, std::size_t i) const {
-    const auto mind = mouse_.make(brief(mazes_[i], rules_, model_, i), Settings(mouse_.parameters));
+    const auto mind = mouse_.drive(brief(mazes_[i], rules_, model_, i), Settings(mouse_.parameters));
     return held(world, i, *mind);
   }
   PhysicalRecord held_by_script(In world, std::size_t i, const PhysicalRecord& record) const {
@@ -43,7 +43,7 @@ class Contests {
   }
 
  private:
-  PhysicalRecord held(In world, std::size_t i, Strategy& mouse) const {
+  PhysicalRecord held(In world, std::size_t i, DrivingStrategy& mouse) const {
     if (world == In::failures) return drive_with_failures(mazes_[i], rules_, model_, conditions_, hazards_, i, mouse);
     return drive_physically(mazes_[i], rules_, model_, conditions_, i, mouse);
   }

@@ -101,7 +101,7 @@ void ping_pong_guest(benchmark::State& state) {
   const Sighting seen = {0, 11, 0};
   for (auto _ : state)
     if (mind.decide(seen).kind == Action::Kind::forfeit)
-      return state.SkipWithError(std::string(mind.last_words()).c_str());
+      return state.SkipWithError(std::string(mind.report().last_words).c_str());
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(ping_pong_guest)->UseRealTime();

@@ -15,6 +15,8 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/mouse/briefing.hpp
   labmouse/mouse/distance.hpp
   labmouse/mouse/drive/drive_fields.hpp
+  labmouse/mouse/driving_explorer.hpp
+  labmouse/mouse/driving_strategy.hpp
   labmouse/mouse/explorer.hpp
   labmouse/mouse/knowledge.hpp
   labmouse/mouse/motion.hpp

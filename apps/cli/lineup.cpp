@@ -107,7 +107,7 @@ Trial try_physically(const ControllerProgram& program, const Maze& maze) {
 Trial try_in_seconds(const Contestant& mouse, const Maze& maze) {
   const DriveModel model = find_robot("kerise").model;
   const DriveRules rules = find_rules("all-japan").rules;
-  const auto strategy = mouse.strategy(maze, brief(maze, rules, model, 1));
+  const auto strategy = mouse.driving_strategy(maze, brief(maze, rules, model, 1));
   const DriveRecord record = drive(maze, rules, model, *strategy);
   const auto score = labmouse::score(record, rules).value();
   Trial trial;

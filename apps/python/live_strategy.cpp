@@ -84,7 +84,7 @@ class Desk {
 };
 
 /// In a thread of its own. What that needs belongs to the thread, too, since it may be left behind.
-class ThreadStrategy final : public Strategy {
+class ThreadStrategy final : public DrivingStrategy {
  public:
   ThreadStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
                  const std::atomic<bool>* stop)
@@ -96,7 +96,7 @@ class ThreadStrategy final : public Strategy {
     });
     have_done([maker, briefing](Seat& seat) {
       seat.mouse = make_python_mind(maker, briefing, &seat.stopped);
-      seat.started = seat.mouse->started();
+      seat.started = seat.mouse->report().started;
       seat.idle = std::make_unique<nb::gil_scoped_release>();
     });
   }
@@ -115,6 +115,9 @@ class ThreadStrategy final : public Strategy {
     ask([seen](Seat& seat) { seat.action = seat.mouse->decide(seen); });
     return is_left_ ? Action::forfeit(ForfeitReason::interrupted) : seat_->action;
   }
+  Action consider(const Belief& map, const SearchPlace& place, std::int64_t) override {
+    return decide(map.sighting(place.pose));
+  }
   void show(const Pose& pose, const Sighting& seen) override {
     ask([=](Seat& seat) { seat.mouse->show(pose, seen); });
   }
@@ -122,15 +125,15 @@ class ThreadStrategy final : public Strategy {
     ask([=](Seat& seat) { seat.mouse->carried(time); });
   }
   const Knowledge& knowledge() const override { return knowledge_; }
-  bool started() const override { return is_left_ || seat_->started; }
-  std::string_view last_words() override {
+  StrategyReport report() override {
     ask([](Seat& seat) {
-      seat.words = seat.mouse->last_words();
-      seat.microseconds = seat.mouse->microseconds();
+      const StrategyReport report = seat.mouse->report();
+      seat.words = report.last_words;
+      seat.microseconds = report.microseconds;
     });
-    return is_left_ ? std::string_view() : seat_->words;
+    if (is_left_) return {};
+    return {.last_words = seat_->words, .microseconds = seat_->microseconds, .started = seat_->started};
   }
-  std::optional<double> microseconds() const override { return is_left_ ? std::nullopt : seat_->microseconds; }
 
  private:
   struct Seat {
@@ -138,7 +141,7 @@ class ThreadStrategy final : public Strategy {
     std::atomic<unsigned long> thread{0};
     std::atomic<bool> stopped{false}, is_left{false};
     // Only for the thread: the mouse holds the interpreter's lock, except where it is idle.
-    std::unique_ptr<Strategy> mouse;
+    std::unique_ptr<DrivingStrategy> mouse;
     std::unique_ptr<nb::gil_scoped_release> idle;
     bool started = true;
     Action action;
@@ -184,7 +187,7 @@ class ThreadStrategy final : public Strategy {
 };
 
 /// In another process.
-class ProcessStrategy final : public Strategy {
+class ProcessStrategy final : public DrivingStrategy {
  public:
   ProcessStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing)
       : maker_(maker), knowledge_(briefing.size) {
@@ -209,6 +212,9 @@ class ProcessStrategy final : public Strategy {
     });
     return action;
   }
+  Action consider(const Belief& map, const SearchPlace& place, std::int64_t) override {
+    return decide(map.sighting(place.pose));
+  }
   void show(const Pose& pose, const Sighting& seen) override {
     call([&] {
       contest_.attr("show")(int{pose.cell.x}, int{pose.cell.y}, static_cast<int>(pose.heading), seen.left, seen.ahead,
@@ -219,12 +225,10 @@ class ProcessStrategy final : public Strategy {
     call([&] { contest_.attr("carried")(time); });
   }
   const Knowledge& knowledge() const override { return knowledge_; }
-  bool started() const override { return started_; }
-  std::string_view last_words() override {
+  StrategyReport report() override {
     end();
-    return last_words_;
+    return {.last_words = last_words_, .microseconds = microseconds_, .started = started_};
   }
-  std::optional<double> microseconds() const override { return microseconds_; }
 
  private:
   void end() {
@@ -264,16 +268,16 @@ class NativeStrategy {
   NativeStrategy(nb::object maker, const PythonBriefing& told)
       : mouse_(make_python_mind(std::make_shared<const MouseMaker>(std::move(maker), nb::none()), told.briefing,
                                 nullptr)) {}
-  Strategy& mouse() { return *mouse_; }
+  DrivingStrategy& mouse() { return *mouse_; }
 
  private:
-  std::unique_ptr<Strategy> mouse_;
+  std::unique_ptr<DrivingStrategy> mouse_;
 };
 
 }  // namespace
 
-std::unique_ptr<Strategy> make_live_strategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
-                                             const std::atomic<bool>* stop) {
+std::unique_ptr<DrivingStrategy> make_live_strategy(const std::shared_ptr<const MouseMaker>& maker,
+                                                    const Briefing& briefing, const std::atomic<bool>* stop) {
   bool here = false;
   {
     const nb::gil_scoped_acquire lock;
@@ -286,7 +290,7 @@ std::unique_ptr<Strategy> make_live_strategy(const std::shared_ptr<const MouseMa
 void bind_live_strategies(nb::module_& module) {
   nb::class_<NativeStrategy>(module, "Strategy", "A mouse for another process, which asks it decision by decision.")
       .def(nb::init<nb::object, const PythonBriefing&>(), "maker"_a, "briefing"_a)
-      .def_prop_ro("started", [](NativeStrategy& strategy) { return strategy.mouse().started(); })
+      .def_prop_ro("started", [](NativeStrategy& strategy) { return strategy.mouse().report().started; })
       .def(
           "decide",
           [](NativeStrategy& strategy, int left, int ahead, int right) {
@@ -301,8 +305,8 @@ void bind_live_strategies(nb::module_& module) {
           "x"_a, "y"_a, "heading"_a, "left"_a, "ahead"_a, "right"_a)
       .def(
           "carried", [](NativeStrategy& strategy, std::int64_t time) { strategy.mouse().carried(time); }, "time"_a)
-      .def("last_words", [](NativeStrategy& strategy) { return std::string(strategy.mouse().last_words()); })
-      .def_prop_ro("microseconds", [](NativeStrategy& strategy) { return strategy.mouse().microseconds(); });
+      .def("last_words", [](NativeStrategy& strategy) { return std::string(strategy.mouse().report().last_words); })
+      .def_prop_ro("microseconds", [](NativeStrategy& strategy) { return strategy.mouse().report().microseconds; });
 }
 
 }  // namespace labmouse::python

@@ -18,7 +18,7 @@ Contestant python_contestant(OwnMouse own, const std::atomic<bool>* stop) {
   const auto make = [maker, stop](const Maze&, const Briefing& briefing) {
     return make_live_strategy(maker, briefing, stop);
   };
-  mouse.kind = Decider{make, true, true};
+  mouse.kind = Decider{make, make};
   return mouse;
 }
 

@@ -88,7 +88,7 @@ nb::object called(nb::handle callable, nb::handle argument) {
 
 /// Keeps the interpreter's lock: to take it once a decision costs more than the decision. Python lets other threads in
 /// while it runs a mouse's own code.
-class PythonMind final : public Strategy {
+class PythonMind final : public DrivingStrategy {
  public:
   PythonMind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing, const std::atomic<bool>* stop)
       : maker_(maker), knowledge_(briefing.size), stop_(stop), in_seconds_(briefing.in_seconds()) {
@@ -111,6 +111,9 @@ class PythonMind final : public Strategy {
     return action;
   }
 
+  Action consider(const Belief& map, const SearchPlace& place, std::int64_t) override {
+    return decide(map.sighting(place.pose));
+  }
   void show(const Pose& pose, const Sighting& seen) override {
     tell(show_, [&] { show_(int{pose.cell.x}, int{pose.cell.y}, name_of(pose.heading).data(), sighting_of(seen)); });
   }
@@ -120,10 +123,10 @@ class PythonMind final : public Strategy {
 
   /// Nothing: what it believes nobody sees.
   const Knowledge& knowledge() const override { return knowledge_; }
-  bool started() const override { return started_; }
-  std::string_view last_words() override { return last_words_; }
-  std::optional<double> microseconds() const override {
-    return std::chrono::duration<double, std::micro>(spent_).count();
+  StrategyReport report() override {
+    return {.last_words = last_words_,
+            .microseconds = std::chrono::duration<double, std::micro>(spent_).count(),
+            .started = started_};
   }
 
  private:
@@ -200,8 +203,8 @@ class PythonMind final : public Strategy {
 
 }  // namespace
 
-std::unique_ptr<Strategy> make_python_mind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
-                                           const std::atomic<bool>* stop) {
+std::unique_ptr<DrivingStrategy> make_python_mind(const std::shared_ptr<const MouseMaker>& maker,
+                                                  const Briefing& briefing, const std::atomic<bool>* stop) {
   return std::make_unique<PythonMind>(maker, briefing, stop);
 }
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "labmouse/mouse/briefing.hpp"
-#include "labmouse/mouse/strategy.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
 
 namespace labmouse::python {
 
@@ -35,7 +35,7 @@ class MouseMaker {
 
 /// The mind of one contest. It holds the interpreter's lock from its making to its end, which are to be in the same
 /// thread. Once `stop`, which may be null, is true, it decides no more: its forfeit is an interruption.
-std::unique_ptr<Strategy> make_python_mind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
-                                           const std::atomic<bool>* stop);
+std::unique_ptr<DrivingStrategy> make_python_mind(const std::shared_ptr<const MouseMaker>& maker,
+                                                  const Briefing& briefing, const std::atomic<bool>* stop);
 
 }  // namespace labmouse::python

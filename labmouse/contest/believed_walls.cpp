@@ -67,9 +67,4 @@ WallSet BelievedWalls::standing(const WallSet& walls) const {
   return some;
 }
 
-Sighting BelievedWalls::sighting(const Pose& pose) const {
-  const auto open_to = [&](Heading side) { return known().open().contains(wall_at(pose.cell, side)) ? 1 : 0; };
-  return {open_to(left_of(pose.heading)), open_to(pose.heading), open_to(right_of(pose.heading))};
-}
-
 }  // namespace labmouse

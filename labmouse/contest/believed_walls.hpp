@@ -40,7 +40,7 @@ class BelievedWalls {
   bool weighs() const { return weighs_; }
   const Knowledge& known() const { return belief_.view(); }
   const Belief& belief() const { return belief_; }
-  Sighting sighting(const Pose& pose) const;
+  Sighting sighting(const Pose& pose) const { return belief_.sighting(pose); }
   /// Of these walls those that stand.
   WallSet standing(const WallSet& walls) const;
 

@@ -18,7 +18,7 @@ Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& mode
   return briefing;
 }
 
-DriveRecord drive(const Maze& maze, const DriveRules& rules, const DriveModel& model, Strategy& mouse) {
+DriveRecord drive(const Maze& maze, const DriveRules& rules, const DriveModel& model, DrivingStrategy& mouse) {
   PhysicalRecord record;
   IdealDriver driver(maze, model, rules.time_limit, record.drive);
   run_contest(maze, rules, model, mouse, driver, record);

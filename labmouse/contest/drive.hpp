@@ -6,8 +6,8 @@
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
-#include "labmouse/mouse/strategy.hpp"
 
 namespace labmouse {
 
@@ -18,6 +18,6 @@ Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& mode
 /// it has not seen to be open, a reset before a goal was entered, and an action that is none of a search end the
 /// contest as a forfeit, lost. After a run a strategy that has no more to do forfeits as finished: that ends the
 /// contest and is none.
-DriveRecord drive(const Maze& maze, const DriveRules& rules, const DriveModel& model, Strategy& mouse);
+DriveRecord drive(const Maze& maze, const DriveRules& rules, const DriveModel& model, DrivingStrategy& mouse);
 
 }  // namespace labmouse

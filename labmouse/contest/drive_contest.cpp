@@ -7,7 +7,6 @@
 
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
-#include "labmouse/contest/plans.hpp"
 #include "labmouse/contest/search_parts.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/mouse/drive/search_field.hpp"
@@ -15,13 +14,13 @@
 namespace labmouse {
 namespace {
 
-double pace_of(Strategy& mouse, DriveRun::Kind kind) {
+double pace_of(DrivingStrategy& mouse, DriveRun::Kind kind) {
   return std::clamp(mouse.pace(kind == DriveRun::Kind::fast), least_pace, 1.0);
 }
 
 class DriveContest {
  public:
-  DriveContest(const Maze& maze, const DriveRules& rules, const DriveModel& model, Strategy& mouse,
+  DriveContest(const Maze& maze, const DriveRules& rules, const DriveModel& model, DrivingStrategy& mouse,
                ContestDriver& driver, PhysicalRecord& record)
       : maze_(maze),
         rules_(rules),
@@ -176,11 +175,10 @@ class DriveContest {
   }
 
   Action ask(const SearchPlace& place) {
-    const std::int64_t plans = plans_of(mouse_);
-    const Action action = weighed_ != nullptr && mouse_.considers()
-                              ? mouse_.consider(weighed_->belief(), place, driver_.clock())
-                              : mouse_.decide(driver_.seen(place.pose));
-    replanned_ = plans_of(mouse_) > plans;
+    const std::int64_t plans = mouse_.plans();
+    const Action action = weighed_ != nullptr ? mouse_.consider(weighed_->belief(), place, driver_.clock())
+                                              : mouse_.decide(driver_.seen(place.pose));
+    replanned_ = mouse_.plans() > plans;
     record_.actions.push_back(action);
     ++record_.drive.decisions;
     record_.drive.replanned += replanned_ ? 1 : 0;
@@ -318,7 +316,7 @@ class DriveContest {
   const Maze& maze_;
   const DriveRules& rules_;
   const DriveModel& model_;
-  Strategy& mouse_;
+  DrivingStrategy& mouse_;
   PhysicalRecord& record_;
   Pose start_;
   ContestDriver& driver_;
@@ -337,7 +335,7 @@ class DriveContest {
 
 }  // namespace
 
-void run_contest(const Maze& maze, const DriveRules& rules, const DriveModel& model, Strategy& mouse,
+void run_contest(const Maze& maze, const DriveRules& rules, const DriveModel& model, DrivingStrategy& mouse,
                  ContestDriver& driver, PhysicalRecord& record) {
   DriveContest(maze, rules, model, mouse, driver, record).run();
 }

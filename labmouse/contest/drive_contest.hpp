@@ -11,14 +11,14 @@
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/physical_record.hpp"
 #include "labmouse/maze/maze.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
-#include "labmouse/mouse/strategy.hpp"
 
 namespace labmouse {
 
 /// Runs the contest. The strategy must be new, of a driver that errs with a sight of one cell; the driver new, and one
 /// that writes into the record.
-void run_contest(const Maze& maze, const DriveRules& rules, const DriveModel& model, Strategy& mouse,
+void run_contest(const Maze& maze, const DriveRules& rules, const DriveModel& model, DrivingStrategy& mouse,
                  ContestDriver& driver, PhysicalRecord& record);
 
 }  // namespace labmouse

@@ -8,7 +8,7 @@ namespace labmouse {
 namespace {
 
 /// With the map that the mouse wants.
-PhysicalConditions conditions_for(const Strategy& mouse, PhysicalConditions conditions) {
+PhysicalConditions conditions_for(const DrivingStrategy& mouse, PhysicalConditions conditions) {
   conditions.map = mouse.map_kind().value_or(conditions.map);
   return conditions;
 }
@@ -16,7 +16,7 @@ PhysicalConditions conditions_for(const Strategy& mouse, PhysicalConditions cond
 }  // namespace
 
 PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                                const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse,
+                                const PhysicalConditions& conditions, std::uint64_t seed, DrivingStrategy& mouse,
                                 const PilotParts& parts) {
   PhysicalRecord record;
   const PhysicalConditions held = conditions_for(mouse, conditions);
@@ -27,7 +27,7 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
 
 PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                    const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
-                                   Strategy& mouse) {
+                                   DrivingStrategy& mouse) {
   PhysicalRecord record;
   const PhysicalConditions held = conditions_for(mouse, conditions);
   FailureDriver driver(maze, model, held, hazards, seed, rules.time_limit, record);

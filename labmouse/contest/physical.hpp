@@ -13,8 +13,8 @@
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/physical_record.hpp"
 #include "labmouse/maze/maze.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
-#include "labmouse/mouse/strategy.hpp"
 
 namespace labmouse {
 
@@ -28,7 +28,7 @@ inline constexpr int physical_edition = 2, failures_edition = 1;
 /// somebody else's must be new, too; what they say is not part of the record, which can be shown and not be driven
 /// again.
 PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                                const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse,
+                                const PhysicalConditions& conditions, std::uint64_t seed, DrivingStrategy& mouse,
                                 const PilotParts& parts = {});
 
 /// The same in the failure model, and fast: localization errors, wall detection errors and crashes are drawn at the
@@ -37,7 +37,7 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
 /// with weak motors fails again. Of the conditions it uses noise, pace, map and handling.
 PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                    const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
-                                   Strategy& mouse);
+                                   DrivingStrategy& mouse);
 
 /// Whether the robot can drive there: why not, in a sentence about it; empty where it can.
 std::string why_not_physical(const DriveModel& model);

@@ -4,24 +4,28 @@
 #include <utility>
 #include <vector>
 
-#include "labmouse/mouse/strategy.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
 
 namespace labmouse {
 
-/// Plays its actions in order and forfeits when there is no other. It knows nothing and looks at nothing.
-class Script final : public Strategy {
+/// Plays its actions in order and forfeits when there is no other, in steps and in seconds. It knows nothing and looks
+/// at nothing.
+class Script final : public DrivingStrategy {
  public:
   /// With the pace of each run; of those beyond the list it is the usual one.
   Script(Size size, std::vector<Action> actions, std::vector<double> paces = {})
       : knowledge_(size), actions_(std::move(actions)), paces_(std::move(paces)) {}
 
-  Action decide(const Sighting&) override {
-    return next_ < actions_.size() ? actions_[next_++] : Action::forfeit(ForfeitReason::finished);
-  }
+  Action decide(const Sighting&) override { return next(); }
+  Action consider(const Belief&, const SearchPlace&, std::int64_t) override { return next(); }
+  void show(const Pose&, const Sighting&) override {}
+  void carried(std::int64_t) override {}
   double pace(bool) override { return run_ < paces_.size() ? paces_[run_++] : 1.0; }
   const Knowledge& knowledge() const override { return knowledge_; }
 
  private:
+  Action next() { return next_ < actions_.size() ? actions_[next_++] : Action::forfeit(ForfeitReason::finished); }
+
   Knowledge knowledge_;
   std::vector<Action> actions_;
   std::size_t next_ = 0;

@@ -6,9 +6,9 @@
 namespace labmouse {
 namespace {
 
-std::vector<Count> counts_of(const Strategy& mouse) {
+std::vector<Count> counts_of(std::span<const Counter> counters) {
   std::vector<Count> counts;
-  for (const Counter& counter : mouse.counters()) counts.push_back({std::string(counter.name), counter.value});
+  for (const Counter& counter : counters) counts.push_back({std::string(counter.name), counter.value});
   std::sort(counts.begin(), counts.end(), [](const Count& a, const Count& b) { return a.name < b.name; });
   return counts;
 }
@@ -27,8 +27,9 @@ RunRecord run(const Maze& maze, const Rules& rules, Strategy& mouse) {
     if (const Reasons* reasons = mouse.reasons()) kept.push_back({contest.record().steps.back().step, *reasons});
   }
   RunRecord record = contest.take_record();
-  record.counts = counts_of(mouse);
-  record.last_words = mouse.last_words();
+  const StrategyReport report = mouse.report();
+  record.counts = counts_of(report.counters);
+  record.last_words = report.last_words;
   record.reasons = std::move(kept);
   return record;
 }

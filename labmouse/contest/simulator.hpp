@@ -14,8 +14,8 @@ namespace labmouse {
 /// What a mouse is told of a maze before the contest: the size, the start, the goals and its moves, but no wall.
 Briefing brief(const Maze& maze, const Rules& rules, std::uint64_t seed);
 
-/// Runs the contest to its end. The strategy must be new, or in the state in which a new one would be. To have its
-/// reasons in the record, ask it to keep them before.
+/// Runs the contest to its end. The strategy must be new, or in the state in which a new one would be. The record has
+/// its reasons if its briefing asks for them.
 RunRecord run(const Maze& maze, const Rules& rules, Strategy& mouse);
 
 }  // namespace labmouse

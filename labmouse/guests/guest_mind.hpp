@@ -16,8 +16,7 @@ class GuestMind final : public Strategy {
   Action decide(const Sighting& seen) override;
   /// Nothing: what a guest believes nobody sees.
   const Knowledge& knowledge() const override { return knowledge_; }
-  bool started() const override { return talk_.greeted(); }
-  std::string_view last_words() override { return talk_.last_words(); }
+  StrategyReport report() override { return {.last_words = talk_.last_words(), .started = talk_.greeted()}; }
 
  private:
   Knowledge knowledge_;

@@ -17,6 +17,11 @@ Belief::Belief(Size size, MapKind kind)
       costs_(static_cast<std::size_t>(size.area())),
       entered_(costs_.size()) {}
 
+Sighting Belief::sighting(const Pose& pose) const {
+  const auto open_to = [&](Heading side) { return view_.open().contains(wall_at(pose.cell, side)) ? 1 : 0; };
+  return {open_to(left_of(pose.heading)), open_to(pose.heading), open_to(right_of(pose.heading))};
+}
+
 std::size_t Belief::index_of(Wall wall) const {
   return static_cast<std::size_t>(2 * size_.index(wall.cell) + (wall.side == Heading::east ? 1 : 0));
 }

@@ -75,6 +75,8 @@ class Belief {
   /// Above 0 where it is rather closed; `most` of the border.
   int odds(Wall wall) const;
   const Knowledge& view() const { return view_; }
+  /// What the view says of the walls around a pose, as a reading of one cell.
+  Sighting sighting(const Pose& pose) const;
   /// Grows with each view that does not contain the one before.
   int version() const { return version_; }
 

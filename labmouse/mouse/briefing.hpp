@@ -37,6 +37,8 @@ struct Briefing {
   /// Cells that a reading reaches at most, 1 or more: a reading of so many shows no wall at its end.
   int sight = max_side;
   DriveBriefing drive = {};
+  /// Whether the contest keeps the reasons of its decisions, if it has some.
+  bool reasons = false;
 
   bool in_seconds() const { return drive.model != nullptr; }
 };

@@ -7,11 +7,10 @@ namespace labmouse {
 StrideRuns::StrideRuns(const Briefing& briefing)
     : briefing_(briefing), field_(briefing.size, briefing.motion), hoped_(briefing) {}
 
-bool StrideRuns::plan(const Knowledge& knowledge) {
+void StrideRuns::plan(const Knowledge& knowledge) {
   field_.fill(knowledge.open(), briefing_.goals);
   known_ = field_.at(briefing_.start.cell);
   hoped_.plan(knowledge);
-  return true;
 }
 
 DriveRuns::DriveRuns(const Briefing& briefing)

@@ -1,6 +1,4 @@
 // Runs from start to goal, in each world: the best that is known, the best that may exist, and what to look at to tell.
-//
-// The two classes have the same members, so that a mind that is written for one of them is written for both.
 #pragma once
 
 #include "labmouse/mouse/briefing.hpp"
@@ -15,10 +13,8 @@ class StrideRuns {
  public:
   explicit StrideRuns(const Briefing& briefing);
 
-  /// Finds the runs by what is known now; whether it had to plan for that.
-  bool plan(const Knowledge& knowledge);
-  /// Plans anew, whatever it has planned.
-  void forget() {}
+  /// Finds the runs by what is known now.
+  void plan(const Knowledge& knowledge);
 
   /// Whether the best known run is the best of all.
   bool proven() const { return hoped_.length() == known_ && known_ < unreachable; }
@@ -41,8 +37,8 @@ class DriveRuns {
  public:
   explicit DriveRuns(const Briefing& briefing);
 
-  /// Plans anew only where a newly seen wall cuts the route that was hoped for: walls only raise times, so that one
-  /// that is not cut stays the fastest.
+  /// Finds the runs by what is known now; whether it had to plan for that. Plans anew only where a newly seen wall cuts
+  /// the route that was hoped for: walls only raise times, so that one that is not cut stays the fastest.
   bool plan(const Knowledge& knowledge) { return plan(knowledge.possible(), knowledge.open()); }
   /// The same over passages that a mind hopes for; those that come to its hopes later are seen with the next new plan.
   bool plan(const WallSet& hoped, const WallSet& open);
@@ -53,10 +49,7 @@ class DriveRuns {
   /// Once all walls of the hoped-for route are open, it is the best known one, too. Nothing is left to prove where no
   /// route can be driven.
   bool proven() const { return unknown_.empty(); }
-  bool hopeless() const { return false; }
   const WallSet& unknown_walls() const { return unknown_; }
-  /// The time is the Explorer's concern.
-  bool last_call(int) const { return false; }
 
   /// The time of the fastest route that may exist.
   DriveTime hoped_time() const { return time_; }

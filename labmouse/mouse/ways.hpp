@@ -1,6 +1,4 @@
 // Ways of an exploring mouse, in each world: how it gets to some cells, step by step.
-//
-// The two classes have the same members, so that a mind that is written for one of them is written for both.
 #pragma once
 
 #include "labmouse/mouse/briefing.hpp"
@@ -10,20 +8,20 @@
 
 namespace labmouse {
 
-/// By the moves of the briefing's motion.
+/// In steps, by the moves of the briefing's motion.
 class StrideWays {
  public:
   explicit StrideWays(const Briefing& briefing) : field_(briefing.size, briefing.motion) {}
 
   /// A step to some cells over what may be open: as far as that is known, or a look at what is not.
-  Action step_towards(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
+  Action step_towards(const CellSet& cells, const Knowledge& knowledge, const Pose& pose) {
     field_.fill(knowledge.possible(), cells);
-    return optimistic_step(field_, knowledge, place.pose);
+    return optimistic_step(field_, knowledge, pose);
   }
   /// A step to the nearest of some cells from which something is to be seen: over what is known.
-  Action step_to_look(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
+  Action step_to_look(const CellSet& cells, const Knowledge& knowledge, const Pose& pose) {
     field_.fill(knowledge.open(), cells);
-    return step_along(field_, knowledge.open(), place.pose);
+    return step_along(field_, knowledge.open(), pose);
   }
 
  private:
@@ -35,12 +33,9 @@ class SearchWays {
  public:
   explicit SearchWays(const Briefing& briefing);
 
+  /// A step to some cells over what may be open, also to look from there: readings show little, so that a way through
+  /// unseen walls shows more than one round them, and it is shorter.
   Action step_towards(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place);
-  /// Over what may be open, too: readings show little, so that a way through unseen walls shows more than one round
-  /// them, and it is shorter.
-  Action step_to_look(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
-    return step_towards(cells, knowledge, place);
-  }
 
  private:
   SearchField& field_;

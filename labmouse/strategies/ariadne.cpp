@@ -52,14 +52,12 @@ class Ariadne final : public Explorer {
         costs_(this->briefing()),
         views_(this->briefing(), knowledge()),
         way_(briefing.size, briefing.motion),
-        is_large_(briefing.size.area() > ariadne::largest_to_weigh) {
+        is_large_(briefing.size.area() > ariadne::largest_to_weigh),
+        keeps_reasons_(briefing.reasons) {
     outlook_.price(policy_.before.prices);
+    if (keeps_reasons_) reasons_.candidates.reserve(static_cast<std::size_t>(2 * briefing.size.area()));
   }
 
-  void keep_reasons() override {
-    keeps_reasons_ = true;
-    reasons_.candidates.reserve(static_cast<std::size_t>(2 * briefing().size.area()));
-  }
   const Reasons* reasons() const override { return keeps_reasons_ && chose_ ? &reasons_ : nullptr; }
 
  private:
@@ -308,16 +306,22 @@ class Ariadne final : public Explorer {
   std::optional<Candidate> target_;
   std::int64_t score_ = 0;
   Reasons reasons_;
-  bool keeps_reasons_ = false;
+  bool keeps_reasons_;
   bool chose_ = false;
 };
 
+/// One that was learned serves at every size.
+const WallPrior* prior_for(const Briefing& briefing, const Settings& settings) {
+  const WallPrior* learned = settings.attached();
+  return learned == nullptr && settings.choice("prior") == "contest" ? contest_prior_for(briefing.size) : learned;
+}
+
 std::unique_ptr<Strategy> make_ariadne(const Briefing& briefing, const Settings& settings) {
-  // One that was learned serves at every size.
-  const WallPrior* prior = settings.attached();
-  if (prior == nullptr && settings.choice("prior") == "contest") prior = contest_prior_for(briefing.size);
-  if (briefing.in_seconds()) return ariadne::make_driver(briefing, settings, prior);
-  return std::make_unique<Ariadne>(briefing, settings, prior);
+  return std::make_unique<Ariadne>(briefing, settings, prior_for(briefing, settings));
+}
+
+std::unique_ptr<DrivingStrategy> drive_ariadne(const Briefing& briefing, const Settings& settings) {
+  return ariadne::make_driver(briefing, settings, prior_for(briefing, settings));
 }
 
 }  // namespace
@@ -329,7 +333,7 @@ constinit const RosterEntry ariadne_mouse = {
     .source = ariadne_source,
     .parameters = ariadne::fast_parameters,
     .make = make_ariadne,
-    .drives = true,
+    .drive = drive_ariadne,
 };
 
 constinit const RosterEntry ariadne_deep_mouse = {

@@ -1,6 +1,7 @@
 // certify: explores until its route is proven shortest, and no further.
 //
 // Limits: buys the proof at any price; a point of score is 30 steps of exploration, and the proof often costs more.
+#include "labmouse/mouse/driving_explorer.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/runs.hpp"
 #include "labmouse/mouse/ways.hpp"
@@ -9,25 +10,21 @@
 namespace labmouse {
 namespace {
 
-template <class Ways, class Runs>
 class Certify final : public Explorer {
  public:
-  explicit Certify(const Briefing& briefing) : Explorer(briefing), runs_(this->briefing()), ways_(this->briefing()) {}
+  explicit Certify(const Briefing& briefing) : Explorer(briefing), runs_(briefing), ways_(briefing) {}
 
  private:
   Action explore() override {
     if (!goal_entered()) return enter_goal();
-    if (runs_.plan(knowledge())) count_plan();
+    runs_.plan(knowledge());
     return runs_.last_call(steps_left()) || runs_.proven() ? Action::reset() : go_and_look();
   }
-
-  void renew() override { runs_.forget(); }
 
   Action enter_goal() {
     // The start may be a goal; a step has to end there.
     if (briefing().goals.contains(pose().cell)) return Action::step(0, 0);
-    count_plan();
-    return ways_.step_towards(briefing().goals, knowledge(), place());
+    return ways_.step_towards(briefing().goals, knowledge(), pose());
   }
 
   Action go_and_look() {
@@ -35,17 +32,43 @@ class Certify final : public Explorer {
     const CellSet viewpoints = viewpoints_of(runs_.unknown_walls(), knowledge(), briefing().sight);
     // Standing where the wall could be seen and not seeing it: it is behind.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
-    return ways_.step_to_look(viewpoints, knowledge(), place());
+    return ways_.step_to_look(viewpoints, knowledge(), pose());
   }
 
-  Runs runs_;
-  Ways ways_;
+  StrideRuns runs_;
+  StrideWays ways_;
 };
 
-std::unique_ptr<Strategy> make_certify(const Briefing& briefing, const Settings&) {
-  if (briefing.in_seconds()) return std::make_unique<Certify<SearchWays, DriveRuns>>(briefing);
-  return std::make_unique<Certify<StrideWays, StrideRuns>>(briefing);
-}
+/// The same in seconds.
+class CertifyDriver final : public DrivingExplorer {
+ public:
+  explicit CertifyDriver(const Briefing& briefing)
+      : DrivingExplorer(briefing), runs_(this->briefing()), ways_(this->briefing()) {}
+
+ private:
+  Action explore() override {
+    if (!goal_entered()) return enter_goal();
+    if (runs_.plan(knowledge())) count_plan();
+    return runs_.proven() ? Action::reset() : go_and_look();
+  }
+
+  void renew() override { runs_.forget(); }
+
+  Action enter_goal() {
+    count_plan();
+    return ways_.step_towards(briefing().goals, knowledge(), place());
+  }
+
+  Action go_and_look() {
+    const CellSet viewpoints = viewpoints_of(runs_.unknown_walls(), knowledge(), briefing().sight);
+    // Standing where the wall could be seen and not seeing it: it is behind.
+    if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
+    return ways_.step_towards(viewpoints, knowledge(), place());
+  }
+
+  DriveRuns runs_;
+  SearchWays ways_;
+};
 
 }  // namespace
 
@@ -63,8 +86,12 @@ constinit const RosterEntry certify_mouse = {
     .source =
         "Contest mice explore like this before the speed run; as a walk that replans on optimistic costs, "
         "it is related to D* Lite (Koenig and Likhachev 2002).",
-    .make = make_certify,
-    .drives = true,
+    .make = [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
+      return std::make_unique<Certify>(briefing);
+    },
+    .drive = [](const Briefing& briefing, const Settings&) -> std::unique_ptr<DrivingStrategy> {
+      return std::make_unique<CertifyDriver>(briefing);
+    },
 };
 
 }  // namespace labmouse

@@ -38,7 +38,6 @@ constexpr std::array festina_parameters = {
 /// A search has to come to its goal within half of the time: that takes about half of the cells, each with its turns.
 double least_pace_of(const Briefing& briefing) {
   constexpr double least = 0.3, turns = 1.25;
-  if (!briefing.in_seconds()) return least;
   const double cells = turns * briefing.size.area() * briefing.drive.model->search.cell;
   return std::clamp(cells / (briefing.drive.pace * static_cast<double>(briefing.drive.time_limit)), least, 1.0);
 }
@@ -87,10 +86,10 @@ class RunLadder {
   std::optional<double> good_, bad_;
 };
 
-class Festina final : public Strategy {
+class Festina final : public DrivingStrategy {
  public:
   /// `briefing` as the mind has it; the fields, unless they are somebody else's, which the briefing then has, too.
-  Festina(const Briefing& briefing, std::unique_ptr<DriveFields> fields, std::unique_ptr<Strategy> mind,
+  Festina(const Briefing& briefing, std::unique_ptr<DriveFields> fields, std::unique_ptr<DrivingStrategy> mind,
           const Settings& settings, double search_pace, double least_pace, double run_pace, double usual_pace)
       : goals_(briefing.goals),
         most_runs_(briefing.drive.most_runs),
@@ -117,7 +116,6 @@ class Festina final : public Strategy {
     mind_->searches_at(usual_pace_ * search_pace_);
     mind_->carried(time);
   }
-  bool considers() const override { return mind_->considers(); }
   Action consider(const Belief& belief, const SearchPlace& place, std::int64_t time) override {
     if (safe_run_) return safe_step(belief, place);
     const Action action = then(mind_->consider(belief, place, time));
@@ -133,10 +131,9 @@ class Festina final : public Strategy {
     return fast ? ladder_.pace() : search_pace_;
   }
   std::optional<MapKind> map_kind() const override { return map_; }
+  std::int64_t plans() const override { return mind_->plans(); }
   const Knowledge& knowledge() const override { return mind_->knowledge(); }
-  std::span<const Counter> counters() const override { return mind_->counters(); }
-  std::string_view last_words() override { return mind_->last_words(); }
-  void keep_reasons() override { mind_->keep_reasons(); }
+  StrategyReport report() override { return mind_->report(); }
   const Reasons* reasons() const override { return mind_->reasons(); }
 
  private:
@@ -164,7 +161,7 @@ class Festina final : public Strategy {
   int most_runs_;
   std::unique_ptr<DriveFields> own_fields_;
   DriveFields* fields_;  ///< in seconds
-  std::unique_ptr<Strategy> mind_;
+  std::unique_ptr<DrivingStrategy> mind_;
   double usual_pace_;  ///< the part of the robot's own that is 1 to it
   double search_pace_, least_pace_;
   double slower_;
@@ -177,17 +174,17 @@ class Festina final : public Strategy {
   bool safe_run_ = false;  ///< whether it drives one
 };
 
-std::unique_ptr<Strategy> make_festina(const Briefing& briefing, const Settings& settings) {
+std::unique_ptr<DrivingStrategy> drive_festina(const Briefing& briefing, const Settings& settings) {
   const RosterEntry& entry = explorer_for(briefing, settings.choice("mind"));
   const double least = least_pace_of(briefing), pace = std::max(settings.real("search"), least);
   Briefing told = briefing;
   told.drive.pace = briefing.drive.pace * pace;
   std::unique_ptr<DriveFields> fields;
-  if (briefing.in_seconds() && briefing.drive.fields == nullptr) {
+  if (briefing.drive.fields == nullptr) {
     fields = std::make_unique<DriveFields>(DriveFields::in_own_memory(briefing.size, *briefing.drive.model));
     told.drive.fields = fields.get();
   }
-  auto mind = entry.make(told, Settings(entry.parameters));
+  auto mind = entry.drive(told, Settings(entry.parameters));
   return std::make_unique<Festina>(told, std::move(fields), std::move(mind), settings, pace, least,
                                    first_run_pace(briefing, settings.real("run")), briefing.drive.pace);
 }
@@ -214,9 +211,7 @@ constinit const RosterEntry festina_mouse = {
         "failures all paces are equal, and only the exploring strategy matters.",
     .source = "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.",
     .parameters = festina_parameters,
-    .make = make_festina,
-    .drives = true,
-    .walks = false,
+    .drive = drive_festina,
 };
 
 }  // namespace labmouse

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "labmouse/mouse/driving_explorer.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/ways.hpp"
 #include "labmouse/strategies/roster.hpp"
@@ -21,13 +22,10 @@ constexpr std::string_view flood_method =
 constexpr std::string_view flood_source =
     "The flood fill of the micromouse contests of the 1980s; the first report describes it for this world.";
 
-template <class Ways>
 class Flood final : public Explorer {
  public:
   Flood(const Briefing& briefing, const Settings& settings, bool returns)
-      : Explorer(briefing), optimistic_(shortened(this->briefing(), settings.whole("stride"))), returns_(returns) {
-    start_.insert(briefing.start.cell);
-  }
+      : Explorer(briefing), ways_(shortened(briefing, settings.whole("stride"))), returns_(returns) {}
 
  private:
   static Briefing shortened(Briefing briefing, int stride) {
@@ -36,22 +34,37 @@ class Flood final : public Explorer {
   }
 
   Action explore() override {
-    if (!goal_entered()) {
-      // Standing on a goal without having entered it: the start is one. A step has to end there.
-      if (briefing().goals.contains(pose().cell)) return Action::step(0, 0);
-      return step_towards(briefing().goals);
-    }
-    if (!returns_ || pose().cell == briefing().start.cell) return Action::reset();
-    return step_towards(start_);
+    const Cell start = briefing().start.cell;
+    if (goal_entered()) return !returns_ || pose().cell == start ? Action::reset() : step_towards(CellSet::of(start));
+    // Standing on a goal without having entered it: the start is one. A step has to end there.
+    return briefing().goals.contains(pose().cell) ? Action::step(0, 0) : step_towards(briefing().goals);
+  }
+
+  Action step_towards(const CellSet& cells) { return ways_.step_towards(cells, knowledge(), pose()); }
+
+  StrideWays ways_;
+  bool returns_;
+};
+
+/// The same in seconds.
+class FloodDriver final : public DrivingExplorer {
+ public:
+  FloodDriver(const Briefing& briefing, bool returns)
+      : DrivingExplorer(briefing), ways_(this->briefing()), returns_(returns) {}
+
+ private:
+  Action explore() override {
+    const Cell start = briefing().start.cell;
+    if (!goal_entered()) return step_towards(briefing().goals);
+    return !returns_ || pose().cell == start ? Action::reset() : step_towards(CellSet::of(start));
   }
 
   Action step_towards(const CellSet& cells) {
     count_plan();
-    return optimistic_.step_towards(cells, knowledge(), place());
+    return ways_.step_towards(cells, knowledge(), place());
   }
 
-  Ways optimistic_;
-  CellSet start_;
+  SearchWays ways_;
   bool returns_;
 };
 
@@ -62,8 +75,12 @@ constexpr std::array flood_parameters = {
 
 template <bool Returns>
 std::unique_ptr<Strategy> make_flood(const Briefing& briefing, const Settings& settings) {
-  if (briefing.in_seconds()) return std::make_unique<Flood<SearchWays>>(briefing, settings, Returns);
-  return std::make_unique<Flood<StrideWays>>(briefing, settings, Returns);
+  return std::make_unique<Flood>(briefing, settings, Returns);
+}
+
+template <bool Returns>
+std::unique_ptr<DrivingStrategy> drive_flood(const Briefing& briefing, const Settings&) {
+  return std::make_unique<FloodDriver>(briefing, Returns);
 }
 
 }  // namespace
@@ -75,7 +92,7 @@ constinit const RosterEntry flood_mouse = {
     .source = flood_source,
     .parameters = flood_parameters,
     .make = make_flood<false>,
-    .drives = true,
+    .drive = drive_flood<false>,
 };
 
 constinit const RosterEntry flood_return_mouse = {
@@ -85,7 +102,7 @@ constinit const RosterEntry flood_return_mouse = {
     .source = flood_source,
     .parameters = flood_parameters,
     .make = make_flood<true>,
-    .drives = true,
+    .drive = drive_flood<true>,
 };
 
 }  // namespace labmouse

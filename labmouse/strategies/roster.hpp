@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
 #include "labmouse/mouse/strategy.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse {
 
 using MouseFactory = std::unique_ptr<Strategy> (*)(const Briefing& briefing, const Settings& settings);
+using DriverFactory = std::unique_ptr<DrivingStrategy> (*)(const Briefing& briefing, const Settings& settings);
 
 /// One mouse: its name, what it does in a line, how it does that in sentences, where the idea comes from, its
 /// parameters, and how it is made. Each mind's file defines its own.
@@ -23,14 +25,16 @@ struct RosterEntry {
   std::string_view method;
   std::string_view source;
   std::span<const Parameter> parameters = {};
-  MouseFactory make;
+  /// For a briefing in steps; null where it does not race in steps.
+  MouseFactory make = nullptr;
   /// Whether it throws dice under these settings: then one run says little, and races give it several.
   bool (*uses_chance)(const Settings& settings) = never;
 
-  /// Whether it drives in the world of seconds, too.
-  bool drives = false;
-  /// Whether it plays in steps.
-  bool walks = true;
+  /// For a briefing in seconds; null where it does not race in seconds.
+  DriverFactory drive = nullptr;
+
+  bool walks() const { return make != nullptr; }
+  bool drives() const { return drive != nullptr; }
 
   static bool never(const Settings&) { return false; }
   static bool always(const Settings&) { return true; }

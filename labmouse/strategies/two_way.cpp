@@ -38,7 +38,7 @@ class TwoWay final : public Explorer {
     begin_way(briefing.goals);
   }
 
-  std::span<const Counter> counters() const override { return counters_; }
+  StrategyReport report() override { return {.counters = counters_}; }
 
  private:
   /// What A* keeps of a cell: the steps to it from where this way began, and the cell before it.

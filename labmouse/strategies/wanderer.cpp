@@ -19,9 +19,7 @@ Wanderer::Wanderer(const Briefing& briefing, const Settings& settings)
   moves_.reserve(static_cast<std::size_t>(briefing.size.area()));
 }
 
-std::span<const Counter> Wanderer::counters() const {
-  return planned_ ? std::span<const Counter>(counters_) : std::span<const Counter>();
-}
+StrategyReport Wanderer::report() { return planned_ ? StrategyReport{.counters = counters_} : StrategyReport(); }
 
 // The last step is drawn and put into the map, but a reset is done in its place.
 Action Wanderer::explore() {

@@ -29,7 +29,7 @@ class Wanderer : public Explorer {
   Wanderer(const Briefing& briefing, const Settings& settings);
 
   /// Of the search for the speed run, once it is planned.
-  std::span<const Counter> counters() const final;
+  StrategyReport report() final;
 
  protected:
   /// One step of the exploration, of no more than a cell.

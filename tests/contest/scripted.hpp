@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "labmouse/mouse/strategy.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
 
 namespace labmouse::test {
 
-class Scripted final : public Strategy {
+class Scripted final : public DrivingStrategy {
  public:
   explicit Scripted(std::vector<Action> script) : script_(std::move(script)) {}
 
@@ -16,6 +16,10 @@ class Scripted final : public Strategy {
     read.push_back(seen);
     return next_ < script_.size() ? script_[next_++] : Action::forfeit(ForfeitReason::finished);
   }
+  Action consider(const Belief& map, const SearchPlace& place, std::int64_t) override {
+    return decide(map.sighting(place.pose));
+  }
+  void carried(std::int64_t) override {}
   void show(const Pose& pose, const Sighting& seen) override { shown.emplace_back(pose, seen); }
   const Knowledge& knowledge() const override { return knowledge_; }
 

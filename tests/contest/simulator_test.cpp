@@ -343,7 +343,7 @@ class Counting final : public Strategy {
     return go(0);
   }
   const Knowledge& knowledge() const override { return knowledge_; }
-  std::span<const Counter> counters() const override { return counters_; }
+  StrategyReport report() override { return {.counters = counters_}; }
 
  private:
   Knowledge knowledge_;

@@ -26,11 +26,11 @@ struct Contest {
     share_route_tables(model);
     conditions.trace_every = 10;
   }
-  std::unique_ptr<Strategy> mind() const {
+  std::unique_ptr<DrivingStrategy> mind() const {
     Briefing briefing = brief(ring(), rules, model, 1);
     briefing.sight = 1;
     const RosterEntry& entry = *find_mouse("flood-return");
-    return entry.make(briefing, Settings(entry.parameters));
+    return entry.drive(briefing, Settings(entry.parameters));
   }
 };
 

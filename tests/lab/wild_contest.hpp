@@ -63,7 +63,7 @@ inline PhysicalRecord held(const WildContest& contest) {
   Briefing briefing = brief(maze, rules, model, contest.seed);
   briefing.sight = 1;
   const RosterEntry& entry = *find_mouse(wild_minds[contest.mind % wild_minds.size()]);
-  const auto mind = entry.make(briefing, Settings(entry.parameters));
+  const auto mind = entry.drive(briefing, Settings(entry.parameters));
   return drive_with_failures(maze, rules, model, conditions, wild_hazards(contest.wild, contest.crash), contest.seed,
                              *mind);
 }

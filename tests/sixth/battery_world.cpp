@@ -39,7 +39,7 @@ class BatteryWorld final : public DriveWorld {
     DriveRules lasting = rules();
     Dice dice(contest.seed);
     for (int times = 0; times < noise_; ++times) lasting.time_limit -= lasting.time_limit * dice.below(100) / 100;
-    const auto strategy = mouse.strategy(maze, brief(maze, lasting, model(), contest.seed));
+    const auto strategy = mouse.driving_strategy(maze, brief(maze, lasting, model(), contest.seed));
     DrivenContest driven;
     driven.record = labmouse::drive(maze, lasting, model(), *strategy);
     driven.coverage = coverage_of(driven.record, maze, reachable);

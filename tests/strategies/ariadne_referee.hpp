@@ -16,6 +16,7 @@ namespace labmouse::test {
 
 class AriadneReferee final : public Strategy {
  public:
+  /// The briefing asks for reasons.
   AriadneReferee(Strategy& mouse, const Briefing& briefing, const Settings& settings)
       : mouse_(mouse),
         briefing_(briefing),
@@ -23,9 +24,7 @@ class AriadneReferee final : public Strategy {
         outlook_(briefing, settings.choice("prior") == "contest" ? contest_prior_for(briefing.size) : nullptr),
         knowledge_(briefing.size),
         pose_(briefing.start),
-        prices_(briefing.size, WallPrices::closed) {
-    mouse_.keep_reasons();
-  }
+        prices_(briefing.size, WallPrices::closed) {}
 
   Action decide(const Sighting& seen) override {
     const bool news = outlook_.learn(pose_, seen);

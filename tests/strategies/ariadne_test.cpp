@@ -35,8 +35,13 @@ struct RefereedRun {
   bool stopped_content = false, stopped_at_the_goal = false;
 };
 
+Briefing with_reasons(Briefing briefing) {
+  briefing.reasons = true;
+  return briefing;
+}
+
 RefereedRun refereed(const Maze& maze, const Settings& settings, const Rules& rules = {}) {
-  const Briefing briefing = brief(maze, rules, 1);
+  const Briefing briefing = with_reasons(brief(maze, rules, 1));
   const auto mouse = ariadne_mouse.make(briefing, settings);
   AriadneReferee referee(*mouse, briefing, settings);
   RunRecord record = run(maze, rules, referee);
@@ -273,8 +278,7 @@ TEST(Ariadne, TakesNoMoreMemoryForItsReasons) {
   Dice dice(66);
   for (int i = 0; i < 60; ++i) {
     const Maze maze = i == 0 ? kruskal_generator.make({{64, 64}, 5, 100}) : any_maze(dice, 20);
-    const auto mouse = ariadne_mouse.make(brief(maze, {}, 1), any_settings(dice));
-    mouse->keep_reasons();
+    const auto mouse = ariadne_mouse.make(with_reasons(brief(maze, {}, 1)), any_settings(dice));
     test::CountingMouse counting(*mouse);
     run(maze, {}, counting);
     ASSERT_EQ(counting.allocations(), 0) << drawing_of(maze);
@@ -288,8 +292,7 @@ TEST(Ariadne, DoesTheSameWhetherItKeepsItsReasonsOrNot) {
     const Rules rules = any_rules(dice);
     const Settings settings = any_settings(dice);
     const auto silent = ariadne_mouse.make(brief(maze, rules, 1), settings),
-               talks = ariadne_mouse.make(brief(maze, rules, 1), settings);
-    talks->keep_reasons();
+               talks = ariadne_mouse.make(with_reasons(brief(maze, rules, 1)), settings);
     ASSERT_EQ(run(maze, rules, *silent).steps, run(maze, rules, *talks).steps) << i;
     ASSERT_EQ(silent->reasons(), nullptr);
   }
@@ -300,8 +303,7 @@ TEST(Ariadne, HasNothingLeftToHopeForWhereItStops) {
   int stopped = 0;
   for (int i = 0; i < 50; ++i) {
     const Maze maze = any_maze(dice, 16);
-    const auto mouse = ariadne_mouse.make(brief(maze, {}, 1), settings_of({{"style", "contest"}}));
-    mouse->keep_reasons();
+    const auto mouse = ariadne_mouse.make(with_reasons(brief(maze, {}, 1)), settings_of({{"style", "contest"}}));
     for (const StepRecord& step : test::contest(ariadne_mouse, maze, {{"style", "contest"}}).steps) {
       ASSERT_EQ(mouse->decide(step.sighting), step.action);
       if (step.action.kind != Action::Kind::reset) continue;

@@ -6,13 +6,14 @@
 namespace labmouse::test {
 
 /// Counts what deciding takes from the heap.
-class CountingMouse : public ForwardingStrategy {
+template <class Forwarder>
+class Counting : public Forwarder {
  public:
-  using ForwardingStrategy::ForwardingStrategy;
+  using Forwarder::Forwarder;
 
   Action decide(const Sighting& seen) override {
     const long before = test::allocations();
-    const Action action = mouse().decide(seen);
+    const Action action = Forwarder::decide(seen);
     allocations_ += test::allocations() - before;
     return action;
   }
@@ -20,6 +21,16 @@ class CountingMouse : public ForwardingStrategy {
 
  private:
   long allocations_ = 0;
+};
+
+class CountingMouse : public Counting<ForwardingStrategy> {
+ public:
+  using Counting::Counting;
+};
+
+class CountingDriver : public Counting<ForwardingDriver> {
+ public:
+  using Counting::Counting;
 };
 
 }  // namespace labmouse::test

@@ -80,9 +80,9 @@ DriveRules rules_of(int divisor, std::int64_t seconds = 3600) {
   return rules;
 }
 
-std::unique_ptr<Strategy> make(const RosterEntry& mouse, const Maze& maze, const DriveRules& rules,
-                               const DriveModel& model) {
-  return mouse.make(brief(maze, rules, model, 1), Settings(mouse.parameters));
+std::unique_ptr<DrivingStrategy> make(const RosterEntry& mouse, const Maze& maze, const DriveRules& rules,
+                                      const DriveModel& model) {
+  return mouse.drive(brief(maze, rules, model, 1), Settings(mouse.parameters));
 }
 
 DriveRecord contest(const RosterEntry& mouse, const Maze& maze, const DriveRules& rules, const DriveModel& model) {
@@ -102,7 +102,7 @@ const DriveRun* last_run(const DriveRecord& record) {
 std::vector<const RosterEntry*> drivers() {
   std::vector<const RosterEntry*> mice;
   for (const RosterEntry* entry : all_mice())
-    if (entry->drives) mice.push_back(entry);
+    if (entry->drives()) mice.push_back(entry);
   return mice;
 }
 
@@ -226,7 +226,7 @@ TEST(AriadneInSeconds, GoesByEachOfItsNumbersHoweverOdd) {
           const DriveRules rules = rules_of(divisor, 150);
           Settings settings(ariadne.parameters);
           settings.set(parameter.name, std::to_string(value));
-          const auto mouse = ariadne.make(brief(maze, rules, published(), 1), settings);
+          const auto mouse = ariadne.drive(brief(maze, rules, published(), 1), settings);
           const DriveRecord record = drive(maze, rules, published(), *mouse);
           EXPECT_TRUE(record.outcome != DriveOutcome::forfeit || record.reason == ForfeitReason::no_way);
           matters = matters || record != contest(ariadne, maze, rules, published());
@@ -271,7 +271,7 @@ TEST_P(EveryDriver, TakesAllItsMemoryBeforeItDrives) {
     for (std::size_t i = 0; i < generated_mazes().size(); i += 40) {
       const Maze& maze = generated_mazes()[i].maze;
       const auto mind = make(mouse(), maze, rules_of(30, 100), model);
-      test::CountingMouse counting(*mind);
+      test::CountingDriver counting(*mind);
       drive(maze, rules_of(30, 100), model, counting);
       EXPECT_EQ(counting.allocations(), 0) << model.robot.name << " in " << generated_mazes()[i].name;
     }
@@ -288,7 +288,7 @@ TEST_P(EveryDriver, DrivesInMemoryThatIsGiven) {
       DriveFields fields(maze.size(), model, {memory.get(), bytes});
       Briefing briefing = brief(maze, rules_of(30), model, 1);
       briefing.drive.fields = &fields;
-      const auto mind = mouse().make(briefing, Settings(mouse().parameters));
+      const auto mind = mouse().drive(briefing, Settings(mouse().parameters));
       EXPECT_EQ(drive(maze, rules_of(30), model, *mind), contest(mouse(), maze, rules_of(30), model))
           << model.robot.name << " in " << generated_mazes()[i].name;
     }
@@ -318,7 +318,6 @@ TEST_P(EveryDriver, StandsAnyReadings) {
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test::some_of(2500)); ++seed) {
     Nonsense nonsense(seed);
     const auto mind = make(mouse(), maze, rules, model);
-    ASSERT_TRUE(mind->considers());
     Belief belief(maze.size(), MapKind::belief);
     SearchPlace place = {{maze.start(), maze.start_heading()}, true};
     for (int decision = 0; decision < 400; ++decision) {
@@ -381,10 +380,10 @@ TEST(Proof, MakesTheRunTheFastestThereIsInRealMazes) {
 }
 
 /// Keeps the runs of certify beside it, and compares them with a plan from nothing at each decision.
-class Replanning final : public ForwardingStrategy {
+class Replanning final : public ForwardingDriver {
  public:
-  Replanning(Strategy& mouse, const Briefing& briefing)
-      : ForwardingStrategy(mouse),
+  Replanning(DrivingStrategy& mouse, const Briefing& briefing)
+      : ForwardingDriver(mouse),
         kept_fields_(DriveFields::in_own_memory(briefing.size, *briefing.drive.model)),
         new_fields_(DriveFields::in_own_memory(briefing.size, *briefing.drive.model)),
         new_(briefing),
@@ -461,7 +460,7 @@ TEST(DriversOfSeconds, FitTheirMemory) {
         Briefing briefing = brief(maze, rules_of(30), bar.model, 1);
         briefing.drive.fields = &given;
         const long before = test::allocated_bytes();
-        const auto mind = mouse->make(briefing, Settings(mouse->parameters));
+        const auto mind = mouse->drive(briefing, Settings(mouse->parameters));
         const auto own = static_cast<std::size_t>(test::allocated_bytes() - before);
         const std::size_t bar_here = (side == 16 ? bar.small : bar.large) + (mouse == &ariadne_mouse ? 16 * kib : 0);
         EXPECT_LE(fields + own, bar_here) << mouse->name << " " << side << ": " << own << " bytes of its own";

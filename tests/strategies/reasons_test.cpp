@@ -15,16 +15,17 @@ using test::ContractMaze;
 
 class EveryReasoner : public testing::TestWithParam<const RosterEntry*> {
  protected:
-  std::unique_ptr<Strategy> mouse_for(const Maze& maze) const {
-    return GetParam()->make(brief(maze, {}, 1), Settings(GetParam()->parameters));
+  std::unique_ptr<Strategy> mouse_for(const Maze& maze, bool reasons) const {
+    Briefing briefing = brief(maze, {}, 1);
+    briefing.reasons = reasons;
+    return GetParam()->make(briefing, Settings(GetParam()->parameters));
   }
 };
 
 TEST_P(EveryReasoner, WalksTheSameWhetherItKeepsThemOrNot) {
   for (const ContractMaze& maze : contract_mazes()) {
     SCOPED_TRACE(maze.name);
-    const auto silent = mouse_for(maze.maze), telling = mouse_for(maze.maze);
-    telling->keep_reasons();
+    const auto silent = mouse_for(maze.maze, false), telling = mouse_for(maze.maze, true);
     test::CountingMouse counted(*telling);
     const RunRecord without = run(maze.maze, {}, *silent);
     RunRecord with = run(maze.maze, {}, counted);
@@ -53,8 +54,7 @@ void examine(const Reasons& reasons, const WallSet& unknown, Size size) {
 TEST_P(EveryReasoner, ChoosesTheLowestScoreAmongUnseenWallsOfTheExploration) {
   for (const ContractMaze& maze : contract_mazes()) {
     SCOPED_TRACE(maze.name);
-    const auto mouse = mouse_for(maze.maze);
-    mouse->keep_reasons();
+    const auto mouse = mouse_for(maze.maze, true);
     const RunRecord record = run(maze.maze, {}, *mouse);
     Knowledge knowledge(maze.maze.size());
     auto next = record.reasons.begin();

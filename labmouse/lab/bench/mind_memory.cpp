@@ -18,9 +18,9 @@ constexpr std::size_t minds = 64;
 
 std::size_t own_memory(const RosterEntry& mouse, const Briefing& briefing) {
   const Settings settings(mouse.parameters);
-  std::vector<std::unique_ptr<Strategy>> made(minds);
+  std::vector<std::unique_ptr<DrivingStrategy>> made(minds);
   const std::size_t before = heap_in_use();
-  for (auto& mind : made) mind = mouse.make(briefing, settings);
+  for (auto& mind : made) mind = mouse.drive(briefing, settings);
   return (heap_in_use() - before) / minds;
 }
 
@@ -37,7 +37,7 @@ MindMemory mind_memory(Size size, const DriveModel& model) {
                     route_tables_of(model)->table_bytes(size),
                     {}};
   for (const RosterEntry* mouse : roster())
-    if (mouse->drives) memory.own[std::string(mouse->name)] = own_memory(*mouse, briefing);
+    if (mouse->drives()) memory.own[std::string(mouse->name)] = own_memory(*mouse, briefing);
   return memory;
 }
 

@@ -85,8 +85,8 @@ void add_drives(const Maze& maze, const DriveModel& model, Hash& hash) {
     rules.time_limit = 600'000'000;
     rules.maze_time_divisor = divisor;
     for (const RosterEntry* mouse : roster()) {
-      if (!mouse->drives) continue;
-      const auto mind = mouse->make(brief(maze, rules, model, 1), Settings(mouse->parameters));
+      if (!mouse->drives()) continue;
+      const auto mind = mouse->drive(brief(maze, rules, model, 1), Settings(mouse->parameters));
       const DriveRecord record = drive(maze, rules, model, *mind);
       for (const DriveRun& run : record.runs) add_run(run, hash);
       hash.add(static_cast<int>(record.outcome));
@@ -153,7 +153,7 @@ void add_physical_contest(const Maze& maze, const DriveModel& model, const Physi
   const RosterEntry& mouse = *find_mouse("flood-return");
   Briefing briefing = brief(maze, rules, model, 1);
   briefing.sight = 1;
-  const auto mind = mouse.make(briefing, Settings(mouse.parameters));
+  const auto mind = mouse.drive(briefing, Settings(mouse.parameters));
   const PhysicalRecord record = drive_physically(maze, rules, model, conditions, 1, *mind);
   for (const DriveRun& run : record.drive.runs) add_run(run, hash);
   for (const RunEnd end : record.ends) hash.add(static_cast<int>(end));

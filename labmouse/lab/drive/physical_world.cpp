@@ -87,7 +87,7 @@ class PhysicalWorld : public DriveWorld {
   virtual void complete(PhysicalPart&) const {}
   /// The contest of a mouse that decides.
   virtual PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
-                                    Strategy& mouse) const {
+                                    DrivingStrategy& mouse) const {
     return drive_physically(maze, rules(), model(), conditions, seed, mouse);
   }
 
@@ -106,13 +106,14 @@ class PhysicalWorld : public DriveWorld {
     Briefing briefing = brief(maze, rules(), model(), contest.seed);
     briefing.sight = 1;
     briefing.drive.pace = conditions.pilot.pace;
-    const auto strategy = mouse.strategy(maze, briefing);
+    const auto strategy = mouse.driving_strategy(maze, briefing);
     conditions.map = strategy->map_kind().value_or(conditions.map);
-    Stoppable stoppable(*strategy, stop);
+    StoppableDriver stoppable(*strategy, stop);
     DrivenContest driven = driven_of(contest_of(maze, conditions, contest.seed, stoppable), conditions);
     driven.coverage = coverage_of(driven.record, maze, reachable);
-    driven.words = strategy->last_words();
-    driven.started = strategy->started();
+    const StrategyReport report = strategy->report();
+    driven.words = report.last_words;
+    driven.started = report.started;
     return driven;
   }
 
@@ -191,7 +192,7 @@ class FailureWorld final : public PhysicalWorld {
 
  private:
   PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
-                            Strategy& mouse) const override {
+                            DrivingStrategy& mouse) const override {
     return drive_with_failures(maze, rules(), model(), conditions, hazards_, seed, mouse);
   }
 

@@ -44,13 +44,14 @@ class SecondsWorld final : public DriveWorld {
  private:
   DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
                       bool /*traced*/, const std::atomic<bool>* stop) const override {
-    const auto strategy = mouse.strategy(maze, brief(maze, rules(), model(), contest.seed));
-    Stoppable stoppable(*strategy, stop);
+    const auto strategy = mouse.driving_strategy(maze, brief(maze, rules(), model(), contest.seed));
+    StoppableDriver stoppable(*strategy, stop);
     DrivenContest driven;
     driven.record = labmouse::drive(maze, rules(), model(), stoppable);
     driven.coverage = coverage_of(driven.record, maze, reachable);
-    driven.words = strategy->last_words();
-    driven.started = strategy->started();
+    const StrategyReport report = strategy->report();
+    driven.words = report.last_words;
+    driven.started = report.started;
     return driven;
   }
 

@@ -35,8 +35,8 @@ MeasuredPart part_of(const HazardOrder& order, double pace, double noise, const 
     Briefing briefing = brief(maze.maze, order.rules, *order.model, seed);
     briefing.sight = 1;
     briefing.drive.pace = pace;
-    const auto strategy = mouse.strategy(maze.maze, briefing);
-    Stoppable stoppable(*strategy, stop);
+    const auto strategy = mouse.driving_strategy(maze.maze, briefing);
+    StoppableDriver stoppable(*strategy, stop);
     const PhysicalRecord record = drive_physically(maze.maze, order.rules, *order.model, conditions, seed, stoppable);
     part.stopped = record.drive.reason == ForfeitReason::interrupted;
     if (part.stopped) return part;

@@ -8,16 +8,20 @@ namespace labmouse {
 
 bool Contestant::walks() const {
   const auto* decider = std::get_if<Decider>(&kind);
-  return decider != nullptr ? decider->walks : std::holds_alternative<PlayedContests>(kind);
+  return decider != nullptr ? decider->make != nullptr : std::holds_alternative<PlayedContests>(kind);
 }
 
 bool Contestant::drives() const {
   const auto* decider = std::get_if<Decider>(&kind);
-  return decider != nullptr && decider->drives;
+  return decider != nullptr && decider->drive != nullptr;
 }
 
 std::unique_ptr<Strategy> Contestant::strategy(const Maze& maze, const Briefing& briefing) const {
   return std::get<Decider>(kind).make(maze, briefing);
+}
+
+std::unique_ptr<DrivingStrategy> Contestant::driving_strategy(const Maze& maze, const Briefing& briefing) const {
+  return std::get<Decider>(kind).drive(maze, briefing);
 }
 
 std::string freedom_note(const std::vector<Contestant>& mice) {

@@ -21,7 +21,7 @@
 #include "labmouse/guests/launch.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/briefing.hpp"
-#include "labmouse/mouse/strategy.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse {
@@ -36,16 +36,16 @@ struct Interpreter {
 
 /// A mouse that is asked for each decision.
 struct Decider {
-  /// Its strategy for a contest in that maze, with that briefing.
-  std::function<std::unique_ptr<Strategy>(const Maze&, const Briefing&)> make;
-  bool walks = false;   ///< whether it races in steps
-  bool drives = false;  ///< whether it races in seconds
+  /// Its strategy for a contest in that maze, with that briefing in steps; empty where it does not race in steps.
+  std::function<std::unique_ptr<Strategy>(const Maze&, const Briefing&)> make = {};
+  /// The same in seconds; empty where it does not race in seconds.
+  std::function<std::unique_ptr<DrivingStrategy>(const Maze&, const Briefing&)> drive = {};
 };
 
 /// A contest in steps that was run before the race.
 struct PlayedContest {
   RunRecord record;
-  bool started = true;        ///< as of Strategy
+  bool started = true;        ///< as in StrategyReport
   double microseconds = 0.0;  ///< that its decisions took
 };
 
@@ -102,8 +102,10 @@ struct Contestant {
   bool walks() const;
   /// Whether it races in seconds, asked for each decision.
   bool drives() const;
-  /// Of a Decider: its strategy for a contest in that maze, with that briefing.
+  /// Of a Decider that walks: its strategy for a contest in that maze, with that briefing in steps.
   std::unique_ptr<Strategy> strategy(const Maze& maze, const Briefing& briefing) const;
+  /// The same in seconds, of one that drives.
+  std::unique_ptr<DrivingStrategy> driving_strategy(const Maze& maze, const Briefing& briefing) const;
 };
 
 /// The SPEC of a mouse, whatever it is called.

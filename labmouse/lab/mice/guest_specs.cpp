@@ -59,7 +59,7 @@ Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) 
     const auto make = [launch](const Maze&, const Briefing& briefing) {
       return std::make_unique<GuestMind>(seeded(launch, briefing.seed), briefing);
     };
-    contestant.kind = Decider{make, true, false};
+    contestant.kind = Decider{make};
   }
   return contestant;
 }

@@ -38,12 +38,12 @@ Json mice_json() {
   for (const RosterEntry* mouse : all_mice()) {
     Json parameters = Json::array();
     for (const Parameter& parameter : mouse->parameters)
-      parameters.push_back(parameter_json(parameter, mouse->walks && mouse->drives));
+      parameters.push_back(parameter_json(parameter, mouse->walks() && mouse->drives()));
     mice.push_back({{"name", mouse->name},
                     {"summary", mouse->summary},
                     {"throws_dice", mouse->uses_chance(Settings(mouse->parameters))},
-                    {"walks", mouse->walks},
-                    {"drives", mouse->drives},
+                    {"walks", mouse->walks()},
+                    {"drives", mouse->drives()},
                     {"parameters", std::move(parameters)},
                     {"method", mouse->method},
                     {"source", mouse->source}});

@@ -38,7 +38,7 @@ std::string parameter_lines(const RosterEntry& mouse) {
   for (const Parameter& parameter : mouse.parameters)
     text += fmt::format("    {}={}  {}, {}: {}{}\n", parameter.name, parameter.default_value, name_of(parameter.type),
                         range_of(parameter),
-                        mouse.walks || parameter.scope == ParameterScope::errors ? scope_text(parameter.scope) : "",
+                        mouse.walks() || parameter.scope == ParameterScope::errors ? scope_text(parameter.scope) : "",
                         parameter.meaning);
   return text;
 }
@@ -79,7 +79,7 @@ NamedText mouse_sheet(const std::string& name) {
   return {fmt::format("{}: {}\n\nMethod\n{}\nParameters\n{}\nSource\n{}", mouse->name, summary_of(*mouse),
                       in_lines(mouse->method, "    "), parameters.empty() ? "    none\n" : parameters,
                       in_lines(mouse->source, "    ")) +
-              (mouse->drives ? "\nIt also drives, in seconds.\n" : ""),
+              (mouse->drives() ? "\nIt also drives, in seconds.\n" : ""),
           ""};
 }
 

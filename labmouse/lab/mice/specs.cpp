@@ -27,7 +27,7 @@ Contestant oracle() {
   const auto make = [](const Maze& maze, const Briefing& briefing) {
     return make_oracle(maze, {.stride = briefing.motion.longest});
   };
-  contestant.kind = Decider{make, true, false};
+  contestant.kind = Decider{make};
   return contestant;
 }
 
@@ -45,10 +45,14 @@ Contestant contestant_of(const RosterEntry& entry, Settings settings) {
     if (const Setting& setting = settings.all()[i]; setting.value != entry.parameters[i].default_value)
       contestant.name += ":" + setting.name + "=" + setting.value;
   contestant.uses_chance = entry.uses_chance(settings);
-  const auto make = [&entry, settings](const Maze&, const Briefing& briefing) {
-    return entry.make(briefing, settings);
-  };
-  contestant.kind = Decider{make, entry.walks, entry.drives};
+  Decider decider;
+  if (entry.walks())
+    decider.make = [&entry, settings](const Maze&, const Briefing& briefing) { return entry.make(briefing, settings); };
+  if (entry.drives())
+    decider.drive = [&entry, settings](const Maze&, const Briefing& briefing) {
+      return entry.drive(briefing, settings);
+    };
+  contestant.kind = std::move(decider);
   if (can_learn(entry, settings))
     contestant.taught = [&entry, settings](const std::vector<const Maze*>& training, const Rules& rules,
                                            const std::atomic<bool>* stop) {
@@ -399,7 +403,7 @@ std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
     return fmt::format("'{}' controls motors, so it drives in the world physical only", stays->name);
   std::vector<std::string_view> drivers;
   for (const RosterEntry* entry : all_mice())
-    if (entry->drives) drivers.push_back(entry->name);
+    if (entry->drives()) drivers.push_back(entry->name);
   return fmt::format("mouse '{}' cannot drive in seconds; mice that can are {}", stays->name, fmt::join(drivers, ", "));
 }
 
@@ -415,7 +419,7 @@ std::string refuse_to_walk(const Contestant& mouse) {
 Settings settings_in_seconds(const Contestant& mouse) {
   const RosterEntry* entry = entry_of(mouse);
   if (entry == nullptr) return {};
-  if (!entry->walks) return mouse.settings;
+  if (!entry->walks()) return mouse.settings;
   return settings_where(mouse, *entry, [&](const Parameter& parameter) {
     return parameter.scope == ParameterScope::both ||
            (parameter.scope == ParameterScope::seconds &&

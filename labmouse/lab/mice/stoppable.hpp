@@ -1,4 +1,4 @@
-// A strategy that decides no more once its contest is stopped.
+// Strategies that decide no more once their contest is stopped.
 #pragma once
 
 #include <atomic>
@@ -8,6 +8,9 @@
 
 namespace labmouse {
 
+/// Whether the flag, which may be null, is set.
+inline bool is_set(const std::atomic<bool>* stop) { return stop != nullptr && stop->load(std::memory_order_relaxed); }
+
 /// Stands in front of a strategy, which must outlive it, and asks before each of its decisions. A contest that was
 /// stopped ends as a forfeit, interrupted.
 class Stoppable final : public ForwardingStrategy {
@@ -16,15 +19,26 @@ class Stoppable final : public ForwardingStrategy {
   Stoppable(Strategy& mouse, const std::atomic<bool>* stop) : ForwardingStrategy(mouse), stop_(stop) {}
 
   Action decide(const Sighting& seen) override {
-    return stopped() ? Action::forfeit(ForfeitReason::interrupted) : mouse().decide(seen);
-  }
-  Action consider(const Belief& belief, const SearchPlace& place, std::int64_t time) override {
-    return stopped() ? Action::forfeit(ForfeitReason::interrupted) : mouse().consider(belief, place, time);
+    return is_set(stop_) ? Action::forfeit(ForfeitReason::interrupted) : mouse().decide(seen);
   }
 
  private:
-  bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+  const std::atomic<bool>* stop_;
+};
 
+/// The same in the worlds in seconds.
+class StoppableDriver final : public ForwardingDriver {
+ public:
+  StoppableDriver(DrivingStrategy& mouse, const std::atomic<bool>* stop) : ForwardingDriver(mouse), stop_(stop) {}
+
+  Action decide(const Sighting& seen) override {
+    return is_set(stop_) ? Action::forfeit(ForfeitReason::interrupted) : mouse().decide(seen);
+  }
+  Action consider(const Belief& map, const SearchPlace& place, std::int64_t time) override {
+    return is_set(stop_) ? Action::forfeit(ForfeitReason::interrupted) : mouse().consider(map, place, time);
+  }
+
+ private:
   const std::atomic<bool>* stop_;
 };
 

@@ -61,8 +61,9 @@ class StepsReplay final : public Replay {
 
   void add_reasons(const Contestant& mouse) override {
     if (!refuse_to_walk(mouse).empty()) return;
-    const auto strategy = mouse.strategy(*file_.maze, brief(*file_.maze, file_.rules, file_.seed));
-    strategy->keep_reasons();
+    Briefing briefing = brief(*file_.maze, file_.rules, file_.seed);
+    briefing.reasons = true;
+    const auto strategy = mouse.strategy(*file_.maze, briefing);
     RunRecord again = run(*file_.maze, file_.rules, *strategy);
     if (again.steps == file_.run.steps) file_.run.reasons = std::move(again.reasons);
   }

@@ -44,12 +44,14 @@ class Timed final : public ForwardingStrategy {
 PlayedContest contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
                          bool reasons, const std::atomic<bool>* stop) {
   if (const auto* played = std::get_if<PlayedContests>(&mouse.kind)) return played->at({maze.name, seed});
-  const auto strategy = mouse.strategy(maze.maze, brief(maze.maze, rules, seed));
-  if (reasons) strategy->keep_reasons();
+  Briefing briefing = brief(maze.maze, rules, seed);
+  briefing.reasons = reasons;
+  const auto strategy = mouse.strategy(maze.maze, briefing);
   Stoppable stoppable(*strategy, stop);
   Timed timed(stoppable);
   RunRecord record = run(maze.maze, rules, timed);
-  return {std::move(record), strategy->started(), strategy->microseconds().value_or(timed.measured())};
+  const StrategyReport report = strategy->report();
+  return {std::move(record), report.started, report.microseconds.value_or(timed.measured())};
 }
 
 ForfeitReason reason_of(const RunRecord& record) {

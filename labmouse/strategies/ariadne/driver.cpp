@@ -8,7 +8,7 @@
 
 #include "labmouse/mouse/drive/drive_fields.hpp"
 #include "labmouse/mouse/drive/run_prices.hpp"
-#include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/driving_explorer.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/runs.hpp"
 #include "labmouse/mouse/ways.hpp"
@@ -42,10 +42,10 @@ RunPrices run_prices(const Briefing& briefing) {
   return run_prices_of(routes);
 }
 
-class Driver final : public Explorer {
+class Driver final : public DrivingExplorer {
  public:
   Driver(const Briefing& briefing, const Settings& settings, const WallPrior* prior)
-      : Explorer(briefing),
+      : DrivingExplorer(briefing),
         policy_(settings),
         search_(briefing.drive.model->search),
         prior_(prior),
@@ -220,7 +220,8 @@ class Driver final : public Explorer {
 
 }  // namespace
 
-std::unique_ptr<Strategy> make_driver(const Briefing& briefing, const Settings& settings, const WallPrior* prior) {
+std::unique_ptr<DrivingStrategy> make_driver(const Briefing& briefing, const Settings& settings,
+                                             const WallPrior* prior) {
   return std::make_unique<Driver>(briefing, settings, prior);
 }
 

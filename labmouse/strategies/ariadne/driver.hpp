@@ -17,7 +17,7 @@
 #include <memory>
 
 #include "labmouse/mouse/briefing.hpp"
-#include "labmouse/mouse/strategy.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
 #include "labmouse/mouse/wall_prior.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -25,6 +25,7 @@ namespace labmouse::ariadne {
 
 /// For a briefing in seconds, with the settings that DrivePolicy reads; without a prior every unseen wall is as likely
 /// open as closed.
-std::unique_ptr<Strategy> make_driver(const Briefing& briefing, const Settings& settings, const WallPrior* prior);
+std::unique_ptr<DrivingStrategy> make_driver(const Briefing& briefing, const Settings& settings,
+                                             const WallPrior* prior);
 
 }  // namespace labmouse::ariadne

@@ -56,7 +56,7 @@ void mice_drive_in_memory_that_is_given() {
   Briefing briefing = brief(maze, rules, robot.model, 1);
   briefing.drive.fields = &fields;
   const RosterEntry* flood = find_mouse("flood");
-  const auto mind = flood->make(briefing, Settings(flood->parameters));
+  const auto mind = flood->drive(briefing, Settings(flood->parameters));
   check(score(drive(maze, rules, robot.model, *mind), rules).value().has_value(), "a mouse drives to the goal");
 }
 

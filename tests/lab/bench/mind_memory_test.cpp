@@ -34,7 +34,7 @@ TEST(MindMemory, IsSpentOnItsParts) {
 TEST(MindMemory, IsMeasuredOfAllMiceThatDrive) {
   const MindMemory memory = mind_memory({16, 16}, find_robot("mm2021").model);
   for (const RosterEntry* mouse : roster())
-    EXPECT_EQ(memory.own.count(std::string(mouse->name)), mouse->drives ? 1U : 0U);
+    EXPECT_EQ(memory.own.count(std::string(mouse->name)), mouse->drives() ? 1U : 0U);
   if (test::sanitized) GTEST_SKIP() << "sanitizers have a heap of their own";
   EXPECT_GT(memory.own.at("flood"), 1000U);
   EXPECT_GT(memory.own.at("ariadne"), memory.own.at("flood"));

@@ -64,7 +64,7 @@ PhysicalRecord driven(const std::string& mouse, const Hazards& hazards, std::uin
   Briefing briefing = brief(maze, rules, *model, seed);
   briefing.sight = 1;
   const RosterEntry& entry = *find_mouse(mouse);
-  const auto mind = entry.make(briefing, Settings(entry.parameters));
+  const auto mind = entry.drive(briefing, Settings(entry.parameters));
   return drive_with_failures(maze, rules, *model, conditions, hazards, seed, *mind);
 }
 
@@ -75,7 +75,7 @@ DriveRecord driven_exactly(const std::string& mouse, const Maze& maze) {
   Briefing briefing = brief(maze, rules, *model, 1);
   briefing.sight = 1;
   const RosterEntry& entry = *find_mouse(mouse);
-  const auto mind = entry.make(briefing, Settings(entry.parameters));
+  const auto mind = entry.drive(briefing, Settings(entry.parameters));
   return drive(maze, rules, *model, *mind);
 }
 
@@ -407,7 +407,7 @@ TEST(Festina, MakesSureOfARunInTimeWhereRunsAreMany) {
   const Briefing briefing = brief(maze, rules, *model, 1);
   const auto hazards = with([](HazardsByLuck& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
   const auto kinds = [&](const std::string& spec) {
-    const auto mind = test::mice(spec).front().strategy(maze, briefing);
+    const auto mind = test::mice(spec).front().driving_strategy(maze, briefing);
     return kinds_of(drive_with_failures(maze, rules, *model, at_noise(1.0), hazards, 1, *mind));
   };
   const auto made = kinds("festina");
@@ -427,7 +427,7 @@ TEST(Festina, SearchesNoSlowerThanATimeLimitAllows) {
     briefing.goals = CellSet::of({1, 1});
     briefing.sight = 1;
     briefing.drive = {.model = model.get(), .time_limit = find_rules("all-japan").rules.time_limit};
-    const auto mouse = festina_mouse.make(briefing, Settings(festina_mouse.parameters));
+    const auto mouse = festina_mouse.drive(briefing, Settings(festina_mouse.parameters));
     const double first = mouse->pace(false);
     for (int crash = 0; crash < 20; ++crash) mouse->carried(0);
     return std::pair(first, mouse->pace(false));
@@ -441,7 +441,7 @@ TEST(Festina, IsAsCarefulAsTheRulesAskFor) {
   LABMOUSE_SKIP_SANITIZED();
   const auto model = test::drive_model("kerise");
   const auto first = [&](const DriveRules& rules) {
-    return festina_mouse.make(brief(test::ring(), rules, *model, 1), Settings(festina_mouse.parameters))->pace(true);
+    return festina_mouse.drive(brief(test::ring(), rules, *model, 1), Settings(festina_mouse.parameters))->pace(true);
   };
   const DriveRules few = find_rules("all-japan").rules, many = find_rules("uk-2018").rules;
   DriveRules bonus = many;
@@ -450,7 +450,7 @@ TEST(Festina, IsAsCarefulAsTheRulesAskFor) {
   EXPECT_LT(first(bonus), first(few));
   EXPECT_EQ(first(many), 1.0);
   const Contestant told = test::mice("festina:run=0.5").front();
-  EXPECT_EQ(told.strategy(test::ring(), brief(test::ring(), many, *model, 1))->pace(true), 0.5);
+  EXPECT_EQ(told.driving_strategy(test::ring(), brief(test::ring(), many, *model, 1))->pace(true), 0.5);
 }
 
 TEST(Festina, ExploresByTheRules) {
@@ -459,7 +459,7 @@ TEST(Festina, ExploresByTheRules) {
   const Maze maze = maze_named("contest-05").value();
   const auto searched = [&](const std::string& rules, const std::string& spec) {
     const Briefing briefing = brief(maze, find_rules(rules).rules, *model, 1);
-    const auto mouse = test::mice(spec).front().strategy(maze, briefing);
+    const auto mouse = test::mice(spec).front().driving_strategy(maze, briefing);
     return drive(maze, find_rules(rules).rules, *model, *mouse).decisions;
   };
   EXPECT_EQ(searched("all-japan", "festina"), searched("all-japan", "certify"));

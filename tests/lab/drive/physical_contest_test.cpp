@@ -61,7 +61,7 @@ TEST(PhysicalContest, GoesWithoutNoiseAsInSeconds) {
       // Bodies need a little longer than plans; by all-japan only the fast run counts.
       const auto model = test::drive_model(robot);
       const RosterEntry& entry = *find_mouse(mouse);
-      const auto mind = entry.make(brief(test::ring(), rules, *model, 1), Settings(entry.parameters));
+      const auto mind = entry.drive(brief(test::ring(), rules, *model, 1), Settings(entry.parameters));
       const auto planned = score(drive(test::ring(), rules, *model, *mind), rules).value();
       EXPECT_GT(*best, *planned);
       EXPECT_LT(static_cast<double>(*best), 1.25 * static_cast<double>(*planned) + 100'000.0) << mouse << ' ' << robot;

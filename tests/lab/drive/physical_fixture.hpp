@@ -24,7 +24,7 @@ inline PhysicalRecord driven_physically(const std::string& mouse, const Maze& ma
   Briefing briefing = brief(maze, rules, *model, seed);
   briefing.sight = 1;
   const RosterEntry& entry = *find_mouse(mouse);
-  const auto mind = entry.make(briefing, Settings(entry.parameters));
+  const auto mind = entry.drive(briefing, Settings(entry.parameters));
   return drive_physically(maze, rules, *model, conditions, seed, *mind);
 }
 

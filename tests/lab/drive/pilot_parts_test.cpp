@@ -33,7 +33,7 @@ PhysicalRecord contest(const PilotParts& parts, double noise = 1.0, std::uint64_
   Briefing briefing = brief(test::ring(), rules, model(), seed);
   briefing.sight = 1;
   const RosterEntry& entry = *find_mouse("flood-return");
-  const auto mind = entry.make(briefing, Settings(entry.parameters));
+  const auto mind = entry.drive(briefing, Settings(entry.parameters));
   return drive_physically(test::ring(), rules, model(), conditions, seed, *mind, parts);
 }
 

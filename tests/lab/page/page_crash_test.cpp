@@ -89,7 +89,7 @@ DriveRecordFile failing(Manoeuvre manoeuvre) {
     return made;
   }();
   const RosterEntry& entry = *find_mouse("flood-return");
-  const auto mouse = entry.make(briefing, Settings(entry.parameters));
+  const auto mouse = entry.drive(briefing, Settings(entry.parameters));
   PhysicalRecord record =
       drive_with_failures(*file.maze, file.rules, *file.model, file.physical->conditions, hazards, 1, *mouse);
   file.record = std::move(record.drive);

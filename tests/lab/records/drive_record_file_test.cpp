@@ -98,7 +98,7 @@ TEST(DriveRecordFile, HoldsDashes) {
     for (const RosterEntry* entry : roster())
       if (entry->name == "certify") {
         const auto mouse =
-            entry->make(brief(*written.maze, written.rules, *written.model, 1), Settings(entry->parameters));
+            entry->drive(brief(*written.maze, written.rules, *written.model, 1), Settings(entry->parameters));
         written.record = drive(*written.maze, written.rules, *written.model, *mouse);
       }
     const DriveScore result = score(written.record, written.rules);

@@ -26,7 +26,7 @@ inline DriveRecordFile driven(const std::string& mouse, const Maze& maze = ring(
   file.rules = find_rules(rules).rules;
   for (const RosterEntry* entry : roster())
     if (entry->name == mouse) {
-      const auto strategy = entry->make(brief(maze, file.rules, *file.model, 1), Settings(entry->parameters));
+      const auto strategy = entry->drive(brief(maze, file.rules, *file.model, 1), Settings(entry->parameters));
       file.record = drive(maze, file.rules, *file.model, *strategy);
     }
   const DriveScore result = score(file.record, file.rules);

@@ -17,8 +17,9 @@ namespace labmouse::test {
 inline RecordFile recorded(std::string_view spec, const NamedMaze& maze = loop(), std::uint64_t seed = 1,
                            bool reasons = false) {
   const Contestant mouse = mice(spec).front();
-  const auto mind = mouse.strategy(maze.maze, brief(maze.maze, {}, seed));
-  if (reasons) mind->keep_reasons();
+  Briefing briefing = brief(maze.maze, {}, seed);
+  briefing.reasons = reasons;
+  const auto mind = mouse.strategy(maze.maze, briefing);
   return record_file_of(mouse, maze, Rules(), seed, run(maze.maze, Rules(), *mind));
 }
 

@@ -22,7 +22,7 @@ class Mourner final : public Strategy {
 
   Action decide(const Sighting&) override { return Action::forfeit(ForfeitReason::died); }
   const Knowledge& knowledge() const override { return knowledge_; }
-  std::string_view last_words() override { return words_; }
+  StrategyReport report() override { return {.last_words = words_}; }
 
  private:
   Knowledge knowledge_;
@@ -33,7 +33,7 @@ std::string notes_on_a_mourner_in(std::vector<NamedMaze> mazes) {
   Contestant mouse;
   mouse.name = "guest:./mourner";
   const auto make = [](const Maze& maze, const Briefing&) { return std::make_unique<Mourner>(maze.size()); };
-  mouse.kind = Decider{make, true, false};
+  mouse.kind = Decider{make};
   return notes_of(hold_race({mouse}, std::move(mazes), test::in_steps()));
 }
 

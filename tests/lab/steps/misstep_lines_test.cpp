@@ -36,7 +36,7 @@ Contestant player(std::string name, const std::vector<Action>& actions) {
   const auto make = [actions](const Maze& maze, const Briefing&) {
     return std::make_unique<Script>(maze.size(), actions);
   };
-  mouse.kind = Decider{make, true, false};
+  mouse.kind = Decider{make};
   return mouse;
 }
 
@@ -107,7 +107,7 @@ TEST(MisstepLines, OfALaterRunSayWhichItIs) {
   const auto make = [](const Maze& maze, const Briefing& briefing) {
     return std::make_unique<Script>(maze.size(), briefing.seed == contest_seed(1, "corridor", 0) ? solution : clumsy);
   };
-  mouse.kind = Decider{make, true, false};
+  mouse.kind = Decider{make};
   const std::string lines = misstep_lines(hold_race({mouse}, {test::corridor()}, test::in_steps()));
   EXPECT_THAT(lines, HasSubstr("clumsy: 4 blocked by walls, 2 void"));
   EXPECT_THAT(lines, HasSubstr("; first in corridor, run 2, step 2\n"));

@@ -357,10 +357,11 @@ TEST_P(AWorld, KnowsNothingWhereItIsStoppedAtOnce) {
 }
 
 /// Does what another mind does, and stops its race with a decision.
-class Stopper final : public ForwardingStrategy {
+template <class Forwarder, class Kind>
+class Stopper final : public Forwarder {
  public:
-  Stopper(std::unique_ptr<Strategy> mouse, int last, std::atomic<bool>& stop, std::atomic<int>& decisions)
-      : ForwardingStrategy(*mouse), mouse_(std::move(mouse)), last_(last), stop_(stop), decisions_(decisions) {}
+  Stopper(std::unique_ptr<Kind> mouse, int last, std::atomic<bool>& stop, std::atomic<int>& decisions)
+      : Forwarder(*mouse), mouse_(std::move(mouse)), last_(last), stop_(stop), decisions_(decisions) {}
 
   Action decide(const Sighting& seen) override {
     if (++decisions_ == last_) stop_ = true;
@@ -368,7 +369,7 @@ class Stopper final : public ForwardingStrategy {
   }
 
  private:
-  std::unique_ptr<Strategy> mouse_;
+  std::unique_ptr<Kind> mouse_;
   int last_;
   std::atomic<bool>& stop_;
   std::atomic<int>& decisions_;
@@ -379,9 +380,12 @@ TEST_P(AWorld, AsksAMouseForNothingOnceItIsStopped) {
   std::atomic<bool> stop = false;
   std::atomic<int> decisions = 0;
   Contestant mouse = test::mice("flood").front();
-  auto& make = std::get<Decider>(mouse.kind).make;
+  auto& [make, drive] = std::get<Decider>(mouse.kind);
   make = [&, original = make](const Maze& maze, const Briefing& briefing) {
-    return std::make_unique<Stopper>(original(maze, briefing), 3, stop, decisions);
+    return std::make_unique<Stopper<ForwardingStrategy, Strategy>>(original(maze, briefing), 3, stop, decisions);
+  };
+  drive = [&, original = drive](const Maze& maze, const Briefing& briefing) {
+    return std::make_unique<Stopper<ForwardingDriver, DrivingStrategy>>(original(maze, briefing), 3, stop, decisions);
   };
   RaceHooks hooks;
   hooks.stop = &stop;

@@ -1,0 +1,72 @@
+// What every mouse of our own has in common in seconds: it keeps track of where it stands and of the time, learns what
+// it sees or takes over its map, and goes home in time. What is left to the strategy is where to search.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
+#include "labmouse/mouse/route.hpp"
+
+namespace labmouse {
+
+class DriveFields;
+class SearchClock;
+
+/// A strategy in seconds with the bookkeeping done. A strategy derives from it and writes explore(). It goes home when
+/// the time would not allow it after another step, and has no more to do after a speed run.
+class DrivingExplorer : public DrivingStrategy {
+ public:
+  /// For a briefing in seconds.
+  explicit DrivingExplorer(const Briefing& briefing);
+  ~DrivingExplorer() override;
+
+  Action decide(const Sighting& seen) final;
+  Action consider(const Belief& map, const SearchPlace& place, std::int64_t time) final;
+  void show(const Pose& pose, const Sighting& seen) final;
+  void carried(std::int64_t time) final;
+  void searches_at(double pace) final;
+  const Knowledge& knowledge() const final { return knowledge_; }
+  std::int64_t plans() const final { return plans_; }
+
+ protected:
+  /// One action of the search. Moves must lead through walls known to be open; a reset is only for a mouse that has
+  /// entered a goal.
+  virtual Action explore() = 0;
+
+  /// Known walls have changed: what was planned by them is to be planned anew at the next explore().
+  virtual void renew() {}
+
+  /// With fields to plan in, which all parts of a strategy share.
+  const Briefing& briefing() const { return briefing_; }
+  const Pose& pose() const { return place_.pose; }
+  /// The pose, and whether the mouse stands.
+  const SearchPlace& place() const { return place_; }
+  /// Whether a step of the search has ended in a goal, so that a reset is allowed.
+  bool goal_entered() const { return goal_entered_; }
+  /// What is left of the time in the maze, in microseconds.
+  std::int64_t time_left() const;
+
+  /// Notes that the present decision took a new plan.
+  void count_plan() { ++plans_; }
+
+ private:
+  Action decide();
+  bool must_go_home_before(const Action& action);
+  void perform(const Action& action);
+  void arrive();
+
+  std::unique_ptr<DriveFields> fields_;  ///< where they are its own
+  Briefing briefing_;
+  Knowledge knowledge_;
+  SearchPlace place_;
+  DistanceField to_goal_;
+  std::unique_ptr<SearchClock> clock_;
+  std::int64_t plans_ = 0;
+  int version_ = 0;  ///< of the map that it knows
+  bool goal_entered_;
+  bool racing_ = false;
+};
+
+}  // namespace labmouse
