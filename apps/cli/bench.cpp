@@ -115,7 +115,7 @@ void add_bench(Command& app, int& exit) {
   auto memory = std::make_shared<bool>(false);
   auto robots = std::make_shared<std::vector<std::string>>();
   Command* command = app.add_subcommand("bench", "Print the behaviour signature and measure speeds");
-  command->add_option("--format", *format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
+  command->add_option("--format", *format, "What is printed")->check(one_of({"table", "json"}))->capture_default_str();
   command->add_flag("--signature", *signature_only, "Print only the behaviour signature");
   const Option* asks_memory =
       command->add_flag("--memory", *memory, "Print only the memory of mice that drive, by mouse, size and robot");

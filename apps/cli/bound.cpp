@@ -108,7 +108,9 @@ void add_bound(Command& app, int& exit) {
                    "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
       ->type_name("MAZE");
   add_places(*command, options->places);
-  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
+  command->add_option("--format", options->format, "What is printed")
+      ->check(one_of({"table", "json"}))
+      ->capture_default_str();
   add_hindsight(*command, *options);
   command->footer("Example: labmouse bound capstone-1\n         labmouse bound --hindsight certify my-mazes/");
   command->callback([options, &exit] { exit = bound(*options); });

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "labmouse/lab/reports/file_kind.hpp"
 #include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -35,7 +34,8 @@ Pose read_place(const std::string& text, bool with_heading) {
     const auto form = with_heading
                           ? fmt::format(" or X,Y,HEADING with one of the headings {}", fmt::join(headings, ", "))
                           : std::string();
-    return UsageError(fmt::format("error: '{}' is not a position; write X,Y (such as 0,0){}", text, form));
+    return UsageError(fmt::format("error: '{}' is not a position; write X,Y with numbers from 0 to {}, such as 0,0{}",
+                                  text, max_side - 1, form));
   };
   if (parts.size() < 2 || parts.size() > (with_heading ? 3U : 2U)) throw bad();
   const double x = parse_plain_number(parts[0]).value_or(-1.0), y = parse_plain_number(parts[1]).value_or(-1.0);
@@ -85,17 +85,37 @@ void write_out(std::string_view text, std::FILE* stream, bool at_once = true) {
   throw UsageError(fmt::format("error: cannot write to standard output: {}", cause_of(errno)));
 }
 
+struct KindWords {
+  std::string_view name;
+  std::string_view made;   ///< what makes such a file; empty where nothing does
+  std::string_view shown;  ///< what shows it
+};
+
+KindWords words_of(FileKind kind) {
+  switch (kind) {
+    case FileKind::maze:
+      return {"a maze", "`labmouse make` writes one", "`labmouse show` draws it"};
+    case FileKind::record:
+      return {"a record", "`labmouse run MOUSE MAZE --record FILE` writes one",
+              "`labmouse show --record FILE` draws it"};
+    case FileKind::results:
+      return {"the results of a race", "`labmouse race --out FOLDER` writes them", "`labmouse report` shows them"};
+    case FileKind::csv:
+      return {"the CSV of a race", "`labmouse race --format csv` prints it", "a spreadsheet shows it"};
+    case FileKind::page:
+      return {"a page", "`labmouse page` writes one", "a browser shows it"};
+    case FileKind::unknown:
+      break;
+  }
+  // Of what is read there, only mice files have no kind of their own.
+  return {"a mice file", "`labmouse lineup init FOLDER` writes one", ""};
+}
+
 /// Throws UsageError where the file is one of ours and no maze.
 void refuse_other_file(const std::string& path) {
   std::error_code unknown;
-  if (!std::filesystem::is_regular_file(path, unknown)) return;
-  const FileKind kind = kind_of_file(read_file(path, std::size_t{1} << 28U).content);
-  if (kind == FileKind::record)
-    throw UsageError(
-        fmt::format("{}: error: this is a record, not a maze; `labmouse show --record FILE` draws it", path));
-  if (kind == FileKind::results)
-    throw UsageError(
-        fmt::format("{}: error: this is the results of a race, not a maze; `labmouse report` shows them", path));
+  if (std::filesystem::is_regular_file(path, unknown))
+    refuse_other_kind(path, read_file(path, std::size_t{1} << 28U).content, FileKind::maze);
 }
 
 std::string describe_all(const std::vector<SkippedFile>& files) {
@@ -107,6 +127,14 @@ std::string describe_all(const std::vector<SkippedFile>& files) {
 }
 
 }  // namespace
+
+void refuse_other_kind(const std::string& path, std::string_view text, FileKind wanted) {
+  const FileKind kind = kind_of_file(text);
+  if (kind == FileKind::unknown || kind == wanted) return;
+  const KindWords is = words_of(kind), reads = words_of(wanted);
+  throw UsageError(fmt::format("{}: error: this is {}, not {}; {}", path, is.name, reads.name,
+                               kind == FileKind::maze ? reads.made : is.shown));
+}
 
 void tell_skipped(const std::vector<SkippedFile>& skipped) {
   constexpr std::size_t told = 10;

@@ -11,6 +11,7 @@
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/reports/file_kind.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "options.hpp"
 
@@ -59,6 +60,10 @@ void save(const std::string& path, const std::string& content);
 /// Saves the results of a command that was stopped early as FILE.partial, so that FILE never holds less than all, and
 /// names that file on standard error. To standard output and other streams they go as they are.
 void save_partial(const std::string& path, const std::string& content);
+
+/// Throws UsageError where the text of a file is of another kind than the one that a command reads there, so that
+/// nobody has to guess that from a syntax error.
+void refuse_other_kind(const std::string& path, std::string_view text, FileKind wanted);
 
 /// Throws UsageError where save would fail now: to be asked before long work. No path is fine.
 void require_writable(const std::string& path);

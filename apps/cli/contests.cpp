@@ -6,11 +6,13 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <string_view>
 
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/text/time_left.hpp"
@@ -126,14 +128,22 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
 
 void add_lineups(Command& command, std::vector<std::string>& lineups) {
   command.group(groups::mice);
-  command.add_option("--lineup", lineups, "File that names mice: docs/reference/files.md (repeatable)")
+  command
+      .add_option("--lineup", lineups,
+                  "Mice file: names of mice with their commands, as docs/reference/files.md explains (repeatable)")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();
 }
 
 std::vector<std::string> with_lineups(std::vector<std::string> specs, const std::vector<std::string>& lineups) {
-  for (const std::string& file : lineups) specs.push_back("lineup:" + file);
+  for (const std::string& file : lineups) {
+    // A pipe can be read only once, and a FILE:NAME is no file.
+    std::error_code unknown;
+    if (std::filesystem::is_regular_file(file, unknown))
+      refuse_other_kind(file, read_file(file).content, FileKind::unknown);
+    specs.push_back("lineup:" + file);
+  }
   return specs;
 }
 
@@ -200,20 +210,21 @@ ExitCode exit_interrupted() {
   return static_cast<ExitCode>(exit_signal + (caught_signal != 0 ? caught_signal.load() : SIGINT));
 }
 
-std::vector<double> numbers_of(std::string_view option, const std::string& text, double most) {
+std::vector<double> numbers_of(std::string_view option, const std::string& text, double least, double most) {
   std::vector<double> numbers;
   for (std::string_view rest = text;;) {
     const auto comma = rest.find(',');
     const std::string_view word = rest.substr(0, comma);
-    const std::optional<double> number = parse_number(word, 0.0, most);
+    const std::optional<double> number = parse_number(word, least, most);
     if (!number)
-      throw UsageError(fmt::format("error: {}: '{}' is not a number from 0 to {:g}", option, shown(word), most));
+      throw UsageError(
+          fmt::format("error: {}: '{}' is not a number from {:g} to {:g}", option, shown(word), least, most));
     numbers.push_back(*number);
     if (comma == std::string_view::npos) return numbers;
     rest.remove_prefix(comma + 1);
   }
 }
 
-std::vector<double> noises_of(const std::string& text) { return numbers_of("--noise", text, most_noise); }
+std::vector<double> noises_of(const std::string& text) { return numbers_of("--noise", text, 0.0, most_noise); }
 
 }  // namespace labmouse::cli

@@ -81,7 +81,7 @@ int drive(const DriveOptions& options) {
   const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
   const std::vector<DriveCase> cases = cases_of(options);
   if (!options.log.empty() && (mazes.size() != 1 || cases.size() != 1 || options.runs != 1))
-    throw UsageError("error: --log takes one drive; name one maze with --mazes, and say --runs 1");
+    throw UsageError("error: --log takes one drive; name one maze with --mazes, and add --runs 1");
   std::vector<LoggedTick> log;
   if (!options.log.empty()) order.log = &log;
   const std::vector<DriveTally> tallies = drive_all(order, mazes, cases);
@@ -110,20 +110,19 @@ void add_drive(Command& app, int& exit) {
       ->add_option("--robot", options->robot, "Built-in robot, or a file whose name contains a slash or ends in .toml")
       ->type_name("ROBOT")
       ->capture_default_str();
-  command->add_option("--noise", options->noise, "Factors of all noise, separated by commas: 1 as it was measured")
+  command->add_option("--noise", options->noise, "Scales of all noise, separated by commas: 1 as measured, 0 none")
       ->type_name("LIST")
       ->capture_default_str();
-  command
-      ->add_option("--spread", options->spread,
-                   "How far drives are apart: factor of what each draws of the mouse itself")
+  command->add_option("--spread", options->spread, "Scale of the variation between mice (1 = as measured)")
       ->check(in_range(0.0, most_spread))
       ->capture_default_str();
-  command->add_option("--search-speed", options->speed, "Speed of the moves in mm/s; 0: the robot's own")
+  command->add_option("--search-speed", options->speed, "Speed of the search moves in mm/s; 0: the robot's own")
       ->check(search_speed())
       ->capture_default_str();
-  command->add_flag("--fast", options->fast, "The fastest route in place of the moves of a search");
-  command->add_flag("--groups", options->groups, "Each group of noise alone");
-  command->add_flag("--corrections", options->corrections, "With all corrections by walls, some, and none");
+  command->add_flag("--fast", options->fast, "Drive the fastest route instead of the moves of a search run");
+  command->add_flag("--groups", options->groups, "Compare groups of noise: a row for each with the other groups off");
+  command->add_flag("--corrections", options->corrections,
+                    "Compare corrections of the position by walls: all, some and none");
   command->add_option("--runs", options->runs, "Drives in each maze")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();
@@ -133,8 +132,10 @@ void add_drive(Command& app, int& exit) {
   command->add_option("--jobs", options->jobs, "Number of threads; 0 uses all processors")
       ->check(in_range(0, 1024))
       ->capture_default_str();
-  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
-  command->add_option("--log", options->log, "Save the one drive as the log that its mouse would write, CSV")
+  command->add_option("--format", options->format, "What is printed")
+      ->check(one_of({"table", "json"}))
+      ->capture_default_str();
+  command->add_option("--log", options->log, "Save the log of one drive as CSV; takes one maze and --runs 1")
       ->type_name("FILE");
   command->footer(
       "Example: labmouse drive --mazes contest-01 --noise 0,1,2 --runs 5\n"

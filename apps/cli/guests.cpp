@@ -53,28 +53,28 @@ void add_guest_options(Command& command, GuestOptions& guests) {
   command
       .add_word(
           "--sandbox", [&guests](const std::string& word) { guests.sandbox = sandbox_use(word); },
-          "Give each program a copy of its folder, and keep it from mazes, other files and the network: where that is "
-          "possible (auto), always or never")
+          "Run each program in a copy of its folder, without access to mazes, other files and the network: where that "
+          "is "
+          "possible (auto), always (on) or never (off)")
       ->check(one_of({"auto", "on", "off"}))
       ->default_str("auto");
   command.add_flag("--keep-folder", guests.keep_folder,
-                   "Let programs write to their folders themselves, so that they may remember earlier contests");
+                   "Let programs write to their own folders, so that they can remember earlier contests");
   add_seconds(
       command, "--start-limit", limits.start,
-      "How much of its own time a program may take to write its first line: processor time of all that it starts, and "
-      "time in which none of that works or waits for a processor");
+      "Time limit for the first line of a program; its own time is measured: time that it waits for a processor does "
+      "not count");
   add_seconds(command, "--decision-limit", limits.decision,
-              "How much processor time a program may take between two lines");
-  add_seconds(command, "--silence-limit", limits.silence,
-              "How much of its own time a program may be silent between two lines");
-  add_seconds(command, "--contest-limit", limits.contest, "How much of its own time a program may take in one maze");
-  add_mebibytes(command, "--memory", limits.memory, "Memory limit for a program with all that it starts");
-  add_mebibytes(command, "--written", limits.written, "How much a program with all that it starts may write");
-  command.add_option("--processes", limits.processes, "How many processes a program may be, with all that it starts")
+              "Limit of the processor time between two lines of a program");
+  add_seconds(command, "--silence-limit", limits.silence, "Limit of a program's own time between two lines");
+  add_seconds(command, "--contest-limit", limits.contest, "Limit of a program's own time in one maze");
+  add_mebibytes(command, "--memory", limits.memory, "Memory limit of a program and all processes that it starts");
+  add_mebibytes(command, "--written", limits.written, "Limit of what a program and its processes write to files");
+  command.add_option("--processes", limits.processes, "Highest number of processes of a program")
       ->type_name("N")
       ->check(in_range(1, 4096))
       ->capture_default_str();
-  command.add_option("--cpu", limits.processor_seconds, "Processor time limit for each process of a program")
+  command.add_option("--cpu", limits.processor_seconds, "Limit of the processor time of each process of a program")
       ->type_name("SECONDS")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();

@@ -58,14 +58,6 @@ int check_hazards(const HazardOptions& options, HazardOrder order, const std::ve
   return good ? exit_good : exit_finding;
 }
 
-/// Numbers from the least pace to 1; throws UsageError.
-std::vector<double> paces_of(const std::string& list) {
-  std::vector<double> paces = numbers_of("--pace", list, 1.0);
-  for (const double pace : paces)
-    if (pace < least_pace) throw UsageError(fmt::format("error: --pace: {:g} is less than {:g}", pace, least_pace));
-  return paces;
-}
-
 MeasuredHazards measure(const HazardOrder& order, const std::vector<Contestant>& mice,
                         const std::vector<NamedMaze>& mazes) {
   Progress progress;
@@ -91,7 +83,7 @@ int hazards(const HazardOptions& options) {
   order.conditions.pilot.search_speed = options.speed;
   order.conditions.map = *map_kind_of(options.map);
   order.noises = noises_of(options.noise);
-  order.paces = paces_of(options.pace);
+  order.paces = numbers_of("--pace", options.pace, least_pace, 1.0);
   order.runs = options.runs;
   order.seed = options.seed;
   order.jobs = options.jobs;
@@ -116,7 +108,7 @@ void add_hazards(Command& app, int& exit) {
   auto options = std::make_shared<HazardOptions>();
   Command* command = app.add_subcommand(
       "hazards", "Measure failure rates in the physical world: crashes, localization errors and wrong wall readings");
-  command->add_option("--mice", options->mice, "Mice, as race takes them; default: flood-return and certify")
+  command->add_option("--mice", options->mice, "Mice, as --mice of `labmouse race`; default: flood-return and certify")
       ->type_name("SPEC")
       ->expected(1, 1 << 20)
       ->take_all();
@@ -160,7 +152,9 @@ void add_hazards(Command& app, int& exit) {
   command->add_option("--jobs", options->jobs, "Number of threads; 0 uses all processors")
       ->check(in_range(0, 1024))
       ->capture_default_str();
-  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
+  command->add_option("--format", options->format, "What is printed")
+      ->check(one_of({"table", "json"}))
+      ->capture_default_str();
   command
       ->add_option("--save", options->save,
                    "Save the rates in a file, for `labmouse race --world failures --hazards FILE`")
@@ -180,8 +174,8 @@ void add_hazards(Command& app, int& exit) {
       ->check(in_range(0.0, 100.0))
       ->capture_default_str();
   command->footer(
-      "Example: labmouse hazards --mice ariadne --mazes my-mazes/ --noise 1,2 --save my-hazards.json\n"
-      "         labmouse hazards --mice ariadne --mazes my-mazes/ --check ./my-hazards.json");
+      "Example: labmouse hazards --mice ariadne --mazes contest-01 --noise 1,2 --save my-hazards.json\n"
+      "         labmouse hazards --mice ariadne --mazes contest-01 --check ./my-hazards.json");
   options->command = command;
   command->callback([options, &exit] { exit = hazards(*options); });
 }

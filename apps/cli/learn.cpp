@@ -47,8 +47,11 @@ void add_learn(Command& app, int& exit) {
                    "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
       ->type_name("MAZE");
   add_places(*command, options->places);
-  command->add_option("-o,--out", options->out, "File to write, for ariadne:prior=FILE")->required()->type_name("FILE");
-  command->footer("Example: labmouse learn my-mazes/ -o my.prior && labmouse race --mice ariadne:prior=my.prior");
+  command->add_option("-o,--out", options->out, "File to write; a mouse reads it as in ariadne:prior=FILE")
+      ->required()
+      ->type_name("FILE");
+  command->footer(
+      "Example: labmouse learn contest-01 contest-02 -o my.prior && labmouse race --mice ariadne:prior=./my.prior");
   command->callback([options, &exit] { exit = learn(*options); });
 }
 

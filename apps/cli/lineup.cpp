@@ -154,6 +154,7 @@ bool check_one(const Contestant& mouse, const Maze& maze, std::size_t width) {
 std::vector<LineupMouse> lineup_of(const std::string& path) {
   const FileContent file = read_file(path);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", path, file.error));
+  refuse_other_kind(path, file.content, FileKind::unknown);
   LineupResult lineup = read_lineup(file.content);
   std::string problems;
   for (const Problem& problem : lineup.problems) problems += (problems.empty() ? "" : "\n") + describe(path, problem);
@@ -199,7 +200,7 @@ void init(const std::string& folder, bool overwrite) {
                     folder));
   const std::string path = (std::filesystem::path(folder) / "mice.toml").string();
   if (!overwrite && std::filesystem::exists(path))
-    throw UsageError(fmt::format("{}: error: is there already; --overwrite replaces it", path));
+    throw UsageError(fmt::format("{}: error: this file exists already; --overwrite replaces it", path));
   save(path, lineup_text(mice));
   for (const FoundMouse& mouse : mice)
     print(fmt::format("{}: {}\n", shown(mouse.name),
@@ -213,24 +214,24 @@ void init(const std::string& folder, bool overwrite) {
 }  // namespace
 
 void add_lineup(Command& app, int& exit) {
-  Command* command = app.add_subcommand("lineup", "Write and test a file that names mice");
+  Command* command = app.add_subcommand("lineup", "Write and test a mice file: names of mice with their commands");
   command->require_subcommand();
   auto options = std::make_shared<CheckOptions>();
   Command* check_command = command->add_subcommand(
       "check", "Run the commands of a mice file: each mouse twice in a small maze, and report what is wrong");
-  check_command->add_option("file", options->file, "The lineup")->required()->type_name("FILE");
+  check_command->add_option("file", options->file, "Mice file")->required()->type_name("FILE");
   add_python(*check_command, options->guests);
   add_guest_options(*check_command, options->guests);
   check_command->footer("Example: labmouse lineup check class/mice.toml");
   check_command->callback([options, &exit] { exit = check(*options); });
   auto folder = std::make_shared<std::string>();
   auto overwrite = std::make_shared<bool>(false);
-  Command* init_command = command->add_subcommand("init", "Write FOLDER/mice.toml with the robots that lie in FOLDER");
+  Command* init_command = command->add_subcommand("init", "Write FOLDER/mice.toml with the robots in FOLDER");
   init_command->add_option("folder", *folder, "A folder of robots, or of folders with one robot each")
       ->required()
       ->type_name("FOLDER")
       ->check(existing_directory());
-  init_command->add_flag("--overwrite", *overwrite, "Replace a mice.toml that is there");
+  init_command->add_flag("--overwrite", *overwrite, "Replace an existing mice.toml");
   init_command->footer("Example: labmouse lineup init class/");
   init_command->callback([folder, overwrite, &exit] {
     init(*folder, *overwrite);

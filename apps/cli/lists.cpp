@@ -30,7 +30,7 @@ void add_mice(Command& app, int& exit) {
   auto format = std::make_shared<std::string>("table");
   Command* command = app.add_subcommand("mice", "List the mice with their parameters, defaults and ranges");
   command->add_option("name", *name, "Show only this mouse, with its method and source")->type_name("NAME");
-  command->add_option("--format", *format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
+  command->add_option("--format", *format, "What is printed")->check(one_of({"table", "json"}))->capture_default_str();
   command->footer("Example: labmouse mice ariadne\n         labmouse mice --format json");
   command->callback([name, format, &exit] {
     print(*format == "json" ? json_of(*name) : name->empty() ? mouse_list() : sheet_of(*name));

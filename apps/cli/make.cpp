@@ -99,8 +99,10 @@ void add_make(Command& app, int& exit) {
   command->add_option("-o,--out", options->out, "File to write; - is standard output")
       ->type_name("FILE")
       ->capture_default_str();
-  command->add_option("--format", options->format,
-                      "Format: " + list_of(all_formats()) + "; default: by the file's extension, otherwise drawing");
+  command
+      ->add_option("--format", options->format,
+                   "Format: " + list_of(all_formats()) + "; default: by the file's extension, otherwise drawing")
+      ->type_name("FORMAT");
   command->footer("Example: labmouse make contest --size 32x32 --seed 7 -o my-maze.txt");
   command->callback([options, &exit] {
     make(*options);
@@ -113,9 +115,11 @@ void add_convert(Command& app, int& exit) {
   Command* command = app.add_subcommand("convert", "Convert a maze to another format");
   command->add_option("in", options->in, "Maze file or built-in maze")->required()->type_name("IN");
   command->add_option("out", options->out, "File to write; - is standard output")->required()->type_name("OUT");
-  command->add_option("--format", options->format,
-                      "Format: " + list_of(all_formats()) + "; default: by the extension of OUT, otherwise drawing");
-  command->footer("Example: labmouse convert maze.txt maze.maz");
+  command
+      ->add_option("--format", options->format,
+                   "Format: " + list_of(all_formats()) + "; default: by the extension of OUT, otherwise drawing")
+      ->type_name("FORMAT");
+  command->footer("Example: labmouse convert capstone-1 maze.maz");
   command->callback([options, &exit] {
     write(find_maze(options->in, {}).maze, options->out, options->format);
     exit = exit_good;

@@ -28,14 +28,43 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> often_me
                                                                                         {"-v", "--version"},
                                                                                         {"-V", "--version"}}};
 
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+/// A word in the place of a command.
+std::string describe_unknown_command(const CLI::App& app, const std::string& word) {
+  const std::vector<std::string> names = commands_of(app);
+  // `labmouse help` is as common as `labmouse --help`.
+  const bool is_option = app.get_option_no_throw("--" + word) != nullptr;
+  const std::string near =
+      is_option ? "--" + word
+                : std::string(nearest_name(word, std::vector<std::string_view>(names.begin(), names.end())));
+  return fmt::format("unknown command '{}'; {}", word,
+                     near.empty() ? fmt::format("the commands are {}", fmt::join(names, ", "))
+                                  : fmt::format("did you mean '{}'?", near));
+}
+
+/// A word that is one too many.
+std::string describe_unexpected_argument(const CLI::App& command, const std::string& word) {
+  if (command.get_option_no_throw("--mice") != nullptr)
+    return fmt::format("unexpected argument '{0}'; mice are named with --mice {0}", word);
+  std::vector<std::string> places;
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_positional()) places.push_back(fmt::format("'{}'", option->get_name(true)));
+  return fmt::format("unexpected argument '{}'; {}", word,
+                     places.empty() ? "this command takes only options"
+                                    : fmt::format("this command takes {}", fmt::join(places, " and ")));
+}
+
 /// The first word that a command did not expect, with the option that it may have been meant to be.
 std::string describe_unexpected(const CLI::App& command, const std::vector<std::string>& words) {
   auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.starts_with("-"); });
   if (word == words.end())
-    return fmt::format("unexpected argument '{}'{}", words.front(),
-                       command.get_option_no_throw("--mice") == nullptr
-                           ? ""
-                           : fmt::format("; mice are named with --mice {}", words.front()));
+    return commands_of(command).empty() ? describe_unexpected_argument(command, words.front())
+                                        : describe_unknown_command(command, words.front());
   for (const auto& [wrong, right] : often_meant)
     if (*word == wrong && command.get_option_no_throw(std::string(right)) != nullptr)
       return fmt::format("unknown option '{}'; did you mean '{}'?", *word, right);
@@ -55,6 +84,13 @@ std::string example_of(std::string_view footer) {
   return fmt::format("; for example `{}`", example.substr(0, example.find('\n')));
 }
 
+/// What CLI11 says of something that is missing, by its name and in our words.
+std::string describe_missing(const CLI::App& command, std::string_view said) {
+  if (const auto names = commands_of(command); !names.empty())
+    return fmt::format("a command is missing; the commands are {}", fmt::join(names, ", "));
+  return fmt::format("'{}' is missing", said.substr(0, said.find(" is required")));
+}
+
 /// Bad usage: one line that says what is wrong and where help is.
 UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* command = &app;
@@ -67,28 +103,24 @@ UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                           (command != &app && !command->get_subcommands({}).empty());
   const std::vector<std::string> words = app.remaining(true);
-  const std::string problem = unexpected && !words.empty() ? describe_unexpected(*command, words) : error.what();
-  const bool missing = !unexpected && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  const bool missing = words.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  const std::string problem = unexpected && !words.empty() ? describe_unexpected(*command, words)
+                              : missing                    ? describe_missing(*command, error.what())
+                                                           : error.what();
   return UsageError(
       fmt::format("error: {}{} (see `{} --help`)", problem, missing ? example_of(command->get_footer()) : "", name));
 }
 
 /// A first word that is no command, which CLI11 would only call a missing one.
 void refuse_unknown_command(const CLI::App& app, const std::string& word) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (word.starts_with('-')) {
     if (app.get_option_no_throw(word) == nullptr)
       throw UsageError(fmt::format("error: {} (see `{} --help`)", describe_unexpected(app, {word}), app.get_name()));
     return;
   }
+  const std::vector<std::string> names = commands_of(app);
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
-  const std::vector<std::string_view> candidates(names.begin(), names.end());
-  const auto near = nearest_name(word, candidates);
-  throw UsageError(fmt::format("error: unknown command '{}'; {} (see `{} --help`)", word,
-                               near.empty() ? fmt::format("the commands are {}", fmt::join(names, ", "))
-                                            : fmt::format("did you mean '{}'?", near),
-                               app.get_name()));
+  throw UsageError(fmt::format("error: {} (see `{} --help`)", describe_unknown_command(app, word), app.get_name()));
 }
 
 /// Reads the number of an option, in digits; returns what is wrong with it, or nothing.
@@ -169,7 +201,9 @@ Check one_of(const std::vector<std::string>& words) {
   return check;
 }
 Check existing_directory() {
-  return Check([](const std::string& text) { return CLI::ExistingDirectory(text); });
+  return Check([](const std::string& text) {
+    return CLI::ExistingDirectory(text).empty() ? "" : fmt::format("there is no folder '{}'", text);
+  });
 }
 
 Check seed_number() {

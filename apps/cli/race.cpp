@@ -153,6 +153,7 @@ std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, 
   if (options.baseline.empty()) return baselines;
   const FileContent file = read_file(options.baseline, std::size_t{1} << 30U);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, file.error));
+  refuse_other_kind(options.baseline, file.content, FileKind::results);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     ReadBaselineResult read = read_baseline(file.content, *entries[i].world);
     if (!read.error.empty()) throw UsageError(describe(options.baseline, {read.line, read.column, read.error}));
@@ -299,11 +300,12 @@ void add_race(Command& app, int& exit) {
       ->add_option("--curves", options->curves,
                    "Draw the share of finished contests against --noise 0,1,2,3,4, and what ended the others, as SVG")
       ->type_name("FILE");
-  command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
+  command->add_flag("--shares", options->shares,
+                    "Print the shares of the mazes that each mouse discovered and visited");
   add_racing_guests(*command, options->guests);
   command->footer(
-      "Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
-      "         labmouse race --mazes my-mazes/ --baseline today.json\n"
+      "Example: labmouse race --mice flood:stride=1,certify --mazes capstone-1 --format json > today.json\n"
+      "         labmouse race --mice flood,certify --mazes capstone-1 --baseline today.json\n"
       "         labmouse race --world seconds --robot half --rules thirtieth\n"
       "         labmouse race --world failures --noise 0,1,2,3,4 --curves noise.svg");
   command->callback([options, limit, shard, &exit] {

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "command.hpp"
-#include "labmouse/lab/reports/file_kind.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
@@ -33,13 +32,7 @@ std::unique_ptr<Replay> open_record(const std::string& path, const std::string& 
   if (opened.lacks_maze)
     throw UsageError(fmt::format("{}: error: the record does not contain its maze; name it with --maze MAZE", path));
   if (!opened.problems.empty()) {
-    const FileKind kind = kind_of_file(text);
-    if (kind == FileKind::maze)
-      throw UsageError(fmt::format(
-          "{}: error: this is a maze, not a record; `labmouse run MOUSE MAZE --record FILE` writes a record", path));
-    if (kind == FileKind::results)
-      throw UsageError(
-          fmt::format("{}: error: this is the results of a race, not a record; `labmouse report` shows them", path));
+    refuse_other_kind(path, text, FileKind::record);
     throw UsageError(describe(path, opened.problems.front()));
   }
   // What a record says is foreign: it may hold anything.

@@ -81,7 +81,7 @@ void add_score(Command& app, int& exit) {
   Command* command = app.add_subcommand("score", "Check that a record matches its maze, and print its score");
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
   add_record_maze(*command, options->maze);
-  command->footer("Example: labmouse score walk.jsonl");
+  command->footer("Example: labmouse run certify capstone-1 --record walk.jsonl && labmouse score walk.jsonl");
   command->callback([options, &exit] { exit = score_file(*options); });
 }
 

@@ -95,7 +95,9 @@ void add_route(Command& app, int& exit) {
       ->required();
   add_places(*command, options->places);
   add_robot_option(*command, options->robot);
-  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
+  command->add_option("--format", options->format, "What is printed")
+      ->check(one_of({"table", "json"}))
+      ->capture_default_str();
   command->add_option("--svg", options->svg, "Also save a picture of the route")->type_name("FILE");
   auto* vary = command
                    ->add_option("--vary", options->vary,

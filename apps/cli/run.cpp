@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <variant>
 
 #include "command.hpp"
 #include "contests.hpp"
 #include "guests.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/text/last_lines.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/roster.hpp"
 #include "replay.hpp"
@@ -25,6 +27,18 @@ struct RunOptions {
   bool watch = false;
   int delay = 60;
 };
+
+/// What a controller that failed said last: records of drives do not have that.
+std::string last_words_of(const Race& race, const ContestResult& result) {
+  if (!std::holds_alternative<ControllerProgram>(race.mice.front().kind) || result.score) return "";
+  const Value said = figure_of(race, result, said_last);
+  const auto* words = std::get_if<std::string>(&said);
+  if (words == nullptr) return "";
+  std::string text;
+  for (const std::string& line : last_lines(*words))
+    text += fmt::format("{}{}\n", text.empty() ? "" : "| ", shown(line));
+  return text;
+}
 
 /// Holds the contest, and shows it as its record is.
 int run_in(std::shared_ptr<const World> world, const RunOptions& options, const Contestant& mouse,
@@ -49,6 +63,7 @@ int run_in(std::shared_ptr<const World> world, const RunOptions& options, const 
   shown_as.watch = options.watch;
   shown_as.delay = options.delay;
   const int exit = show_replay(shown_as, held.record);
+  print(last_words_of(race, result));
   print(freedom_note(race.mice));
   return exit;
 }
@@ -74,8 +89,9 @@ void add_run(Command& app, int& exit) {
   auto options = std::make_shared<RunOptions>();
   Command* command = app.add_subcommand("run", "Run one mouse in one maze");
   command
-      ->add_option("mouse", options->mouse,
-                   "Mouse: name[:key=value]..., capstone:FILE, guest:COMMAND, mms:COMMAND or pilot:COMMAND")
+      ->add_option(
+          "mouse", options->mouse,
+          "Mouse: name[:key=value]..., or in quotes capstone:FILE, guest:COMMAND, mms:COMMAND or pilot:COMMAND")
       ->required()
       ->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");

@@ -152,9 +152,10 @@ void add_show(Command& app, int& exit) {
   command->add_flag("--distances", options->distances, "Write the number of steps to the goal in each cell");
   command->add_flag("--no-route", options->no_route, "Omit the path");
   command->add_flag("--no-coordinates", options->no_coordinates, "Omit the coordinates");
-  command->footer(layer_lines() +
-                  "\nExample: labmouse show capstone-1 --distances --svg maze.svg\n"
-                  "Example: labmouse show --record walk.jsonl --layer heat,path,known --svg walk.svg");
+  command->footer(
+      layer_lines() +
+      "\nExample: labmouse show capstone-1 --distances --svg maze.svg\n"
+      "         labmouse run certify capstone-1 --record walk.jsonl && labmouse show --record walk.jsonl --layer heat");
   command->callback([options, &exit] { exit = show(*options); });
 }
 

@@ -42,7 +42,7 @@ Command* add(Command& command, StoreOptions& options, const std::string& name, c
   add_names("--world", options.filter.worlds, "Only contests in this world (repeatable)");
   add_names("--mouse", options.filter.mice, "Only contests of the mouse of this name (repeatable)");
   add_names("--maze", options.filter.mazes, "Only contests in the maze of this name (repeatable)");
-  add_names("--version", options.filter.versions, "Only contests that this version of labmouse held (repeatable)");
+  add_names("--version", options.filter.versions, "Only contests that this version of labmouse ran (repeatable)");
   added
       ->add_integer(
           "--seed", [&options](std::uint64_t seed) { options.filter.race_seed = seed; },
@@ -186,10 +186,10 @@ ExitCode verify(StoreOptions options) {
 
 ExitCode forget_some(const StoreOptions& options) {
   if (condition_of(options.filter).empty())
-    throw UsageError("error: say which contests to forget, with --world, --mouse, --maze, --version or --seed");
+    throw UsageError("error: name the contests to delete with --world, --mouse, --maze, --version or --seed");
   const Forgotten forgotten = forget(options.file, options.filter);
   if (!forgotten.error.empty()) throw UsageError(forgotten.error);
-  print(fmt::format("{} forgotten.\n", counted(forgotten.contests, "contest", "contests")));
+  print(fmt::format("{} deleted.\n", counted(forgotten.contests, "contest", "contests")));
   return exit_good;
 }
 
@@ -197,24 +197,27 @@ ExitCode forget_some(const StoreOptions& options) {
 
 void add_store(Command& app, int& exit) {
   auto options = std::make_shared<StoreOptions>();
-  Command* command = app.add_subcommand("store", "List, merge, verify and clean up stores of contests");
+  Command* command = app.add_subcommand("store", "List, merge, check and clean up stores of contests");
   command->require_subcommand();
   Command* list_command = add(*command, *options, "list", "Print a line for each mouse of the store");
   list_command->footer("Example: labmouse store list results.db --world seconds");
   list_command->callback([options, &exit] { exit = list(*options); });
-  Command* show_command = add(*command, *options, "show", "Print what is known of the last contests");
-  show_command->add_option("--last", options->most, "How many")->check(in_range(1, 1'000'000))->capture_default_str();
+  Command* show_command =
+      add(*command, *options, "show", "Print the last contests with all that the store knows of them");
+  show_command->add_option("--last", options->most, "Number of contests")
+      ->check(in_range(1, 1'000'000))
+      ->capture_default_str();
   show_command->footer("Example: labmouse store show results.db --mouse flood --last 5");
   show_command->callback([options, &exit] { exit = show(*options); });
   Command* race_command = add(*command, *options, "race", "Print the leaderboard of a race that the store holds");
-  race_command->add_option("--format", options->format, "Output")
+  race_command->add_option("--format", options->format, "What is printed")
       ->check(one_of({"table", "json", "csv"}))
       ->capture_default_str();
   race_command->footer("Example: labmouse store race results.db --mouse flood --mouse certify");
   race_command->callback([options, &exit] { exit = race_again(*options); });
   auto lines = std::make_shared<std::string>("jsonl");
   Command* export_command = add(*command, *options, "export", "Print all contests, one a line");
-  export_command->add_option("--format", *lines, "Output: JSON lines or CSV")
+  export_command->add_option("--format", *lines, "JSON lines or CSV")
       ->check(one_of({"jsonl", "csv"}))
       ->capture_default_str();
   export_command->footer("Example: labmouse store export results.db --format csv > contests.csv");
@@ -223,27 +226,27 @@ void add_store(Command& app, int& exit) {
     exit = export_rows(*options);
   });
   Command* merge_command =
-      command->add_subcommand("merge", "Put the contests of several stores together, or say where they disagree");
+      command->add_subcommand("merge", "Merge the contests of several stores, or list those with different results");
   merge_command->add_option("files", options->parts, "The stores")->required()->type_name("FILE")->expected(1, 1 << 20);
-  merge_command->add_option("-o,--out,--output", options->target, "The store to add them to; made where there is none")
+  merge_command->add_option("-o,--out,--output", options->target, "Store to add them to; a new one is created")
       ->required()
       ->type_name("FILE");
   merge_command->footer("Example: labmouse store merge part-*.db -o all.db");
   merge_command->callback([options, &exit] { exit = merge(*options); });
   Command* verify_command =
       add(*command, *options, "verify", "Check the file and re-run a random sample of its contests");
-  verify_command->add_option("--share", options->verification.share, "The share, from 0 to 1")
+  verify_command->add_option("--share", options->verification.share, "Share of the contests to re-run")
       ->check(finite_number())
       ->check(in_range(0.0, 1.0))
       ->capture_default_str();
-  verify_command->add_option("--pick", options->verification.seed, "Seed of the random choice")
+  verify_command->add_option("--pick", options->verification.seed, "Seed of the choice of contests")
       ->check(seed_number())
       ->capture_default_str();
   verify_command->add_option("--jobs", options->verification.jobs, "Number of threads; 0 uses all processors")
       ->check(in_range(0, 1024))
       ->capture_default_str();
   verify_command->add_flag("--run-programs", options->run_programs,
-                           "Run the commands of external mice that the store names, too, in a sandbox");
+                           "Also re-run external mice, by their commands in the store, in a sandbox");
   add_python(*verify_command, options->verification.guests);
   add_guest_options(*verify_command, options->verification.guests);
   verify_command->footer("Example: labmouse store verify results.db --share 0.1");
@@ -252,7 +255,7 @@ void add_store(Command& app, int& exit) {
   forget_command->footer("Example: labmouse store forget results.db --mouse flood");
   forget_command->callback([options, &exit] { exit = forget_some(*options); });
   command->footer(
-      "Example: labmouse race --store results.db\n         labmouse store race results.db\n"
+      "Example: labmouse race --mice flood,certify --store results.db\n         labmouse store race results.db\n"
       "         labmouse store merge part-*.db -o all.db");
 }
 

@@ -81,7 +81,9 @@ void add_study(Command& app, int& exit) {
   command->add_option("--format", options->format, "What is printed")
       ->check(one_of({"table", "json"}))
       ->capture_default_str();
-  command->footer("Example: labmouse study --mice flood,certify --mazes my-mazes/ --folds 5 --svg study.svg");
+  command->footer(
+      "Example: labmouse study --mice flood,certify --mazes capstone-1 capstone-2 capstone-3 --folds 3 --svg "
+      "study.svg");
   command->refer({groups::mazes, groups::world, groups::contests, groups::programs}, "labmouse race");
   command->callback([options, &exit] { exit = study(*options); });
 }

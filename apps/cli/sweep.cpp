@@ -57,7 +57,7 @@ void add_sweep(Command& app, int& exit) {
   Command* command = app.add_subcommand("sweep", "Race one mouse at many values of one parameter");
   command
       ->add_option("mouse", options->mouse,
-                   "Mouse: name[:key=value]..., or a guest whose command has {NAME} in place of the value")
+                   "Mouse: name[:key=value]..., or an external mouse whose command has {NAME} in place of the value")
       ->required()
       ->type_name("MOUSE");
   command->add_option("--vary", options->vary, "Parameter and its values: a range with a step, or a list")
@@ -68,7 +68,7 @@ void add_sweep(Command& app, int& exit) {
   command->group(groups::output);
   command->add_option("--csv", options->csv, "Save the numbers as CSV, one line per value")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a plot of the mean score against the value")->type_name("FILE");
-  command->footer("Example: labmouse sweep flood --vary stride=1:3:1 --mazes my-mazes/ --svg strides.svg");
+  command->footer("Example: labmouse sweep flood --vary stride=1:3:1 --mazes capstone-1 --svg strides.svg");
   command->refer({groups::mazes, groups::world, groups::contests, groups::programs}, "labmouse race");
   command->callback([options, &exit] { exit = sweep(*options); });
 }

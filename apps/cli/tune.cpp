@@ -114,8 +114,8 @@ void add_tune(Command& app, int& exit) {
       ->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a plot of the generations")->type_name("FILE");
   command->footer(
-      "Example: labmouse tune visit-counter --params random_share,coverage=0.2:0.9 --mazes my-mazes/ "
-      "--evaluations 200 --log tune.csv");
+      "Example: labmouse tune visit-counter --params random_share,coverage=0.2:0.9 --mazes capstone-1 "
+      "--evaluations 20 --log tune.csv");
   command->refer({groups::mazes, groups::world, groups::contests}, "labmouse race");
   command->callback([options, &exit] { exit = tune(*options); });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string_view>
 #include <utility>
 
@@ -47,6 +48,17 @@ std::string default_of(std::string_view name) {
   return by_world(values);
 }
 
+/// What a setting does, and where: "In physical, failures: scale of all noise".
+std::string meaning_of(const WorldSetting& setting) {
+  std::vector<std::string_view> worlds;
+  for (const WorldEntry* entry : all_worlds())
+    for (const WorldSetting& each : entry->settings)
+      if (each.name == setting.name) worlds.push_back(entry->name);
+  std::string meaning(setting.meaning);
+  meaning.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(meaning.front())));
+  return fmt::format("In {}: {}", fmt::join(worlds, ", "), meaning);
+}
+
 /// Each setting with the first world that has it; where two share one, they share its option.
 std::vector<std::pair<const WorldSetting*, const WorldEntry*>> all_settings() {
   std::vector<std::pair<const WorldSetting*, const WorldEntry*>> settings;
@@ -73,7 +85,7 @@ void WorldChoice::add_to(Command& command) {
   for (const WorldEntry* entry : all_worlds()) worlds += fmt::format("\n{}: {}", entry->name, entry->summary);
   command.add_option("--world", world_, worlds)->type_name("WORLD")->check(Check(why_no_world));
   for (const auto& [setting, entry] : all_settings()) {
-    const std::string name(setting->name), option = "--" + name, meaning(setting->meaning);
+    const std::string name(setting->name), option = "--" + name, meaning = meaning_of(*setting);
     switch (setting->kind) {
       case WorldSetting::Kind::flag:
         command.add_flag(option, flags_[name], meaning);

@@ -58,7 +58,7 @@ class Cautious final : public MoveMapper {
 };
 
 constexpr std::array cautious_parameters = {
-    Parameter::real("explore_frac", "0", 0, 1, "share of all cells to visit before the reset"),
+    Parameter::real("explore_frac", "0", 0, 1, "Share of all cells to visit before the reset."),
     table_order,
 };
 

@@ -53,8 +53,9 @@ class CellFlood : public Explorer {
 WallSet passages_among(const CellSet& cells, const WallSet& passages);
 
 /// The tie order that reproduces the report: west, south, east, north.
-inline constexpr Parameter cell_flood_ties = Parameter::choice(
-    "ties", "wsen", TieOrder::all,
-    "order of the directions, by compass (nesw) or as the mouse faces (alrb); the speed run prefers the last");
+inline constexpr Parameter cell_flood_ties =
+    Parameter::choice("ties", "wsen", TieOrder::all,
+                      "Order of the directions, by compass (such as nesw) or as the mouse faces (such as alrb); the "
+                      "speed run prefers the last.");
 
 }  // namespace labmouse

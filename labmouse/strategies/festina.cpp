@@ -22,16 +22,22 @@ constexpr Parameter number_with_errors(std::string_view name, std::string_view v
 }
 
 constexpr std::array festina_parameters = {
-    Parameter::choice("mind", "by-rules", "by-rules/ariadne/certify/flood-return", "the strategy that explores",
-                      ParameterScope::seconds),
-    number_with_errors("search", "1", 0.2, 1.0, "speed of the first search run, as a share of the usual speed"),
-    number_with_errors("slower", "0.8", 0.3, 1.0, "factor on the speed of search runs after a crash in one"),
+    Parameter::choice(
+        "mind", "by-rules", "by-rules/ariadne/certify/flood-return",
+        "Strategy that explores; by-rules takes ariadne where the time in the maze counts, and certify elsewhere.",
+        ParameterScope::seconds),
+    number_with_errors("search", "1", 0.2, 1.0, "Speed of the first search run, as a share of the usual speed."),
+    number_with_errors("slower", "0.8", 0.3, 1.0,
+                       "Factor on the speed of search runs after each crash in a search run (no unit)."),
     number_with_errors("run", "0", 0.0, 1.0,
-                       "speed of the first speed run, as a share of the usual speed; 0: by the rules"),
-    number_with_errors("step", "0.85", 0.3, 0.95, "factor on the speed of speed runs after a crash in one"),
-    Parameter::flag("safe", "yes", "whether it makes a safe run at search speed if no speed run finished",
+                       "Speed of the first speed run, as a share of the usual speed; 0 chooses it by the rules."),
+    number_with_errors("step", "0.85", 0.3, 0.95,
+                       "Factor on the speed of speed runs after each crash in a speed run (no unit)."),
+    Parameter::flag("safe", "yes", "Whether it makes a safe run at search speed if no speed run finished.",
                     ParameterScope::errors),
-    Parameter::choice("map", "belief", "belief/learned", "how contradicting readings are handled",
+    Parameter::choice("map", "belief", "belief/learned",
+                      "How contradicting wall readings are handled: a log-odds map weighs them (belief), with a prior "
+                      "learned from other mazes (learned).",
                       ParameterScope::errors),
 };
 

@@ -70,7 +70,7 @@ class FloodDriver final : public DrivingExplorer {
 
 constexpr std::array flood_parameters = {
     Parameter::whole("stride", "3", 1, Motion::max_longest,
-                     "longest move while exploring, in cells, within the limit of the rules"),
+                     "Longest move while exploring, in cells; the rules may set a lower limit."),
 };
 
 template <bool Returns>

@@ -16,9 +16,9 @@
 
 namespace labmouse {
 
-inline constexpr Parameter table_order =
-    Parameter::choice("order", "python-3.4", all_cell_orders,
-                      "whose tables decide between equal choices: a version of Python's, or neutral, row by row");
+inline constexpr Parameter table_order = Parameter::choice(
+    "order", "python-3.4", all_cell_orders,
+    "Order of the hash table of that Python version, or row by row (rows), in which equally good choices are tried.");
 
 /// A mouse that moves over a map of the moves that it has seen. A mind derives from it and writes choose().
 class MoveMapper : public Explorer {

@@ -62,21 +62,26 @@ class Phases final : public Explorer {
 constexpr std::array phases_parameters = {
     Parameter::choice("searching", "goal-oriented",
                       "random/weighted/unexplored-cell/unexplored-space/wall-follower/goal-oriented",
-                      "how to find the goal"),
-    Parameter::list("weights", "2/5/2", 0, 100, "probabilities of going left, ahead and right (searching=weighted)"),
-    Parameter::choice(
-        "heuristic", "edges", "none/edges/manhattan/manhattan-edges/optimistic",
-        "added to the steps to a cell: nothing, its explored sides, its Manhattan distance to the goal, both, or its "
-        "shortest route through all that is not known to be closed"),
+                      "Method of finding the goal."),
+    Parameter::list(
+        "weights", "2/5/2", 0, 100,
+        "Weights of going left, ahead and right, in proportion to their probabilities (searching=weighted only)."),
+    Parameter::choice("heuristic", "edges", "none/edges/manhattan/manhattan-edges/optimistic",
+                      "Added to the steps to a cell: nothing (none), its explored sides (edges), its Manhattan "
+                      "distance to the goal (manhattan), both, or the steps of its shortest route over walls not known "
+                      "to be closed (optimistic); for searching=goal-oriented."),
     Parameter::choice("continuing", "none", "none/all-goals/coverage/worthwhile",
-                      "what to explore between the goal and the reset"),
-    Parameter::real("coverage", "0.9", 0, 1, "share of the cells to explore before the reset (continuing=coverage)"),
+                      "What is explored between the goal and the reset."),
+    Parameter::real("coverage", "0.9", 0, 1,
+                    "Share of the cells to explore before the reset (continuing=coverage only)."),
     Parameter::choice("speed", "strides", "one-cell/strides/strides-updating",
-                      "the speed run: one cell a step, strides, or strides planned again at every step"),
-    Parameter::choice("ties", "swne", TieOrder::all, "order of the headings in searches"),
+                      "Moves of the speed run: one cell a step (one-cell), the longest moves (strides), or those "
+                      "planned again at every step (strides-updating)."),
+    Parameter::choice("ties", "swne", TieOrder::all,
+                      "Order of the directions in which searches try equally good neighbours."),
     Parameter::choice(
         "order", "python-2.7", all_cell_orders,
-        "whose set decides between equally promising cells: a version of Python's, or neutral, row by row"),
+        "Order of the hash table of that Python version, or row by row (rows), in which equally good cells are tried."),
 };
 
 }  // namespace

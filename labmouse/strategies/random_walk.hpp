@@ -34,6 +34,6 @@ class RandomWalk {
 };
 
 inline constexpr Parameter random_walk_stride =
-    Parameter::whole("stride", "3", 1, Motion::max_longest, "longest move, in cells, within the limit of the rules");
+    Parameter::whole("stride", "3", 1, Motion::max_longest, "Longest move, in cells; the rules may set a lower limit.");
 
 }  // namespace labmouse

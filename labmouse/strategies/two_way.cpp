@@ -223,12 +223,17 @@ class TwoWay final : public Explorer {
 };
 
 constexpr std::array two_way_parameters = {
-    Parameter::real("bias", "1.5", 0, 100, "weight of the Manhattan distance against steps"),
-    Parameter::flag("join_legs", "yes", "take the shorter leg between crossings of both paths"),
-    Parameter::flag("merge_strides", "yes", "run straight legs in strides instead of cell by cell"),
-    Parameter::choice("ties", "nesw", TieOrder::all, "order of the directions"),
-    Parameter::choice("order", "python-2.7", all_cell_orders,
-                      "whose map decides between equally good cells: a version of Python's, or neutral, row by row"),
+    Parameter::real("bias", "1.5", 0, 100,
+                    "Weight of a cell of Manhattan distance to the goal against a step (no unit)."),
+    Parameter::flag("join_legs", "yes", "Whether the speed run takes the shorter leg between crossings of both paths."),
+    Parameter::flag(
+        "merge_strides", "yes",
+        "Whether the speed run takes the longest possible moves on straight legs, instead of one cell a step."),
+    Parameter::choice("ties", "nesw", TieOrder::all,
+                      "Order of the directions that decides between equally good neighbours."),
+    Parameter::choice(
+        "order", "python-2.7", all_cell_orders,
+        "Order of the hash table of that Python version, or row by row (rows), in which equally good cells are tried."),
 };
 
 }  // namespace

@@ -69,7 +69,7 @@ class VisitCounter final : public Wanderer {
 };
 
 constexpr std::array visit_counter_parameters = {
-    Parameter::real("random_share", "0.2", 0, 1, "probability of a random choice"),
+    Parameter::real("random_share", "0.2", 0, 1, "Probability of a random choice."),
     wanderers_coverage,
     wanderers_search,
 };

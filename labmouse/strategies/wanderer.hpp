@@ -18,10 +18,10 @@
 namespace labmouse {
 
 inline constexpr Parameter wanderers_coverage =
-    Parameter::real("coverage", "0.8333", 0, 1, "share of all cells to mark before the reset");
+    Parameter::real("coverage", "0.8333", 0, 1, "Share of all cells to mark before the reset.");
 
-inline constexpr Parameter wanderers_search =
-    Parameter::choice("search", "a-star", "breadth-first/a-star/dijkstra", "how to plan the speed run");
+inline constexpr Parameter wanderers_search = Parameter::choice("search", "a-star", "breadth-first/a-star/dijkstra",
+                                                                "Search algorithm that plans the speed run.");
 
 /// A mouse that wanders. A mind derives from it and writes wander(). Has the parameters above.
 class Wanderer : public Explorer {

@@ -209,7 +209,7 @@ TEST_F(AHostOfGuests, StartsThemInTheirFolder) {
   std::filesystem::copy_file(LABMOUSE_BAD_GUEST, folder_ / "place" / "mouse");
   EXPECT_THAT(race_in_the_corridor({"--mice", "guest:./mouse end", "--directory", "place"}).out,
               HasSubstr("forfeit (died) 1"));
-  is_refused({"race", "--mice", "guest:./mouse end"}, "no executable program", "'./mouse'");
+  is_refused({"race", "--mice", "guest:./mouse end"}, "no file", "'./mouse'");
 }
 
 TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
@@ -226,7 +226,7 @@ TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
   is_refused({"race", "--mice", "capstone:."}, "'.'", "is a folder");
   is_refused({"race", "--mice", "guest:./robot.py"}, "'./robot.py'", "'python3 ./robot.py'");
   is_refused({"race", "--mice", "guest:robot.py"}, "'robot.py'", "'python3 robot.py'");
-  is_refused({"race", "--mice", "guest:./corridor.txt"}, "'./corridor.txt'", "not executable");
+  is_refused({"race", "--mice", "guest:./corridor.txt"}, "'./corridor.txt'", "chmod +x ./corridor.txt");
   is_refused({"race", "--mice", "guest:~/mouse"}, "'~/mouse'", "full path");
   is_refused({"race", "--mice", "robot.py"}, "'robot.py'", "'capstone:FILE'");
   is_refused({"race", "--mice", "python3 robot.py"}, "'python3 robot.py'", "'capstone:FILE'");

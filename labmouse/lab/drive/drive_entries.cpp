@@ -93,11 +93,12 @@ constexpr std::array failures_settings = {
                  .brought = hazards_brought}};
 
 /// The number of a setting, or nothing, with what is wrong in the error.
-std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& chosen, std::string_view name,
+std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& chosen, std::string_view name, double low,
                                 double high, std::string& error) {
   const std::string text = value_of(entry, chosen, name);
-  if (const std::optional<double> number = parse_number(text, 0.0, high)) return number;
-  if (error.empty()) error = fmt::format("error: --{}: '{}' is not a number from 0 to {:g}", name, shown(text), high);
+  if (const std::optional<double> number = parse_number(text, low, high)) return number;
+  if (error.empty())
+    error = fmt::format("error: --{}: '{}' is not a number from {:g} to {:g}", name, shown(text), low, high);
   return std::nullopt;
 }
 
@@ -139,10 +140,8 @@ Parts parts_with_errors(const WorldEntry& entry, const WorldSettings& chosen) {
         fmt::format("error: --robot: {} cannot drive in the physical world: {}", shown(parts.model->robot.name), why);
     return parts;
   }
-  parts.conditions.noise.all = number_in(entry, chosen, "noise", most_noise, parts.error).value_or(0.0);
-  parts.conditions.pilot.pace = number_in(entry, chosen, "pace", 1.0, parts.error).value_or(1.0);
-  if (parts.error.empty() && parts.conditions.pilot.pace < least_pace)
-    parts.error = fmt::format("error: --pace: {:g} is less than {:g}", parts.conditions.pilot.pace, least_pace);
+  parts.conditions.noise.all = number_in(entry, chosen, "noise", 0.0, most_noise, parts.error).value_or(0.0);
+  parts.conditions.pilot.pace = number_in(entry, chosen, "pace", least_pace, 1.0, parts.error).value_or(1.0);
   const std::string map = value_of(entry, chosen, "map");
   if (const std::optional<MapKind> kind = map_kind_of(map))
     parts.conditions.map = *kind;
@@ -155,9 +154,9 @@ WorldResult make_physical(const WorldSettings& chosen) {
   Parts parts = parts_with_errors(physical_entry, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
   PhysicalConditions& conditions = parts.conditions;
-  conditions.noise.spread = number_in(physical_entry, chosen, "spread", most_spread, parts.error).value_or(0.0);
+  conditions.noise.spread = number_in(physical_entry, chosen, "spread", 0.0, most_spread, parts.error).value_or(0.0);
   conditions.pilot.search_speed =
-      number_in(physical_entry, chosen, "search-speed", most_search_speed, parts.error).value_or(0.0);
+      number_in(physical_entry, chosen, "search-speed", 0.0, most_search_speed, parts.error).value_or(0.0);
   if (parts.error.empty() && conditions.pilot.search_speed > 0.0 && conditions.pilot.search_speed < least_search_speed)
     parts.error = fmt::format("error: --search-speed: {:g} is less than {:g}: it is in mm/s",
                               conditions.pilot.search_speed, least_search_speed);

@@ -160,7 +160,7 @@ std::optional<HazardFile> brought_hazards(const std::string& name, std::string_v
 }
 
 FoundHazards find_hazards(const std::string& name) {
-  const NamedText text = find_text("table of hazards", builtin_hazards(), name, ".json");
+  const NamedText text = find_text("failure rates", builtin_hazards(), name, ".json");
   if (!text.error.empty()) return {std::nullopt, text.error};
   return read_hazards(text.text, name_alone(name));
 }

@@ -90,16 +90,17 @@ std::string no_program(const std::string& name, const std::string& directory) {
   const fs::path path = fs::path(directory) / name;
   const std::string ending = fs::path(name).extension().string();
   if (!fs::exists(path, failure)) {
-    const char* hint = name.find('/') == std::string::npos ? " in PATH; to run a file, include a slash, as in ./mouse"
-                       : name.starts_with('~')             ? "; no shell expands ~, so write the full path"
-                                                           : "";
-    return fmt::format("no executable program '{}'{}", name, hint);
+    if (name.find('/') == std::string::npos)
+      return fmt::format("no program '{}' in PATH; to run a file, include a slash, as in ./mouse", name);
+    if (name.starts_with('~')) return fmt::format("no file '{}'; no shell expands ~, so write the full path", name);
+    const std::string place = directory.empty() ? "the current folder" : fmt::format("'{}'", directory);
+    return fmt::format("no file '{}'{}", name, path.is_absolute() ? "" : fmt::format(" in {}", place));
   }
   if (ending == ".py") return fmt::format("'{}' is not executable; write 'python3 {}'", name, name);
   if (ending == ".js") return fmt::format("'{}' is not executable; write 'node {}'", name, name);
   if (name.find('/') == std::string::npos && access(path.c_str(), X_OK) == 0)
     return fmt::format("'{}' is not in PATH; to run the file, write ./{}", name, name);
-  return fmt::format("'{}' is not executable; is it a compiled program?", name);
+  return fmt::format("'{0}' is not executable; if it is a script or a program, run `chmod +x {0}`", path.string());
 }
 
 /// A guest, or why it cannot be one.
@@ -200,14 +201,14 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
   const std::string rest(spec.substr(kind.size()));
   // What is accepted here is printed as the mouse's name, and handed on as words that end with a zero.
   if (shown(spec) != spec) {
-    result.error = fmt::format("guest '{}': its SPEC contains unprintable characters", shown(spec));
+    result.error = fmt::format("mouse '{}': its SPEC contains unprintable characters", shown(spec));
     return;
   }
   Guest guest = kind == "capstone:" ? robot_of(rest, options) : program_of_command(rest, options);
   if (options.sandbox == SandboxUse::always && !why_no_sandbox().empty())
     guest.error = fmt::format("this system has no sandboxes ({}); leave out --sandbox on", why_no_sandbox());
   if (!guest.error.empty()) {
-    result.error = fmt::format("guest '{}': {}", spec, guest.error);
+    result.error = fmt::format("mouse '{}': {}", spec, guest.error);
     return;
   }
   Launch& launch = guest.launch;

@@ -27,20 +27,17 @@ std::string range_of(const Parameter& parameter) {
   }
 }
 
-/// In front of the meaning of what counts in some worlds in seconds alone.
-std::string_view scope_text(ParameterScope scope) {
-  if (scope == ParameterScope::errors) return "where things go wrong: ";
-  return scope == ParameterScope::seconds ? "in seconds: " : "";
+std::string value_line(const Parameter& parameter) {
+  return fmt::format("    {}={}  {}, {}\n", parameter.name, parameter.default_value, name_of(parameter.type),
+                     range_of(parameter));
 }
 
-std::string parameter_lines(const RosterEntry& mouse) {
-  std::string text;
-  for (const Parameter& parameter : mouse.parameters)
-    text += fmt::format("    {}={}  {}, {}: {}{}\n", parameter.name, parameter.default_value, name_of(parameter.type),
-                        range_of(parameter),
-                        mouse.walks() || parameter.scope == ParameterScope::errors ? scope_text(parameter.scope) : "",
-                        parameter.meaning);
-  return text;
+/// Above parameters that count in the same worlds; those of a mouse that races in one kind of world alone need not say
+/// which.
+std::string_view heading_of(const Parameter& parameter, const RosterEntry& mouse) {
+  if (parameter.scope == ParameterScope::errors) return "Parameters, only in the physical world and the failure model";
+  if (!mouse.walks() || !mouse.drives() || parameter.scope == ParameterScope::both) return "Parameters";
+  return parameter.scope == ParameterScope::seconds ? "Parameters, only in seconds" : "Parameters, only in steps";
 }
 
 std::string summary_of(const RosterEntry& mouse) {
@@ -60,25 +57,40 @@ std::string in_lines(std::string_view text, std::string_view indent) {
   return lines;
 }
 
+/// Each with its meaning, in groups by where they count.
+std::string explained_parameters(const RosterEntry& mouse) {
+  std::string text;
+  std::string_view heading;
+  for (const Parameter& parameter : mouse.parameters) {
+    if (const auto next = heading_of(parameter, mouse); next != heading) {
+      text += fmt::format("{}{}\n", text.empty() ? "" : "\n", next);
+      heading = next;
+    }
+    text += value_line(parameter) + in_lines(parameter.meaning, "        ");
+  }
+  return text.empty() ? "Parameters\n    none\n" : text;
+}
+
 }  // namespace
 
 std::string mouse_list() {
   std::size_t width = 0;
   for (const RosterEntry* mouse : all_mice()) width = std::max(width, mouse->name.size());
   std::string text;
-  for (const RosterEntry* mouse : all_mice())
-    text += fmt::format("{:<{}}  {}\n{}", mouse->name, width, summary_of(*mouse), parameter_lines(*mouse));
-  return text + fmt::format("{:<{}}  {}\n", "oracle", width, oracle_summary);
+  for (const RosterEntry* mouse : all_mice()) {
+    text += fmt::format("{:<{}}  {}\n", mouse->name, width, summary_of(*mouse));
+    for (const Parameter& parameter : mouse->parameters) text += value_line(parameter);
+  }
+  return text + fmt::format("{:<{}}  {}\n\n`labmouse mice NAME` explains a mouse and its parameters.\n", "oracle",
+                            width, oracle_summary);
 }
 
 NamedText mouse_sheet(const std::string& name) {
   if (name == "oracle") return {fmt::format("oracle: {}\n", oracle_summary), ""};
   const RosterEntry* mouse = find_mouse(name);
   if (mouse == nullptr) return {"", "error: " + unknown_mouse(name)};
-  const std::string parameters = parameter_lines(*mouse);
-  return {fmt::format("{}: {}\n\nMethod\n{}\nParameters\n{}\nSource\n{}", mouse->name, summary_of(*mouse),
-                      in_lines(mouse->method, "    "), parameters.empty() ? "    none\n" : parameters,
-                      in_lines(mouse->source, "    ")) +
+  return {fmt::format("{}: {}\n\nMethod\n{}\n{}\nSource\n{}", mouse->name, summary_of(*mouse),
+                      in_lines(mouse->method, "    "), explained_parameters(*mouse), in_lines(mouse->source, "    ")) +
               (mouse->drives() ? "\nIt also drives, in seconds.\n" : ""),
           ""};
 }

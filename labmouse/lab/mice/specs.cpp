@@ -168,7 +168,7 @@ SpecResult read_guest_variant(std::string_view spec, const Setting& setting, con
   const std::string place = "{" + setting.name + "}";
   std::string text(spec);
   if (text.find(place) == std::string::npos)
-    return refused(fmt::format("guest '{}' has no place for the value; write {} in its command where the value belongs",
+    return refused(fmt::format("mouse '{}' has no place for the value; write {} in its command where the value belongs",
                                spec, place));
   for (auto at = text.find(place); at != std::string::npos; at = text.find(place, at + setting.value.size()))
     text.replace(at, place.size(), setting.value);
@@ -260,6 +260,10 @@ const RosterEntry* entry_of(const Contestant& mouse) {
 }
 
 std::string unknown_mouse(std::string_view name) {
+  // A name of a mouse ends at the first of these signs, so what stands before it is none.
+  if (const auto equals = name.find('='); equals != std::string_view::npos && find_mouse(name.substr(equals + 1)))
+    return fmt::format("'{}' is no name for a mouse; a name in NAME=SPEC has no blank, '/', ':' or ','",
+                       name.substr(0, equals));
   if (looks_like_a_program(name))
     return fmt::format(
         "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'guest:COMMAND', 'pilot:COMMAND' or "
@@ -326,7 +330,7 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
   const RosterEntry* entry = entry_of(mouse);
   if (entry == nullptr)
     return refused(mouse.reference ? "the oracle has no parameters"
-                                   : fmt::format("guest '{}' has no parameters", mouse.name));
+                                   : fmt::format("mouse '{}' has no parameters", mouse.name));
   Settings settings = mouse.settings;
   for (const Setting& value : values)
     if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), read_file, settings); !error.empty())
@@ -366,12 +370,8 @@ std::string refuse_idle_settings(const Contestant& mouse, Counts counts, std::st
   for (std::size_t i = 0; entry != nullptr && i < entry->parameters.size(); ++i) {
     const Parameter& parameter = entry->parameters[i];
     if (counts(parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
-    std::vector<std::string> counting;
-    for (const Parameter& other : entry->parameters)
-      if (counts(other)) counting.push_back(fmt::format("'{}'", other.name));
-    return fmt::format("parameter '{}' of mouse '{}' has no effect {}, only {}; parameters that do: {}", parameter.name,
-                       entry->name, where, worlds_of(parameter.scope),
-                       counting.empty() ? "none" : fmt::format("{}", fmt::join(counting, ", ")));
+    return fmt::format("parameter '{}' of mouse '{}' has no effect {}, only {} (see `labmouse mice {}`)",
+                       parameter.name, entry->name, where, worlds_of(parameter.scope), entry->name);
   }
   return "";
 }

@@ -9,13 +9,13 @@ namespace labmouse {
 namespace {
 
 constexpr std::array settings = {
-    WorldSetting{"strict", "", "In mms: end a run at the first line that mms would not answer",
-                 WorldSetting::Kind::flag, "false"},
-    WorldSetting{"presses", "N", "In mms: press Reset N times when a mouse waits for it", WorldSetting::Kind::whole,
-                 "0", 0, 1'000'000},
-    WorldSetting{"simulated-limit", "SECONDS", "In mms: end a run after this simulated time; its best run counts",
+    WorldSetting{"strict", "", "End a run at the first line that mms would not answer", WorldSetting::Kind::flag,
+                 "false"},
+    WorldSetting{"presses", "N", "Press Reset N times when a mouse waits for it", WorldSetting::Kind::whole, "0", 0,
+                 1'000'000},
+    WorldSetting{"simulated-limit", "SECONDS", "End a run after this simulated time; its best run counts",
                  WorldSetting::Kind::whole, "3600", 1, 1'000'000},
-    WorldSetting{"line-limit", "N", "In mms: end a run after N lines; its best run counts", WorldSetting::Kind::whole,
+    WorldSetting{"line-limit", "N", "End a run after N lines; its best run counts", WorldSetting::Kind::whole,
                  "10000000", 1, 2'000'000'000}};
 
 WorldResult make(const WorldSettings& chosen) {

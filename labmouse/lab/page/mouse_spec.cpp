@@ -39,7 +39,7 @@ std::string refused(std::string_view text) {
     const std::string_view spec = named_spec(text).spec;
     if (is_lineup_spec(spec)) return fmt::format("lineup '{}' is a file, which the page cannot read", spec);
     if (is_guest_spec(spec))
-      return fmt::format("guest '{}' is a program, which the page cannot start; use `labmouse race`", spec);
+      return fmt::format("mouse '{}' is a program, which the page cannot start; use `labmouse race`", spec);
     text = spec;
     std::string_view mouse = next_piece(text, ',');
     const RosterEntry* entry = find_mouse(next_piece(mouse, ':'));

@@ -103,13 +103,13 @@ std::vector<ReportWorld> read_worlds(const Json& json, ResultReading& reading) {
 std::string what_it_is(std::string_view text) {
   switch (kind_of_file(text)) {
     case FileKind::record:
-      return "is the record of one contest, not a race; `labmouse show --record` draws it";
+      return "this is the record of one contest, not a race; `labmouse show --record` draws it";
     case FileKind::csv:
-      return fmt::format("is the CSV of a race, which does not hold enough; {}", how_to_make);
+      return fmt::format("this is the CSV of a race, which does not hold enough; {}", how_to_make);
     case FileKind::page:
-      return "is already a page";
+      return "this is already a page";
     case FileKind::maze:
-      return "is a maze, not a race; `labmouse show` draws it";
+      return "this is a maze, not a race; `labmouse show` draws it";
     case FileKind::results:
     case FileKind::unknown:
       return "";

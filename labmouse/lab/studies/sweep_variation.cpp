@@ -59,6 +59,10 @@ std::string read_list(std::string_view text, std::vector<std::string>& values) {
   values = split(text, ',');
   if (std::find(values.begin(), values.end(), "") != values.end())
     return fmt::format("the list '{}' has an empty value", text);
+  // No value of a parameter looks like this, and other programs write ranges so.
+  const auto dash = text.find('-', 1);
+  if (dash != std::string_view::npos && millionths(text.substr(0, dash)) && millionths(text.substr(dash + 1)))
+    return fmt::format("'{}' is not a number; write a range as LOW:HIGH:STEP, with ':' in place of '-'", text);
   if (values.size() <= most_values) return "";
   return fmt::format("the list has {} values; the limit is {}", values.size(), most_values);
 }

@@ -50,6 +50,14 @@ bool has(const WorldEntry& entry, std::string_view setting) {
                      [&](const WorldSetting& each) { return each.name == setting; });
 }
 
+/// "with --world physical or --world failures"
+std::string worlds_with(std::string_view setting) {
+  std::string text;
+  for (const WorldEntry* entry : all_worlds())
+    if (has(*entry, setting)) text += fmt::format("{} --world {}", text.empty() ? "with" : " or", entry->name);
+  return text;
+}
+
 std::vector<std::string> values_of(std::string_view list) {
   std::vector<std::string> values;
   for (;;) {
@@ -126,9 +134,7 @@ std::string unused_setting(const std::vector<Entry>& entries, const WorldSetting
       const bool used = std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {
         return has(*find_world(entry.world->name()), setting.name);
       });
-      if (!used)
-        return fmt::format("error: --{} applies to the world {}, but no mouse races in it; add --world {}",
-                           setting.name, owner->name, owner->name);
+      if (!used) return fmt::format("error: --{} has no effect here, only {}", setting.name, worlds_with(setting.name));
     }
   return "";
 }

@@ -62,37 +62,75 @@ constexpr Parameter number_in_seconds(std::string_view name, std::string_view va
 /// one; docs/explanation/how-ariadne-explores.md says what each is worth, and what is left of that in mazes that were
 /// not used.
 inline constexpr std::array drive_parameters = {
-    number_in_seconds("corner_turn", "0.62", 0, 10, "before the goal: no turn takes longer than this part of a cell"),
+    number_in_seconds(
+        "corner_turn", "0.62", 0, 10,
+        "Highest time that a turn counts in the plan until the goal is entered, in search times of one cell."),
     number_in_seconds("corner_time", "0.16667", 0, 1,
-                      "where the time in the maze does not count: up to this part of the time allowed"),
-    number_in_seconds("home_turn", "1.33", 0, 10, "on the way home: factor of the time of a turn"),
-    number_in_seconds("home_back", "0.7", 0, 10, "of turning back"),
-    number_in_seconds("home_slope", "2.77", 0, 100, "price of an unseen wall, in cells, for each unit of -ln P(open)"),
-    number_in_seconds("home_base", "0.04", 0, 100, "and of each"),
-    number_in_seconds("home_closed", "1.91", 0.05, 7, "assumed closed from this -ln P(open) on"),
+                      "Where the time in the maze does not count: corner_turn applies during this share of the time "
+                      "limit (no unit)."),
+    number_in_seconds("home_turn", "1.33", 0, 10,
+                      "Factor on the time of a turn of 90 degrees in plans of the way home (no unit)."),
+    number_in_seconds("home_back", "0.7", 0, 10,
+                      "Factor on the time of a turn of 180 degrees in plans of the way home (no unit)."),
+    number_in_seconds(
+        "home_slope", "2.77", 0, 100,
+        "Price of an unseen wall on the way home: search times of one cell for each unit of -ln P(open)."),
+    number_in_seconds(
+        "home_base", "0.04", 0, 100,
+        "Price of each unseen wall on the way home, added to that of home_slope, in search times of one cell."),
+    number_in_seconds(
+        "home_closed", "1.91", 0.05, 7,
+        "On the way home, an unseen wall counts as closed if its -ln P(open) is at least this (no unit)."),
     number_in_seconds("run_slope", "128", 0, 2000,
-                      "price of an unseen wall to a hoped-for run, in ms, for each unit of -ln P(open)"),
-    number_in_seconds("run_base", "5", 0, 500, "and of each"),
-    number_in_seconds("run_closed", "3.91", 0.05, 7, "assumed closed from this -ln P(open) on"),
-    number_in_seconds("run_longest", "1.12", 0.5, 5,
-                      "the longest run that is hoped for, as a part of the best known one"),
-    number_in_seconds("run_gain", "37", 0, 2000, "the least gain, in ms"),
+                      "Price of an unseen wall in a possible speed run: ms for each unit of -ln P(open)."),
+    number_in_seconds("run_base", "5", 0, 500,
+                      "Price of each unseen wall in a possible speed run, added to that of run_slope, in ms."),
+    number_in_seconds(
+        "run_closed", "3.91", 0.05, 7,
+        "In a possible speed run, an unseen wall counts as closed if its -ln P(open) is at least this (no unit)."),
+    number_in_seconds(
+        "run_longest", "1.12", 0.5, 5,
+        "Longest possible speed run that is considered, as a multiple of the time of the best known one (no unit)."),
+    number_in_seconds("run_gain", "37", 0, 2000,
+                      "Part of the gain of a possible speed run over the best known one that does not count, in ms."),
     number_in_seconds("cell_most", "0.76", 0, 10,
-                      "where the time in the maze counts: what an unseen cell is worth at most, in cells"),
-    number_in_seconds("cell_least", "0.017", 0, 10, "at least"),
-    number_in_seconds("cell_worth", "0.94", 0, 100, "of what the rules say that a gain is worth"),
-    number_in_seconds("look_most", "0.6", 0, 10, "where it does not count: the same as cell_most"),
-    number_in_seconds("look_worth", "4.7", 0, 100, "time of the search that a gain is worth"),
-    number_in_seconds("chance", "0.64", 0, 4, "power of the chance that a hoped-for run exists"),
-    number_in_seconds("sure_gain", "0.1", 0.001, 10, "a gain that is as good as sure, as a part of the best known run"),
-    number_in_seconds("way_slope", "0.8", 0, 100, "on the way to a look: the same as home_slope"),
+                      "Where the time in the maze counts: the most that the gain through an unseen cell is worth, in "
+                      "search times of one cell."),
+    number_in_seconds("cell_least", "0.017", 0, 10,
+                      "Worth of each unseen cell through which a gain is possible, added to the worth of the gain, in "
+                      "search times of one cell."),
+    number_in_seconds("cell_worth", "0.94", 0, 100,
+                      "Where the time in the maze counts: s of search that a gain of 1 s is worth under rules with a "
+                      "thirtieth; in proportion under others."),
+    number_in_seconds("look_most", "0.6", 0, 10,
+                      "Where the time in the maze does not count: the most that the gain through an unseen cell is "
+                      "worth, in search times of one cell."),
+    number_in_seconds("look_worth", "4.7", 0, 100,
+                      "Where the time in the maze does not count: s of search that a gain of 1 s is worth."),
+    number_in_seconds(
+        "chance", "0.64", 0, 4,
+        "Exponent of the probability that a possible speed run exists, in the worth of its gain (no unit)."),
+    number_in_seconds("sure_gain", "0.1", 0.001, 10,
+                      "Gain that counts in full, as a share of the time of the best known run; smaller gains count "
+                      "less, larger ones more (no unit)."),
+    number_in_seconds("way_slope", "0.8", 0, 100,
+                      "In mazes of up to 256 cells: price of an unseen wall on the way to a look, search times of one "
+                      "cell for each unit of -ln P(open)."),
     number_in_seconds("way_news", "0.4", 0, 10,
-                      "in mazes of more than 256 cells: part of a cell that entering an unseen one saves"),
-    number_in_seconds("hope_closed", "0.79", 0.05, 7,
-                      "in smaller ones: no route is hoped for through walls of this -ln P(open)"),
-    number_in_seconds("hope_gain", "0.017", 0, 1, "the least part of the known time that a look has to save"),
-    number_in_seconds("hope_chance", "0.125", 0, 4, "power of the chance that it does"),
-    number_in_seconds("last_gain", "0.3", 0, 1, "the least part through unlikely walls"),
+                      "In mazes of more than 256 cells: time that entering an unseen cell on the way to a look saves, "
+                      "in search times of one cell."),
+    number_in_seconds(
+        "hope_closed", "0.79", 0.05, 7,
+        "In mazes of up to 256 cells: possible routes pass no wall with at least this -ln P(open) (no unit)."),
+    number_in_seconds(
+        "hope_gain", "0.017", 0, 1,
+        "In mazes of up to 256 cells: least gain that is worth a look, as a share of the best known time (no unit)."),
+    number_in_seconds(
+        "hope_chance", "0.125", 0, 4,
+        "In mazes of up to 256 cells: exponent of the probability that the route of that gain exists (no unit)."),
+    number_in_seconds("last_gain", "0.3", 0, 1,
+                      "Least gain that is worth a look once routes through unlikely walls are considered too, as a "
+                      "share of the best known time (no unit)."),
 };
 
 }  // namespace labmouse::ariadne

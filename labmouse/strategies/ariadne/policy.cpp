@@ -8,27 +8,50 @@ namespace labmouse::ariadne {
 namespace {
 
 constexpr std::array parameters = {
-    Parameter::prior("prior", "contest", "contest/uniform", "what it expects of unseen walls", ParameterScope::both),
-    Parameter::choice(
-        "model", "smooth", "smooth/classes/flat/free",
-        "price of an unseen wall: by its likelihood of being closed, by classes of that, the same for all, or "
-        "none; all but smooth are simpler mice for comparison, with fixed numbers"),
+    Parameter::prior("prior", "contest", "contest/uniform",
+                     "How likely unseen walls are expected to be closed: as in contest mazes, all equally (uniform), "
+                     "or as a file says.",
+                     ParameterScope::both),
+    Parameter::choice("model", "smooth", "smooth/classes/flat/free",
+                      "Price of an unseen wall: grows with its likelihood of being closed (smooth), has a value for "
+                      "each of three classes of it (classes), is the same for all walls (flat) or 0 (free). All but "
+                      "smooth have fixed numbers and ignore the parameters below except style."),
     Parameter::choice("style", "auto", "auto/contest/loop-free",
-                      "loop-free stops at the goal; auto does so if the walls look like those of a maze without loops"),
-    Parameter::real("base", "5.11", 0, 100, "before the goal: price of an unseen wall, in 1/30 step"),
-    Parameter::real("slope", "10.08", 0, 100, "added for each unit of -ln P(open)"),
-    Parameter::real("closed", "2.73", 0.05, 7, "assumed closed from this -ln P(open) on"),
-    Parameter::real("way_here", "0", 0, 1, "weight of the way from the start to the wall"),
-    Parameter::real("travel", "40.57", 1, 200, "price of a step towards a wall, in 1/30 step"),
-    Parameter::real("insight", "0.21", 0, 50, "bonus for each unseen wall that can be seen from there"),
-    Parameter::real("goal_bonus", "26.9", 0, 200, "bonus for the goal itself"),
-    Parameter::real("base_after", "6.47", 0, 100, "after the goal: the same as base"),
-    Parameter::real("slope_after", "12.49", 0, 100, "the same as slope"),
-    Parameter::real("closed_after", "2.86", 0.05, 7, "the same as closed"),
-    Parameter::real("travel_after", "38.19", 1, 200, "the same as travel"),
-    Parameter::real("insight_after", "0.31", 0, 50, "the same as insight"),
-    Parameter::real("stop_travel", "1.566", 0, 20, "price of a step, in 1/30 step, when deciding whether to stop"),
-    Parameter::real("stop_margin", "2.67", -60, 60, "how much more a look may cost than it could save, in 1/30 step"),
+                      "When to stop at the goal without exploring on: always (loop-free), never (contest), or if the "
+                      "walls look like those of a maze without loops (auto)."),
+    Parameter::real("base", "5.11", 0, 100, "Price of each unseen wall until the goal is entered, in 1/30 step."),
+    Parameter::real(
+        "slope", "10.08", 0, 100,
+        "Price of an unseen wall until the goal is entered, added to base: 1/30 steps for each unit of -ln P(open)."),
+    Parameter::real(
+        "closed", "2.73", 0.05, 7,
+        "Until the goal is entered, an unseen wall counts as closed if its -ln P(open) is at least this (no unit)."),
+    Parameter::real("way_here", "0", 0, 1,
+                    "Until the goal is entered: weight of the cost from the start to the wall, in the cost of a run "
+                    "through it (no unit)."),
+    Parameter::real("travel", "40.57", 1, 200,
+                    "Price of each step to where a wall can be seen, until the goal is entered, in 1/30 step."),
+    Parameter::real(
+        "insight", "0.21", 0, 50,
+        "Bonus for each unseen wall that can be seen from the same cell, until the goal is entered, in 1/30 step."),
+    Parameter::real("goal_bonus", "26.9", 0, 200, "Bonus for going into the goal instead of to a wall, in 1/30 step."),
+    Parameter::real("base_after", "6.47", 0, 100,
+                    "Price of each unseen wall after the goal was entered, in 1/30 step."),
+    Parameter::real("slope_after", "12.49", 0, 100,
+                    "Price of an unseen wall after the goal was entered, added to base_after: 1/30 steps for each unit "
+                    "of -ln P(open)."),
+    Parameter::real(
+        "closed_after", "2.86", 0.05, 7,
+        "After the goal was entered, an unseen wall counts as closed if its -ln P(open) is at least this (no unit)."),
+    Parameter::real("travel_after", "38.19", 1, 200,
+                    "Price of each step to where a wall can be seen, after the goal was entered, in 1/30 step."),
+    Parameter::real(
+        "insight_after", "0.31", 0, 50,
+        "Bonus for each unseen wall that can be seen from the same cell, after the goal was entered, in 1/30 step."),
+    Parameter::real("stop_travel", "1.566", 0, 20,
+                    "Price of each step to a wall when the mouse decides whether to stop, in 1/30 step."),
+    Parameter::real("stop_margin", "2.67", -60, 60,
+                    "A wall is still worth a look if it costs up to this much more than it could save, in 1/30 step."),
 };
 
 int weight(double value) { return static_cast<int>(value * one + (value < 0 ? -0.5 : 0.5)); }

@@ -111,7 +111,7 @@ TEST(Variants, OfAGuestStandInItsCommand) {
   options.runs = 7;
   EXPECT_EQ(read_variants("guest:sh {a}", "a", values, options).contestants[0].runs, 7);
   EXPECT_THAT(refusal("guest:sh -c {b}", "a", "1"), Says("'guest:sh -c {b}'", "{a}"));
-  EXPECT_THAT(refusal("guest:{a}", "a", "./nothing"), Says("no executable program", "'./nothing'"));
+  EXPECT_THAT(refusal("guest:{a}", "a", "./nothing"), Says("no file", "'./nothing'"));
   EXPECT_EQ(read_variants("guest:sh {a}", "a", std::vector<std::string>{"{a}{a}"}).contestants[0].name,
             "guest:sh {a}{a}");
 }
