@@ -1,5 +1,5 @@
-// How long a contest takes in the failure model and in the physical one: with its mind, and with the decisions that
-// the mind took there in place of it, which leaves what the worlds themselves cost.
+// How long a contest takes in the failure model and in the physical one: with its strategy, and with the decisions that
+// the strategy took there in place of it, which leaves what the worlds themselves cost.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -11,17 +11,17 @@
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/script.hpp"
-#include "labmouse/lab/hazards/hazard_file.hpp"
+#include "labmouse/lab/failure_rates/failure_file.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
 
 enum class In { failures, physical };
-enum class By { mind, script };
+enum class By { strategy, script };
 
 class Contests {
  public:
@@ -31,9 +31,9 @@ class Contests {
   }
 
   std::size_t count() const { return mazes_.size(); }
-  PhysicalRecord held_by_mind(In world, std::size_t i) const {
-    const auto mind = mouse_.drive(brief(mazes_[i], rules_, model_, i), Settings(mouse_.parameters));
-    return held(world, i, *mind);
+  PhysicalRecord held_by_strategy(In world, std::size_t i) const {
+    const auto strategy = mouse_.drive(brief(mazes_[i], rules_, model_, i), Settings(mouse_.parameters));
+    return held(world, i, *strategy);
   }
   PhysicalRecord held_by_script(In world, std::size_t i, const PhysicalRecord& record) const {
     std::vector<double> paces;
@@ -44,15 +44,15 @@ class Contests {
 
  private:
   PhysicalRecord held(In world, std::size_t i, DrivingStrategy& mouse) const {
-    if (world == In::failures) return drive_with_failures(mazes_[i], rules_, model_, conditions_, hazards_, i, mouse);
+    if (world == In::failures) return drive_with_failures(mazes_[i], rules_, model_, conditions_, rates_, i, mouse);
     return drive_physically(mazes_[i], rules_, model_, conditions_, i, mouse);
   }
 
-  const RosterEntry& mouse_;
+  const BuiltinMouse& mouse_;
   std::vector<Maze> mazes_ = bench_mazes(16);
   DriveModel model_ = find_robot("kerise").model;
   DriveRules rules_ = find_rules("all-japan").rules;
-  Hazards hazards_ = hazards_of(*find_hazards("kerise").file);
+  FailureRates rates_ = rates_of(*find_rates("kerise").file);
   PhysicalConditions conditions_;
 };
 
@@ -60,18 +60,18 @@ void contest(benchmark::State& state, std::string_view mouse, In world, By by) {
   const Contests contests(mouse);
   std::vector<PhysicalRecord> records;
   for (std::size_t i = 0; by == By::script && i < contests.count(); ++i)
-    records.push_back(contests.held_by_mind(world, i));
+    records.push_back(contests.held_by_strategy(world, i));
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(by == By::mind ? contests.held_by_mind(world, i)
+    benchmark::DoNotOptimize(by == By::strategy ? contests.held_by_strategy(world, i)
                                             : contests.held_by_script(world, i, records[i]));
     i = (i + 1) % contests.count();
   }
 }
-BENCHMARK_CAPTURE(contest, flood_return_failures, "flood-return", In::failures, By::mind);
-BENCHMARK_CAPTURE(contest, flood_return_physical, "flood-return", In::physical, By::mind);
-BENCHMARK_CAPTURE(contest, certify_failures, "certify", In::failures, By::mind);
-BENCHMARK_CAPTURE(contest, certify_physical, "certify", In::physical, By::mind);
+BENCHMARK_CAPTURE(contest, flood_return_failures, "flood-return", In::failures, By::strategy);
+BENCHMARK_CAPTURE(contest, flood_return_physical, "flood-return", In::physical, By::strategy);
+BENCHMARK_CAPTURE(contest, certify_failures, "certify", In::failures, By::strategy);
+BENCHMARK_CAPTURE(contest, certify_physical, "certify", In::physical, By::strategy);
 BENCHMARK_CAPTURE(contest, script_failures, "flood-return", In::failures, By::script);
 BENCHMARK_CAPTURE(contest, script_physical, "flood-return", In::physical, By::script);
 

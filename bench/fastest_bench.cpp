@@ -1,5 +1,5 @@
 // Fastest routes in seconds: the walls are read anew, the times found, and the route written down. In turn over
-// different mazes, as in an exploration where the walls change (a processor learns a maze that comes again and again),
+// different mazes, as in a search run where the walls change (a processor learns a maze that comes again and again),
 // and warm, one maze many times; for the route alone, and with the whole field (field_us, in turn); beside the plain
 // search in the same run.
 #include <benchmark/benchmark.h>

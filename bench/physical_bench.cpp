@@ -16,12 +16,12 @@ DriveModel kerise() {
   return model;
 }
 
-/// Body and pilot along known ways: four beams, accelerometer and covariance at each millisecond, with all noise.
+/// Body and controller along known ways: four beams, accelerometer and covariance at each millisecond, with all noise.
 void known_way(benchmark::State& state, KnownWay way) {
   const DriveModel model = kerise();
   const auto mazes = bench_mazes(16);
   PhysicalConditions conditions;
-  conditions.pilot.search_speed = 330.0;
+  conditions.controller.search_speed = 330.0;
   std::uint64_t seed = 0;
   double seconds = 0.0;
   for (auto _ : state) {

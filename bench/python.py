@@ -32,7 +32,7 @@ class Lost:  # never answers
 class Asleep:  # nor does this one, in compiled code
     def decide(self, seen):
         time.sleep(1000)
-guest = "guest:" + sys.executable + ' -c "import time; time.sleep(1000)"'  # nor does that
+guest = "program:" + sys.executable + ' -c "import time; time.sleep(1000)"'  # nor does that
 envs = learn.ContestVectorEnv(20_000, "train")
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell has it ignored in what runs in its background
 sent = []

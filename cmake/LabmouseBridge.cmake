@@ -1,6 +1,6 @@
 # Embeds the bridge to capstone robots in the program, so that it has it wherever it is installed.
 set(LABMOUSE_BRIDGE_SOURCE ${PROJECT_BINARY_DIR}/generated/capstone_bridge.cpp)
-set(labmouse_bridge ${PROJECT_SOURCE_DIR}/labmouse/guests/bridge)
+set(labmouse_bridge ${PROJECT_SOURCE_DIR}/labmouse/external/bridge)
 add_custom_command(OUTPUT ${LABMOUSE_BRIDGE_SOURCE}
   COMMAND ${CMAKE_COMMAND} -DFOLDER=${labmouse_bridge} -DOUTPUT=${LABMOUSE_BRIDGE_SOURCE}
           -P ${CMAKE_CURRENT_LIST_DIR}/embed_bridge.cmake

@@ -1,9 +1,9 @@
-# `cmake --install`: the headers, the rooms, and a CMake package for find_package(labmouse), which says which headers are
+# `cmake --install`: the headers, the modules, and a CMake package for find_package(labmouse), which says which headers are
 # public. The others are details that these include.
 include(CMakePackageConfigHelpers)
 include(LabmousePublicHeaders)
 
-install(TARGETS ${LABMOUSE_ROOMS} labmouse_all EXPORT labmouse)
+install(TARGETS ${LABMOUSE_MODULES} labmouse_all EXPORT labmouse)
 foreach(header IN LISTS LABMOUSE_INSTALLED_HEADERS)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
@@ -16,12 +16,12 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/labmouse-config-version.c
 install(FILES ${PROJECT_BINARY_DIR}/labmouse-config.cmake ${PROJECT_BINARY_DIR}/labmouse-config-version.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/labmouse)
 
-# For builds without CMake: `pkg-config --cflags --libs labmouse`. Each room stands before those that it uses.
+# For builds without CMake: `pkg-config --cflags --libs labmouse`. Each module stands before those that it uses.
 set(LABMOUSE_LIBRARIES "")
-foreach(room IN LISTS LABMOUSE_ROOMS)
-  get_target_property(type ${room} TYPE)
+foreach(module IN LISTS LABMOUSE_MODULES)
+  get_target_property(type ${module} TYPE)
   if(NOT type STREQUAL INTERFACE_LIBRARY)
-    string(PREPEND LABMOUSE_LIBRARIES " -l${room}")
+    string(PREPEND LABMOUSE_LIBRARIES " -l${module}")
   endif()
 endforeach()
 file(RELATIVE_PATH LABMOUSE_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)

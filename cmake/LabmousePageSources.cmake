@@ -1,7 +1,7 @@
-# What the page asks for of the lab and the guests: the sources of its WebAssembly module and of the fuzzer of its calls.
+# What the page asks for of the lab and the external: the sources of its WebAssembly module and of the fuzzer of its calls.
 set(LABMOUSE_PAGE_SOURCES)
 foreach(name IN ITEMS
-    hazards/hazard_file hazards/hazard_odds hazards/hazard_tally
+    failure_rates/failure_file failure_rates/failure_odds failure_rates/failure_tally
     bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound
     mazes/maze_files mazes/maze_link mice/contestant mice/mice_json mice/mouse_names mice/prior_file mice/prior_learning mice/specs
     numbers/maze_interval numbers/sign_flips numbers/statistics numbers/student numbers/verdict numbers/wilson pictures/drive_path pictures/path_data pictures/drive_picture pictures/trace_path pictures/mms_picture pictures/picture_layers
@@ -20,12 +20,12 @@ foreach(name IN ITEMS
   list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/lab/${name}.cpp)
 endforeach()
 foreach(name IN ITEMS dialogue mms/canvas mms/command mms/host mms/outcome mms/statistics protocol quoted_line verdict)
-  list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/guests/${name}.cpp)
+  list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/external/${name}.cpp)
 endforeach()
-foreach(wing IN ITEMS drawing steps drive mms worlds plays page)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/labmouse/lab/${wing}/*.cpp)
+foreach(package IN ITEMS drawing steps drive mms worlds replays page)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/labmouse/lab/${package}/*.cpp)
   if(NOT sources)
-    message(FATAL_ERROR "labmouse/lab/${wing} has no sources")
+    message(FATAL_ERROR "labmouse/lab/${package} has no sources")
   endif()
   # What only terminals and files show.
   list(FILTER sources EXCLUDE REGEX "/(draw_text|draw_plot)[.]cpp$")

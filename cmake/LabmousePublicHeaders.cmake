@@ -25,9 +25,9 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/mouse/robot/robot.hpp
   labmouse/mouse/sighting.hpp
   labmouse/mouse/strategy.hpp
-  labmouse/pilot/parts.hpp
+  labmouse/controller/parts.hpp
   labmouse/strategies/parameter.hpp
-  labmouse/strategies/roster.hpp
+  labmouse/strategies/builtin_mice.hpp
   labmouse/contest/code_contest.hpp
   labmouse/contest/drive.hpp
   labmouse/contest/drive_rules.hpp
@@ -42,7 +42,7 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/lab/mazes/maze_files.hpp
   labmouse/lab/mice/contestant.hpp
   labmouse/lab/mice/parts_in_c.hpp
-  labmouse/lab/mice/pilot_in_c.hpp
+  labmouse/lab/mice/controller_in_c.hpp
   labmouse/lab/mice/specs.hpp
   labmouse/lab/records/record_file.hpp
   labmouse/lab/robots/robot_files.hpp

@@ -1,5 +1,5 @@
 # The behaviour signature of this build, as a constant: to compute it takes seconds, so a small program does it once, when
-# the rooms that it depends on were compiled.
+# the modules that it depends on were compiled.
 set(LABMOUSE_SIGNATURE_SOURCE ${PROJECT_BINARY_DIR}/generated/build_signature.cpp)
 add_executable(labmouse_signature apps/signature/signature.cpp labmouse/lab/bench/signature.cpp)
 target_compile_options(labmouse_signature PRIVATE ${LABMOUSE_WARNINGS})

@@ -1,4 +1,4 @@
-// labmouse bench: one number for behaviour, the speeds of this build on this machine, and the memory that minds take.
+// labmouse bench: one number for behaviour, the speeds of this build on this machine, and the memory that strategies take.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "command.hpp"
 #include "labmouse/lab/bench/distance_speed.hpp"
-#include "labmouse/lab/bench/mind_memory.hpp"
+#include "labmouse/lab/bench/strategy_memory.hpp"
 #include "labmouse/lab/bench/signature.hpp"
 #include "labmouse/lab/bench/speed_json.hpp"
 #include "labmouse/lab/robots/builtin_robots.hpp"
@@ -41,28 +41,28 @@ std::string bench_json(const std::string& signature, const Speed& speed) {
   return json.dump(1) + "\n";
 }
 
-/// What the minds take that drive a robot, in mazes of one size.
+/// What the strategies take that drive a robot, in mazes of one size.
 struct RobotMemory {
   std::string robot;
-  MindMemory minds;
+  StrategyMemory strategies;
 };
 
 std::vector<RobotMemory> memory_of(const std::vector<std::string>& names) {
   std::vector<RobotMemory> memory;
   for (const std::string& name : names) {
     const FoundRobot found = find_robot_or_refuse(name);
-    for (const int side : {16, max_drive_side}) memory.push_back({name, mind_memory({side, side}, found.model)});
+    for (const int side : {16, max_drive_side}) memory.push_back({name, strategy_memory({side, side}, found.model)});
   }
   return memory;
 }
 
-/// Of whole minds: the fields and what the mind takes itself.
-MemoryLayout whole_minds(const MindMemory& memory) {
-  MemoryLayout minds;
-  for (const auto& [mouse, own] : memory.own) minds.push_back({mouse, memory.fields + own});
-  return minds;
+/// Of whole strategies: the fields and what the strategy takes itself.
+MemoryLayout whole_strategies(const StrategyMemory& memory) {
+  MemoryLayout strategies;
+  for (const auto& [mouse, own] : memory.own) strategies.push_back({mouse, memory.fields + own});
+  return strategies;
 }
-MemoryLayout fields_of(const MindMemory& memory) {
+MemoryLayout fields_of(const StrategyMemory& memory) {
   MemoryLayout parts = memory.layout;
   parts.push_back({"fields", memory.fields});
   parts.push_back({"tables", memory.tables});
@@ -90,7 +90,7 @@ std::string memory_table(const std::vector<RobotMemory>& robots, Parts parts_of)
 }
 
 std::string memory_text(const std::vector<RobotMemory>& robots) {
-  return "a mouse that drives, KiB\n" + memory_table(robots, whole_minds) +
+  return "a mouse that drives, KiB\n" + memory_table(robots, whole_strategies) +
          "\nits fields among that, and the tables that all minds share, KiB\n" + memory_table(robots, fields_of);
 }
 

@@ -32,7 +32,7 @@ Pose read_place(const std::string& text, bool with_heading) {
   for (const Heading heading : all_headings) headings.push_back(name_of(heading));
   const auto bad = [&] {
     const auto form = with_heading
-                          ? fmt::format(" or X,Y,HEADING with one of the headings {}", fmt::join(headings, ", "))
+                          ? fmt::format("; or X,Y,HEADING with one of the headings {}", fmt::join(headings, ", "))
                           : std::string();
     return UsageError(fmt::format("error: '{}' is not a position; write X,Y with numbers from 0 to {}, such as 0,0{}",
                                   text, max_side - 1, form));
@@ -108,7 +108,7 @@ KindWords words_of(FileKind kind) {
       break;
   }
   // Of what is read there, only mice files have no kind of their own.
-  return {"a mice file", "`labmouse lineup init FOLDER` writes one", ""};
+  return {"a mice file", "`labmouse mice-file init FOLDER` writes one", ""};
 }
 
 /// Throws UsageError where the file is one of ours and no maze.

@@ -112,7 +112,7 @@ std::vector<Contestant> mice_of(SpecResult read) {
 }
 
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const WorldChoice& world,
-                                         GuestOptions options) {
+                                         ExternalOptions options) {
   if (!specs.empty()) return find_contestants(specs, std::move(options));
   std::vector<Contestant> mice = residents_of(*world.world());
   if (mice.empty())
@@ -121,28 +121,28 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
   return mice;
 }
 
-std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, GuestOptions options) {
+std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, ExternalOptions options) {
   options.stop = &stop_flag;
   return mice_of(read_specs(specs, options));
 }
 
-void add_lineups(Command& command, std::vector<std::string>& lineups) {
+void add_mice_files(Command& command, std::vector<std::string>& mice_files) {
   command.group(groups::mice);
   command
-      .add_option("--lineup", lineups,
+      .add_option("--mice-file", mice_files,
                   "Mice file: names of mice with their commands, as docs/reference/files.md explains (repeatable)")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();
 }
 
-std::vector<std::string> with_lineups(std::vector<std::string> specs, const std::vector<std::string>& lineups) {
-  for (const std::string& file : lineups) {
+std::vector<std::string> with_mice_files(std::vector<std::string> specs, const std::vector<std::string>& mice_files) {
+  for (const std::string& file : mice_files) {
     // A pipe can be read only once, and a FILE:NAME is no file.
     std::error_code unknown;
     if (std::filesystem::is_regular_file(file, unknown))
       refuse_other_kind(file, read_file(file).content, FileKind::unknown);
-    specs.push_back("lineup:" + file);
+    specs.push_back("mice-file:" + file);
   }
   return specs;
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "labmouse/lab/galleries/results_folder.hpp"
+#include "labmouse/lab/result_folders/results_folder.hpp"
 #include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/store/store.hpp"
 #include "worlds.hpp"
@@ -41,16 +41,16 @@ void add_contests(Command& command, Contests& contests);
 /// The mice that were read; throws UsageError with all that is wrong with them.
 std::vector<Contestant> mice_of(SpecResult read);
 
-/// The mice of the SPECs; throws UsageError. While an Interruptible lives, Ctrl-C ends the guests among them.
-std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, GuestOptions options = {});
-/// The same; where there is no SPEC, all of the roster that race in that world.
+/// The mice of the SPECs; throws UsageError. While an Interruptible lives, Ctrl-C ends the external mice among them.
+std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, ExternalOptions options = {});
+/// The same; where there is no SPEC, all of the list of built-in mice that race in that world.
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const WorldChoice& world,
-                                         GuestOptions options = {});
+                                         ExternalOptions options = {});
 
-/// --lineup, files of mice.
-void add_lineups(Command& command, std::vector<std::string>& lineups);
-/// SPECs of mice and of the files of lineups.
-std::vector<std::string> with_lineups(std::vector<std::string> specs, const std::vector<std::string>& lineups);
+/// --mice file, files of mice.
+void add_mice_files(Command& command, std::vector<std::string>& mice_files);
+/// SPECs of mice and of the files of mice files.
+std::vector<std::string> with_mice_files(std::vector<std::string> specs, const std::vector<std::string>& mice_files);
 
 /// The mazes in which that world holds contests; of those that were named directly none may be refused.
 MazeCollection find_mazes_of(const World& world, const Contests& contests);

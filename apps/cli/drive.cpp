@@ -1,4 +1,4 @@
-// labmouse drive: how sure a robot's pilot is along known ways.
+// labmouse drive: how sure a robot's controller is along known ways.
 #include <fmt/format.h>
 
 #include <memory>
@@ -20,7 +20,7 @@ struct DriveOptions {
   Places places;
   std::string robot = "kerise";
   std::string noise = "1";
-  double spread = field_spread, speed = 0.0;
+  double variation = field_variation, speed = 0.0;
   bool fast = false, groups = false, corrections = false;
   int runs = 20;
   std::uint64_t seed = 1;
@@ -40,8 +40,8 @@ std::vector<DriveCase> cases_of(const DriveOptions& options) {
   for (const double noise : noises) {
     PhysicalConditions conditions;
     conditions.noise.all = noise;
-    conditions.noise.spread = options.spread;
-    conditions.pilot.search_speed = options.speed;
+    conditions.noise.variation = options.variation;
+    conditions.controller.search_speed = options.speed;
     const std::string name = fmt::format("noise {:g}", noise);
     std::vector<DriveCase> parts = options.groups        ? cases_by_group(conditions)
                                    : options.corrections ? cases_by_correction(conditions)
@@ -113,8 +113,8 @@ void add_drive(Command& app, int& exit) {
   command->add_option("--noise", options->noise, "Scales of all noise, separated by commas: 1 as measured, 0 none")
       ->type_name("LIST")
       ->capture_default_str();
-  command->add_option("--spread", options->spread, "Scale of the variation between mice (1 = as measured)")
-      ->check(in_range(0.0, most_spread))
+  command->add_option("--variation", options->variation, "Scale of the variation between mice (1 = as measured)")
+      ->check(in_range(0.0, most_variation))
       ->capture_default_str();
   command->add_option("--search-speed", options->speed, "Speed of the search moves in mm/s; 0: the robot's own")
       ->check(search_speed())

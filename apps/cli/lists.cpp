@@ -1,4 +1,4 @@
-// labmouse mice: the roster.
+// labmouse mice: the list of built-in mice.
 #include <memory>
 
 #include "command.hpp"

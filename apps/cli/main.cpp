@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
   add_sweep(app, exit);
   add_study(app, exit);
   add_tune(app, exit);
-  add_lineup(app, exit);
+  add_mice_file(app, exit);
   add_run(app, exit);
   add_mms(app, exit);
   add_learn(app, exit);
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
   add_bound(app, exit);
   add_route(app, exit);
   add_drive(app, exit);
-  add_hazards(app, exit);
+  add_failure_rates(app, exit);
   add_replay(app, exit);
   add_score(app, exit);
   add_page(app, exit);

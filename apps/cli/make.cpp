@@ -119,7 +119,7 @@ void add_convert(Command& app, int& exit) {
       ->add_option("--format", options->format,
                    "Format: " + list_of(all_formats()) + "; default: by the extension of OUT, otherwise drawing")
       ->type_name("FORMAT");
-  command->footer("Example: labmouse convert capstone-1 maze.maz");
+  command->footer("Example: labmouse convert contest-01 maze.maz");
   command->callback([options, &exit] {
     write(find_maze(options->in, {}).maze, options->out, options->format);
     exit = exit_good;

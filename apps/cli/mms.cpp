@@ -9,10 +9,10 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "frames.hpp"
-#include "guests.hpp"
-#include "labmouse/guests/mms/run.hpp"
-#include "labmouse/lab/plays/mms_drawing.hpp"
-#include "labmouse/lab/plays/mms_summary.hpp"
+#include "external.hpp"
+#include "labmouse/external/mms/run.hpp"
+#include "labmouse/lab/replays/mms_drawing.hpp"
+#include "labmouse/lab/replays/mms_summary.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -22,7 +22,7 @@ namespace {
 struct MmsCommandOptions {
   std::string command, maze, record;
   MmsOptions mms;
-  GuestOptions guests;
+  ExternalOptions external_mice;
   bool watch = false;
   double speed = 5.0;
 };
@@ -64,10 +64,10 @@ class Watching {
 
 MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
   const Interruptible interruptible;
-  GuestOptions guests = options.guests;
-  guests.stop = &interruptible.stopped();
-  for (const std::string& file : {options.maze, options.record}) guests.hidden->add(file);
-  const std::vector<Contestant> mice = find_contestants({"mms:" + options.command}, guests);
+  ExternalOptions external_mice = options.external_mice;
+  external_mice.stop = &interruptible.stopped();
+  for (const std::string& file : {options.maze, options.record}) external_mice.hidden->add(file);
+  const std::vector<Contestant> mice = find_contestants({"mms:" + options.command}, external_mice);
   const Contestant& mouse = mice.front();
   std::optional<MmsRecorder> recorder;
   std::optional<Watching> watching;
@@ -136,7 +136,7 @@ void add_mms(Command& app, int& exit) {
                       ->check(in_range(0.01, 1e6))
                       ->capture_default_str();
   command->add_option("--record", options->record, "Save a record of what the program did")->type_name("FILE");
-  add_guest_options(*command, options->guests);
+  add_external_options(*command, options->external_mice);
   command->footer("Example: labmouse mms 'python3 mouse.py' --maze contest-05 --speed 10");
   command->callback([options, speed, &exit] {
     options->watch = options->watch || speed->count() > 0;

@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/functions/parse_number.hpp"
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -337,14 +338,37 @@ CommandLine::CommandLine(const std::string& program, const std::string& meaning,
 
 CommandLine::~CommandLine() = default;
 
+namespace {
+
+/// A command or an option under its name of today.
+std::string today_word(const std::string& word, bool is_command) {
+  constexpr std::array commands = std::to_array<FormerName>({{"lineup", "mice-file"}, {"hazards", "failure-rates"}});
+  constexpr std::array options = std::to_array<FormerName>({{"--lineup", "--mice-file"},
+                                                            {"--spread", "--variation"},
+                                                            {"--hazards", "--failure-rates"},
+                                                            {"--guest-runs", "--external-runs"}});
+  if (is_command)
+    for (const FormerName& command : commands)
+      if (word == command.former) return std::string(command.today);
+  for (const FormerName& option : options)
+    if (word == option.former || word.starts_with(std::string(option.former) + "="))
+      return std::string(option.today) + word.substr(option.former.size());
+  return word;
+}
+
+}  // namespace
+
 bool CommandLine::run(int argc, char** argv) {
   if (argc <= 1) {
     print(start_page_);
     return true;
   }
-  refuse_unknown_command(*app_, argv[1]);
+  // CLI11 takes the words from their end.
+  std::vector<std::string> words;
+  for (int i = argc - 1; i > 0; --i) words.push_back(today_word(argv[i], i == 1));
+  refuse_unknown_command(*app_, words.back());
   try {
-    app_->parse(argc, argv);
+    app_->parse(std::move(words));
     return false;
   } catch (const CLI::Success& asked) {  // for the help or the version
     app_->exit(asked);

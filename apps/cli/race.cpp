@@ -8,9 +8,9 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "guests.hpp"
-#include "labmouse/lab/curves/noise_curves.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
+#include "external.hpp"
+#include "labmouse/lab/noise_curves/noise_curves.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
@@ -25,9 +25,9 @@ namespace labmouse::cli {
 namespace {
 
 struct RaceOptions {
-  std::vector<std::string> mice, lineups;
+  std::vector<std::string> mice, mice_files;
   Contests contests;
-  GuestOptions guests;
+  ExternalOptions external_mice;
   std::string format = "table", columns = "usual";
   std::string out;
   bool overwrite = false;
@@ -75,7 +75,7 @@ class Holding {
     RaceHooks hooks;
     hooks.stop = &interruptible_.stopped();
     if (!options_.out.empty()) hooks.keep = RaceFolder::keep;
-    hooks.finished = [this](const Race& race, const ContestResult& contest, const Held& held) {
+    hooks.finished = [this](const Race& race, const ContestResult& contest, const ContestOutput& held) {
       progress_.advance(all_);
       if (options_.out.empty() || !failed_write_.empty()) return;
       if (!folder_) folder_.emplace(options_.out, race);
@@ -214,7 +214,7 @@ int race(const RaceOptions& options) {
                   {"--baseline", options.baseline, Output::Kind::input}});
   std::optional<Holding> holding(options);
   std::vector<Entry> entries = options.contests.world.enter(
-      find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests));
+      find_contestants(with_mice_files(options.mice, options.mice_files), options.contests.world, options.external_mice));
   check_noises(options, entries);
   const auto baselines = load_baselines(options, entries);
   if (options.format == "csv" && entries.size() > 1)
@@ -256,12 +256,12 @@ void add_race(Command& app, int& exit) {
   command->group(groups::mice);
   command
       ->add_option("--mice", options->mice,
-                   "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, "
-                   "pilot:COMMAND, mms:COMMAND (repeatable); default: all")
+                   "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, program:COMMAND, "
+                   "controller:COMMAND, mms:COMMAND (repeatable); default: all")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();
-  add_lineups(*command, options->lineups);
+  add_mice_files(*command, options->mice_files);
   add_contests(*command, options->contests);
   command->group(groups::output);
   command->add_option("--format", options->format, "What is printed")
@@ -302,7 +302,7 @@ void add_race(Command& app, int& exit) {
       ->type_name("FILE");
   command->add_flag("--shares", options->shares,
                     "Print the shares of the mazes that each mouse discovered and visited");
-  add_racing_guests(*command, options->guests);
+  add_racing_options(*command, options->external_mice);
   command->footer(
       "Example: labmouse race --mice flood:stride=1,certify --mazes capstone-1 --format json > today.json\n"
       "         labmouse race --mice flood,certify --mazes capstone-1 --baseline today.json\n"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "options.hpp"
 
 namespace labmouse::cli {

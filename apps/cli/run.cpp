@@ -6,11 +6,11 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "guests.hpp"
+#include "external.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "replay.hpp"
 #include "worlds.hpp"
 
@@ -22,7 +22,7 @@ struct RunOptions {
   Places places;
   WorldChoice world;
   ExplainOptions explain;
-  GuestOptions guests;
+  ExternalOptions external_mice;
   std::uint64_t seed = 1;
   bool watch = false;
   int delay = 60;
@@ -40,7 +40,7 @@ std::string last_words_of(const Race& race, const ContestResult& result) {
   return text;
 }
 
-/// Holds the contest, and shows it as its record is.
+/// Runs the contest, and shows it as its record is.
 int run_in(std::shared_ptr<const World> world, const RunOptions& options, const Contestant& mouse,
            const NamedMaze& maze) {
   const Interruptible interruptible;
@@ -52,7 +52,7 @@ int run_in(std::shared_ptr<const World> world, const RunOptions& options, const 
   ContestResult result;
   result.seed = result.told = options.seed;
   const Keep keep = {.record = true, .reasons = options.explain.wanted};
-  const Held held = race.world().hold(race, result, keep, &interruptible.stopped());
+  const ContestOutput held = race.world().hold(race, result, keep, &interruptible.stopped());
   if (!result.done) return exit_interrupted();
   if (!options.record.empty()) save(options.record, held.record);
   ReplayOptions shown_as;
@@ -73,11 +73,11 @@ int run_contest(const RunOptions& options) {
   if (find_mouse(options.maze) != nullptr && maze_named(options.mouse))
     throw UsageError(fmt::format("error: '{}' is a maze, and the mouse comes first: labmouse run {} {}", options.mouse,
                                  options.maze, options.mouse));
-  std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
+  std::vector<Contestant> mice = find_contestants({options.mouse}, options.external_mice);
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   const std::shared_ptr<const World> world = options.world.enter_one(mice);
   const NamedMaze maze = find_maze(options.maze, options.places);
-  for (const std::string& file : {options.maze, options.record, options.svg}) options.guests.hidden->add(file);
+  for (const std::string& file : {options.maze, options.record, options.svg}) options.external_mice.hidden->add(file);
   if (const std::string reason = world->refuse(maze.maze); !reason.empty())
     throw UsageError(fmt::format("error: {} {}", shown(maze.name), reason));
   return run_in(world, options, mice.front(), maze);
@@ -91,7 +91,7 @@ void add_run(Command& app, int& exit) {
   command
       ->add_option(
           "mouse", options->mouse,
-          "Mouse: name[:key=value]..., or in quotes capstone:FILE, guest:COMMAND, mms:COMMAND or pilot:COMMAND")
+          "Mouse: name[:key=value]..., or in quotes capstone:FILE, program:COMMAND, mms:COMMAND or controller:COMMAND")
       ->required()
       ->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
@@ -107,8 +107,8 @@ void add_run(Command& app, int& exit) {
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
   command->add_option("--record", options->record, "Save the record; with --explain, include the reasons")
       ->type_name("FILE");
-  add_python(*command, options->guests);
-  add_guest_options(*command, options->guests);
+  add_python(*command, options->external_mice);
+  add_external_options(*command, options->external_mice);
   command->footer(
       "Example: labmouse run certify capstone-1 --watch --svg walk.svg\n"
       "         labmouse run festina contest-05 --world physical --noise 2 --explain --svg drive.svg");

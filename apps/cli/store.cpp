@@ -7,8 +7,8 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "guests.hpp"
-#include "labmouse/guests/sandbox.hpp"
+#include "external.hpp"
+#include "labmouse/external/sandbox.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/store/store_changes.hpp"
@@ -64,10 +64,10 @@ ExitCode list(const StoreOptions& options) {
     mouse = std::max(mouse, each.mouse.size());
   }
   std::string text = fmt::format("{:<{}} {:<{}} {:>6} {:>8} {:>7} {:>9}  {:<10}  {:<10}\n", "world", world, "mouse",
-                                 mouse, "mazes", "contests", "solved", "mean", "first", "last");
+                                 mouse, "mazes", "contests", "finished", "mean", "first", "last");
   for (const StoredMouse& each : found.mice)
     text += fmt::format("{:<{}} {:<{}} {:>6} {:>8} {:>7} {:>9}  {}  {}", shown(each.world), world, shown(each.mouse),
-                        mouse, each.mazes, each.contests, each.solved,
+                        mouse, each.mazes, each.contests, each.finished,
                         each.mean ? fmt::format("{:.3f}", *each.mean) : "-", day_of(each.first), day_of(each.last)) +
             (each.apart.empty() ? "" : "  " + shown(each.apart)) + "\n";
   print(text);
@@ -142,7 +142,7 @@ ExitCode merge(const StoreOptions& options) {
   return exit_good;
 }
 
-/// What became of picked contests that were not held again.
+/// What became of picked contests that were not run again.
 std::string left_out(const Verification& found) {
   std::string text;
   if (found.impossible > 0)
@@ -158,7 +158,7 @@ std::string left_out(const Verification& found) {
 
 ExitCode verify(StoreOptions options) {
   if (options.run_programs) {
-    if (options.verification.guests.sandbox == SandboxUse::never)
+    if (options.verification.external_mice.sandbox == SandboxUse::never)
       throw UsageError("error: store verify runs the programs of a store only in a sandbox; leave out --sandbox off");
     if (const std::string reason = why_no_sandbox(); !reason.empty())
       throw UsageError(
@@ -171,7 +171,7 @@ ExitCode verify(StoreOptions options) {
     };
   }
   const Interruptible interruptible;
-  options.verification.stop = options.verification.guests.stop = &interruptible.stopped();
+  options.verification.stop = options.verification.external_mice.stop = &interruptible.stopped();
   const Verification found = verify_store(options.file, options.filter, options.verification);
   if (!found.error.empty()) throw UsageError(found.error);
   for (const std::string& remark : found.remarks) tell(remark + "\n");
@@ -247,8 +247,8 @@ void add_store(Command& app, int& exit) {
       ->capture_default_str();
   verify_command->add_flag("--run-programs", options->run_programs,
                            "Also re-run external mice, by their commands in the store, in a sandbox");
-  add_python(*verify_command, options->verification.guests);
-  add_guest_options(*verify_command, options->verification.guests);
+  add_python(*verify_command, options->verification.external_mice);
+  add_external_options(*verify_command, options->verification.external_mice);
   verify_command->footer("Example: labmouse store verify results.db --share 0.1");
   verify_command->callback([options, &exit] { exit = verify(*options); });
   Command* forget_command = add(*command, *options, "forget", "Delete contests");

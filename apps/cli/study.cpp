@@ -5,16 +5,16 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "guests.hpp"
+#include "external.hpp"
 #include "labmouse/lab/races/never_started.hpp"
 
 namespace labmouse::cli {
 namespace {
 
 struct StudyOptions {
-  std::vector<std::string> mice, lineups;
+  std::vector<std::string> mice, mice_files;
   Contests contests;
-  GuestOptions guests;
+  ExternalOptions external_mice;
   int folds = StudyOrder().folds;
   bool no_learning = false;
   std::string svg, csv;
@@ -32,11 +32,11 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, con
 }
 
 int study(const StudyOptions& options) {
-  if (options.mice.empty() && options.lineups.empty()) throw UsageError("error: --mice or --lineup is required");
+  if (options.mice.empty() && options.mice_files.empty()) throw UsageError("error: --mice or --mice-file is required");
   expect_outputs(
       {{"--csv", options.csv}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
   std::vector<Contestant> mice =
-      find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests);
+      find_contestants(with_mice_files(options.mice, options.mice_files), options.contests.world, options.external_mice);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));
   MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   const Study result = hold(options, mice, order, std::move(mazes.mazes));
@@ -61,14 +61,14 @@ void add_study(Command& app, int& exit) {
   command->group(groups::mice);
   command
       ->add_option("--mice", options->mice,
-                   "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, "
-                   "pilot:COMMAND, mms:COMMAND (repeatable); the first is the one that others are compared with")
+                   "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, program:COMMAND, "
+                   "controller:COMMAND, mms:COMMAND (repeatable); the first is the one that others are compared with")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();
-  add_lineups(*command, options->lineups);
+  add_mice_files(*command, options->mice_files);
   add_contests(*command, options->contests);
-  add_racing_guests(*command, options->guests);
+  add_racing_options(*command, options->external_mice);
   command->group("Study");
   command->add_option("--folds", options->folds, "Number of parts to divide the mazes into; each is held out once")
       ->check(in_range(2, 1'000'000))
@@ -82,7 +82,7 @@ void add_study(Command& app, int& exit) {
       ->check(one_of({"table", "json"}))
       ->capture_default_str();
   command->footer(
-      "Example: labmouse study --mice flood,certify --mazes capstone-1 capstone-2 capstone-3 --folds 3 --svg "
+      "Example: labmouse study --mice flood,certify --mazes contest-01 contest-02 contest-03 --folds 3 --svg "
       "study.svg");
   command->refer({groups::mazes, groups::world, groups::contests, groups::programs}, "labmouse race");
   command->callback([options, &exit] { exit = study(*options); });

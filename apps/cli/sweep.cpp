@@ -5,7 +5,7 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "guests.hpp"
+#include "external.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 
 namespace labmouse::cli {
@@ -14,7 +14,7 @@ namespace {
 struct SweepOptions {
   std::string mouse, vary, svg, csv;
   Contests contests;
-  GuestOptions guests;
+  ExternalOptions external_mice;
 };
 
 Sweep hold(const SweepOptions& options, const Variation& variation, const std::vector<NamedMaze>& mazes,
@@ -24,9 +24,9 @@ Sweep hold(const SweepOptions& options, const Variation& variation, const std::v
   SweepHooks hooks;
   hooks.stop = &interruptible.stopped();
   hooks.finished = [&](std::size_t all) { progress.advance(all); };
-  GuestOptions guests = options.guests;
-  guests.stop = &interruptible.stopped();
-  return hold_sweep(options.mouse, variation, mazes, order, hooks, guests);
+  ExternalOptions external_mice = options.external_mice;
+  external_mice.stop = &interruptible.stopped();
+  return hold_sweep(options.mouse, variation, mazes, order, hooks, external_mice);
 }
 
 int sweep(const SweepOptions& options) {
@@ -35,7 +35,7 @@ int sweep(const SweepOptions& options) {
   const Variation variation = read_variation(options.vary);
   if (!variation.error.empty()) throw UsageError("error: " + variation.error);
   std::vector<Contestant> variants =
-      mice_of(read_variants(options.mouse, variation.parameter, variation.values, options.guests));
+      mice_of(read_variants(options.mouse, variation.parameter, variation.values, options.external_mice));
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(variants));
   const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   const Sweep result = hold(options, variation, mazes.mazes, order);
@@ -64,7 +64,7 @@ void add_sweep(Command& app, int& exit) {
       ->required()
       ->type_name("NAME=LOW:HIGH:STEP|NAME=VALUE,VALUE,...");
   add_contests(*command, options->contests);
-  add_racing_guests(*command, options->guests);
+  add_racing_options(*command, options->external_mice);
   command->group(groups::output);
   command->add_option("--csv", options->csv, "Save the numbers as CSV, one line per value")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a plot of the mean score against the value")->type_name("FILE");

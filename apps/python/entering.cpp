@@ -55,7 +55,7 @@ std::vector<Contestant> mice_by(SpecResult read) {
 }
 
 /// The mice of SPECs. A name is no part of one: it may have any characters.
-std::vector<Contestant> mice_by_specs(const Choice& choice, const GuestOptions& options) {
+std::vector<Contestant> mice_by_specs(const Choice& choice, const ExternalOptions& options) {
   std::vector<std::string> nameless;
   std::vector<Contestant> mice;
   for (const auto& [name, spec] : choice.specs) {
@@ -76,7 +76,7 @@ std::vector<Contestant> mice_by_specs(const Choice& choice, const GuestOptions& 
 }
 
 std::vector<Contestant> mice_of(Choice& choice, const std::atomic<bool>* stop) {
-  GuestOptions options;
+  ExternalOptions options;
   options.python = choice.python;
   options.label = choice.label;
   options.stop = stop;

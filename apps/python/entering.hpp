@@ -23,7 +23,7 @@ struct Choice {
   std::string world;             ///< empty: the one that suits the mice
   WorldSettings settings;        ///< those that were given
   std::string python;            ///< that runs capstone robots
-  std::string label;             ///< as of GuestOptions
+  std::string label;             ///< as of ExternalOptions
 };
 
 /// Mice in their world, and the mazes that it takes.
@@ -34,7 +34,7 @@ struct Field {
   std::vector<std::string> remarks;
 };
 
-/// Throws UserError. Where there is no mouse, all of the roster race that the world takes. Once `stop` is true, guests
+/// Throws UserError. Where there is no mouse, all of the list of built-in mice race that the world takes. Once `stop` is true, external mice
 /// and mice in Python are ended.
 Field enter(Choice choice, const std::atomic<bool>* stop);
 

@@ -1,4 +1,4 @@
-// Contests stepped together, for minds that learn: labmouse.learn has the environments around it.
+// Contests stepped together, for strategies that learn: labmouse.learn has the environments around it.
 #include <fmt/format.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>

@@ -95,7 +95,7 @@ class ThreadStrategy final : public DrivingStrategy {
       seat->end();
     });
     have_done([maker, briefing](Seat& seat) {
-      seat.mouse = make_python_mind(maker, briefing, &seat.stopped);
+      seat.mouse = make_python_strategy(maker, briefing, &seat.stopped);
       seat.started = seat.mouse->report().started;
       seat.idle = std::make_unique<nb::gil_scoped_release>();
     });
@@ -266,7 +266,7 @@ class ProcessStrategy final : public DrivingStrategy {
 class NativeStrategy {
  public:
   NativeStrategy(nb::object maker, const PythonBriefing& told)
-      : mouse_(make_python_mind(std::make_shared<const MouseMaker>(std::move(maker), nb::none()), told.briefing,
+      : mouse_(make_python_strategy(std::make_shared<const MouseMaker>(std::move(maker), nb::none()), told.briefing,
                                 nullptr)) {}
   DrivingStrategy& mouse() { return *mouse_; }
 

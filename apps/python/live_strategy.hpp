@@ -6,7 +6,7 @@
 
 #include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/driving_strategy.hpp"
-#include "python_mind.hpp"
+#include "python_strategy.hpp"
 
 namespace labmouse::python {
 

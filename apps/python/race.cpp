@@ -17,8 +17,8 @@
 #include "bindings.hpp"
 #include "entering.hpp"
 #include "errors.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
-#include "labmouse/lab/galleries/results_folder.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
+#include "labmouse/lab/result_folders/results_folder.hpp"
 #include "labmouse/lab/numbers/verdict.hpp"
 #include "labmouse/lab/standings/maze_scores.hpp"
 #include "labmouse/lab/standings/mouse_pair.hpp"
@@ -82,7 +82,7 @@ class RunningRace {
       RaceHooks hooks;
       hooks.stop = &work_.stopped();
       if (!out_.empty()) hooks.keep = RaceFolder::keep;
-      hooks.finished = [this, all](const Race& race, const ContestResult& contest, const Held& held) {
+      hooks.finished = [this, all](const Race& race, const ContestResult& contest, const ContestOutput& held) {
         work_.advance(all);
         note_time(race, contest);
         save(race, contest, held);
@@ -112,7 +112,7 @@ class RunningRace {
     seconds += std::chrono::duration<double>(now - std::exchange(told_, now)).count();
   }
 
-  void save(const Race& race, const ContestResult& contest, const Held& held) {
+  void save(const Race& race, const ContestResult& contest, const ContestOutput& held) {
     if (out_.empty() || !failed_write_.empty()) return;
     if (!records_) records_.emplace(out_, race);
     if (failed_write_ = records_->save(contest, held); !failed_write_.empty()) work_.stop();

@@ -30,7 +30,7 @@ namespace {
 /// A contest that was held: a race of one.
 struct HeldContest {
   Race race;
-  Held held;
+  ContestOutput held;
 
   const ContestResult& result() const { return race.results.front(); }
 };

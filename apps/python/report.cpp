@@ -7,7 +7,7 @@
 
 #include "embedded_page.hpp"
 #include "errors.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/calls.hpp"
@@ -45,14 +45,14 @@ class TemporaryFolder {
 
 }  // namespace
 
-std::string report_of(const Race& race, const std::vector<std::pair<ContestResult, Held>>& contests) {
+std::string report_of(const Race& race, const std::vector<std::pair<ContestResult, ContestOutput>>& contests) {
   const std::string_view page = cli::embedded_page();
   if (page.empty())
     throw UserError("this package was built without the page; run `make page` and build the package again");
   const TemporaryFolder folder;
   const RaceFolder files(folder.path(), race);
   for (const auto& [contest, held] : contests) {
-    Held record;
+    ContestOutput record;
     record.record = held.record;
     if (const auto error = files.save(contest, record); !error.empty()) throw UserError(error);
   }

@@ -1,8 +1,8 @@
 // What the lab does otherwise where it has no system: a page has no files, starts no programs, and has one thread.
-#include "labmouse/guests/hidden_files.hpp"
-#include "labmouse/guests/mms/run.hpp"
-#include "labmouse/lab/mice/guest_specs.hpp"
-#include "labmouse/lab/mice/lineup_specs.hpp"
+#include "labmouse/external/hidden_files.hpp"
+#include "labmouse/external/mms/run.hpp"
+#include "labmouse/lab/mice/external_specs.hpp"
+#include "labmouse/lab/mice/mice_file_specs.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/system/version.hpp"
@@ -17,11 +17,11 @@ void HiddenFiles::add(const std::string&) {}
 
 void HiddenFiles::add_store(const std::string&) {}
 
-void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
+void read_external_spec(std::string_view, const ExternalOptions&, SpecResult& result) {
   result.error = "a page starts no programs";
 }
 
-void read_lineup_spec(std::string_view, const GuestOptions&, const Setting*, ReadOwnMouse, SpecResult& result) {
+void read_mice_file_spec(std::string_view, const ExternalOptions&, const Setting*, ReadOwnMouse, SpecResult& result) {
   result.error = "a page reads no files";
 }
 

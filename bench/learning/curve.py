@@ -21,7 +21,7 @@ def main() -> None:
     written = json.loads(resources.files("labmouse.learn").joinpath("mouse.json").read_text(encoding="utf-8"))
     mazes = learn.MazeSet("validation")[:100]
     race = labmouse.race("cautious,flood-return,ariadne", mazes, runs=5, progress=False)
-    lines = dict(zip(race.standings["name"], race.standings["penalised_mean"]))
+    lines = dict(zip(race.standings["name"], race.standings["mean_par1"]))
     lines["bound"] = float(race.mazes["bound"].mean())
     figure, axes = plt.subplots(figsize=(7, 4))
     points = written["curve"]

@@ -17,8 +17,8 @@ def main() -> None:
     print(f"{'the bound':26}{race.mazes['bound'].mean():8.2f}")
     for mouse in race.standings.to_dict("records"):
         low, high = mouse["interval"]
-        steps = mouse["mean_exploration_steps"]
-        print(f"{mouse['name']:26}{mouse['penalised_mean']:8.2f}  {low:6.1f}-{high:.1f}  {mouse['solved']} of {mouse['runs']}"
+        steps = mouse["mean_search_steps"]
+        print(f"{mouse['name']:26}{mouse['mean_par1']:8.2f}  {low:6.1f}-{high:.1f}  {mouse['finished']} of {mouse['runs']}"
               f", explores {steps:.0f} steps, {100 * mouse['optimal_share']:.0f} % shortest speed runs")
     for against in ("ariadne", "flood-return", "cautious", "learned, weights shuffled"):
         found = race.compare("learned", against)

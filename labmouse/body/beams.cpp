@@ -33,17 +33,17 @@ Lines lines_of(const Field& field, double from, double way) {
 
 }  // namespace
 
-Beams::Beams(const Field& field, const Sensors& sensors, const Specimen& specimen)
+Beams::Beams(const Field& field, const Sensors& sensors, const RobotSample& robot_sample)
     : field_(field),
       sensors_(sensors),
-      specimen_(specimen),
+      robot_sample_(robot_sample),
       per_fall_(1.0 / sensors.infrared.fall),
       per_footprint_(1.0 / sensors.infrared.footprint) {
   const Infrared& infrared = sensors.infrared;
   for (std::size_t beam = 0; beam < beam_count; ++beam) {
     directions_[beam] = direction_of(infrared.beams[beam].angle);
     const double calibrated = calibrated_distance(infrared.beams[beam], field.cell());
-    gains_[beam] = infrared.gain * specimen.infrared[beam] * exp_of(calibrated * per_fall_);
+    gains_[beam] = infrared.gain * robot_sample.infrared[beam] * exp_of(calibrated * per_fall_);
     reaches_[beam] = infrared.fall * log_of(2.0 * std::max(1.0, gains_[beam]));
   }
 }
@@ -116,7 +116,7 @@ double Beams::level(std::size_t beam, const Position& position, const Direction&
     const double share = share_of(crossing);
     if (share > 0.0) {
       level += passing * share * gains_[beam] * fading(crossing.distance * per_fall_) * returned_at(crossing.cosine) *
-               specimen_.reflectance({crossing.column, crossing.row}, crossing.side);
+               robot_sample_.reflectance({crossing.column, crossing.row}, crossing.side);
       passing *= 1.0 - share;
     }
     return passing > 0.02;

@@ -10,7 +10,7 @@
 #include <array>
 
 #include "labmouse/body/field.hpp"
-#include "labmouse/body/specimen.hpp"
+#include "labmouse/body/robot_sample.hpp"
 #include "labmouse/functions/angles.hpp"
 #include "labmouse/hardware/hardware.hpp"
 
@@ -25,7 +25,7 @@ struct Ray {
 class Beams {
  public:
   /// All must outlive it.
-  Beams(const Field& field, const Sensors& sensors, const Specimen& specimen);
+  Beams(const Field& field, const Sensors& sensors, const RobotSample& robot_sample);
 
   /// The level of a beam in counts, before noise, of a mouse in that position and direction.
   double level(std::size_t beam, const Position& position, const Direction& ahead) const;
@@ -48,7 +48,7 @@ class Beams {
 
   const Field& field_;
   const Sensors& sensors_;
-  const Specimen& specimen_;
+  const RobotSample& robot_sample_;
   double per_fall_, per_footprint_;
   std::array<Direction, beam_count> directions_{};  ///< to ahead
   std::array<double, beam_count> gains_{};          ///< counts at no distance

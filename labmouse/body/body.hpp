@@ -9,7 +9,7 @@
 #include "labmouse/body/noise_level.hpp"
 #include "labmouse/body/plant.hpp"
 #include "labmouse/body/senses.hpp"
-#include "labmouse/body/specimen.hpp"
+#include "labmouse/body/robot_sample.hpp"
 #include "labmouse/hardware/sense.hpp"
 
 namespace labmouse {
@@ -37,7 +37,7 @@ class Body {
 
   const Sense& sense() const { return senses_.sense(); }
   const BodyMotion& motion() const { return plant_.motion(); }
-  const Specimen& specimen() const { return specimen_; }
+  const RobotSample& robot_sample() const { return robot_sample_; }
   const Field& field() const { return field_; }
   bool crashed() const { return crashed_; }
   /// What it touched last.
@@ -50,7 +50,7 @@ class Body {
 
   const Hardware& hardware_;
   Field field_;
-  Specimen specimen_;
+  RobotSample robot_sample_;
   Plant plant_;
   Senses senses_;
   Dice placement_dice_;

@@ -7,13 +7,13 @@ namespace labmouse {
 namespace {
 
 /// The chassis as it stands: its middle, its half sides, and how far it reaches along x and y.
-struct Stand {
+struct Placement {
   Position middle;
   double half_length, half_width;
   double reach_x, reach_y;
 };
 
-Stand stand_of(const Chassis& chassis, const Position& position, const Direction& ahead) {
+Placement stand_of(const Chassis& chassis, const Position& position, const Direction& ahead) {
   const double half_length = (chassis.front + chassis.back) / 2.0, shift = (chassis.front - chassis.back) / 2.0;
   const double cosine = std::abs(ahead.cosine), sine = std::abs(ahead.sine);
   return {{position.x + shift * ahead.cosine, position.y + shift * ahead.sine},
@@ -72,7 +72,7 @@ void touch_walls(const Field& field, const Position& corner, const Position& mid
 }
 
 /// A post in the chassis: two rectangles are apart where they are so along a side of either.
-void touch_post(const Field& field, const Stand& stand, const Direction& ahead, const Position& post,
+void touch_post(const Field& field, const Placement& stand, const Direction& ahead, const Position& post,
                 std::optional<Contact>& contact) {
   const double half = field.half_wall();
   const double x = stand.middle.x - post.x, y = stand.middle.y - post.y;
@@ -93,7 +93,7 @@ void touch_post(const Field& field, const Stand& stand, const Direction& ahead, 
 
 std::optional<Contact> contact_of(const Field& field, const Chassis& chassis, const Position& position,
                                   const Direction& ahead) {
-  const Stand stand = stand_of(chassis, position, ahead);
+  const Placement stand = stand_of(chassis, position, ahead);
   const NearLines x = near_lines(field, stand.middle.x, stand.reach_x);
   const NearLines y = near_lines(field, stand.middle.y, stand.reach_y);
   if (is_free(field, stand.middle, x, y)) return std::nullopt;

@@ -12,7 +12,7 @@ struct NoiseLevel {
   double all = 1.0;
   std::array<double, noise_groups> groups = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   /// Factor of what a contest draws of the mouse itself: how far mice and days are apart.
-  double spread = 1.0;
+  double variation = 1.0;
 
   double of(NoiseGroup group) const { return all * groups[static_cast<std::size_t>(group)]; }
 };

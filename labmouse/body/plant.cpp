@@ -25,13 +25,13 @@ double root_of_loss(double loss, double step) { return std::sqrt(loss * step); }
 
 }  // namespace
 
-Plant::Plant(const Field& field, const Hardware& hardware, const Specimen& specimen, std::uint64_t seed)
-    : field_(field), hardware_(hardware), specimen_(specimen), shaking_dice_(seed_for(seed, "shaking")) {
+Plant::Plant(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed)
+    : field_(field), hardware_(hardware), robot_sample_(robot_sample), shaking_dice_(seed_for(seed, "shaking")) {
   drive_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.drive.time);
   turn_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.turn.time);
   const Noise& noise = hardware.noise;
   const double step = noise.shaking_pitch * tick_seconds;
-  shaking_kick_ = 2.0 * specimen.level(NoiseGroup::shaking) * noise.shaking * root_of_loss(noise.shaking_loss, step);
+  shaking_kick_ = 2.0 * robot_sample.level(NoiseGroup::shaking) * noise.shaking * root_of_loss(noise.shaking_loss, step);
 }
 
 void Plant::put(const Position& position, double angle) {
@@ -61,7 +61,7 @@ void Plant::drive_motors(const Drive& drive) {
   const double left = std::clamp(static_cast<double>(drive.left), -1.0, 1.0);
   const double right = std::clamp(static_cast<double>(drive.right), -1.0, 1.0);
   voltage_ = 1.0 - motors.sag * (std::abs(left) + std::abs(right)) / 2.0;
-  const double pushed_left = left * specimen_.motor[0] * voltage_, pushed_right = right * specimen_.motor[1] * voltage_;
+  const double pushed_left = left * robot_sample_.motor[0] * voltage_, pushed_right = right * robot_sample_.motor[1] * voltage_;
   const double loss = std::clamp(motion_.speed, -1.0, 1.0) * motors.turning * std::abs(motion_.turning);
   const double onwards = effective((pushed_left + pushed_right) / 2.0, motion_.speed, motors.drive) - loss;
   const double around = effective(pushed_right - pushed_left, motion_.turning, motors.turn);
@@ -84,8 +84,8 @@ void Plant::shake() {
 /// What the tyres hold, by the slip that they have, and the slip that follows.
 void Plant::slide(double before) {
   motion_.speeding = (motion_.speed - before) / tick_seconds;
-  const double grip = hardware_.tyres.grip * specimen_.grip;
-  const double stiffness = hardware_.tyres.stiffness * specimen_.stiffness;
+  const double grip = hardware_.tyres.grip * robot_sample_.grip;
+  const double stiffness = hardware_.tyres.stiffness * robot_sample_.stiffness;
   if (std::abs(motion_.speeding) > grip) {
     motion_.speeding = motion_.speeding > 0.0 ? grip : -grip;
     motion_.speed = before + motion_.speeding * tick_seconds;
@@ -125,7 +125,7 @@ void Plant::cross(const Position& from) {
                           : after.y > before.y ? Heading::north
                                                : Heading::south;
   const bool there = heading == Heading::north || heading == Heading::east;
-  const FloorStep step = specimen_.floor_step(wall_at(before, heading));
+  const FloorStep step = robot_sample_.floor_step(wall_at(before, heading));
   // The other way it turns and shifts the mouse to the other side.
   const double turn = there ? step.turn : -step.turn, shift = there ? step.shift : -step.shift;
   motion_.position = {motion_.position.x - shift * motion_.ahead.sine,

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "labmouse/body/field.hpp"
-#include "labmouse/body/specimen.hpp"
+#include "labmouse/body/robot_sample.hpp"
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/functions/angles.hpp"
 #include "labmouse/hardware/sense.hpp"
@@ -33,7 +33,7 @@ struct BodyMotion {
 class Plant {
  public:
   /// All must outlive it.
-  Plant(const Field& field, const Hardware& hardware, const Specimen& specimen, std::uint64_t seed);
+  Plant(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed);
 
   /// At rest, in that position and direction.
   void put(const Position& position, double angle);
@@ -57,7 +57,7 @@ class Plant {
 
   const Field& field_;
   const Hardware& hardware_;
-  const Specimen& specimen_;
+  const RobotSample& robot_sample_;
   BodyMotion motion_;
   double drive_share_ = 0.0, turn_share_ = 0.0;  ///< of the way to its steady speed that a motor makes in a tick
   Dice shaking_dice_;

@@ -20,10 +20,10 @@ std::int16_t in_register(double number) {
 
 }  // namespace
 
-Senses::Senses(const Field& field, const Hardware& hardware, const Specimen& specimen, std::uint64_t seed)
+Senses::Senses(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed)
     : hardware_(hardware),
-      specimen_(specimen),
-      beams_(field, hardware.sensors, specimen),
+      robot_sample_(robot_sample),
+      beams_(field, hardware.sensors, robot_sample),
       encoder_dice_{Dice(seed_for(seed, "left encoder")), Dice(seed_for(seed, "right encoder"))},
       gyro_dice_(seed_for(seed, "gyro noise")),
       bias_dice_(seed_for(seed, "gyro bias")),
@@ -34,7 +34,7 @@ Senses::Senses(const Field& field, const Hardware& hardware, const Specimen& spe
       range_dice_(seed_for(seed, "ranger")),
       infrared_fresh_(std::sqrt(1.0 - square(hardware.noise.infrared_memory))) {}
 
-void Senses::calibrate() { bias_ = specimen_.level(NoiseGroup::gyro) * hardware_.noise.gyro_bias * normal(bias_dice_); }
+void Senses::calibrate() { bias_ = robot_sample_.level(NoiseGroup::gyro) * hardware_.noise.gyro_bias * normal(bias_dice_); }
 
 void Senses::read(const BodyMotion& motion, double voltage) {
   ++sense_.tick;
@@ -48,13 +48,13 @@ void Senses::read(const BodyMotion& motion, double voltage) {
 
 void Senses::count(const BodyMotion& motion) {
   const Noise& noise = hardware_.noise;
-  const double level = specimen_.level(NoiseGroup::encoders);
+  const double level = robot_sample_.level(NoiseGroup::encoders);
   const double around = hardware_.chassis.half_track * motion.yaw;
   for (const std::size_t wheel : {std::size_t{0}, std::size_t{1}}) {
-    travel_[wheel] += specimen_.encoder[wheel] * (motion.speed + (wheel == 0 ? -around : around)) * tick_seconds;
+    travel_[wheel] += robot_sample_.encoder[wheel] * (motion.speed + (wheel == 0 ? -around : around)) * tick_seconds;
     double shown = travel_[wheel];
     if (level > 0.0) {
-      const double turns = travel_[wheel] / noise.ripple_length + specimen_.ripple[wheel];
+      const double turns = travel_[wheel] / noise.ripple_length + robot_sample_.ripple[wheel];
       shown += level * (noise.ripple * sine_of_turns(turns) + noise.encoder * normal(encoder_dice_[wheel]));
     }
     sense_.counts[wheel] = whole_below(shown / hardware_.sensors.count);
@@ -63,9 +63,9 @@ void Senses::count(const BodyMotion& motion) {
 
 void Senses::turn(const BodyMotion& motion) {
   const Noise& noise = hardware_.noise;
-  const double level = specimen_.level(NoiseGroup::gyro);
+  const double level = robot_sample_.level(NoiseGroup::gyro);
   constexpr double root_of_tick = 0.0316227766016837933;
-  double rate = specimen_.gyro * motion.yaw;
+  double rate = robot_sample_.gyro * motion.yaw;
   if (level > 0.0) {
     bias_ += level * noise.gyro_walk * root_of_tick * normal(walk_dice_);
     rate += bias_ + level * noise.gyro * normal(gyro_dice_);
@@ -75,7 +75,7 @@ void Senses::turn(const BodyMotion& motion) {
 }
 
 void Senses::accelerate(const BodyMotion& motion) {
-  const double deviation = specimen_.level(NoiseGroup::accelerometer) * hardware_.noise.acceleration;
+  const double deviation = robot_sample_.level(NoiseGroup::accelerometer) * hardware_.noise.acceleration;
   std::array<double, 2> rates = {motion.speeding, motion.sideways};
   for (std::size_t axis = 0; axis < rates.size(); ++axis) {
     if (deviation > 0.0) rates[axis] += deviation * normal(acceleration_dice_[axis]);
@@ -85,7 +85,7 @@ void Senses::accelerate(const BodyMotion& motion) {
 
 void Senses::shine(const BodyMotion& motion) {
   const Noise& noise = hardware_.noise;
-  const double factor = specimen_.level(NoiseGroup::infrared);
+  const double factor = robot_sample_.level(NoiseGroup::infrared);
   for (std::size_t beam = 0; beam < beam_count; ++beam) {
     double level = beams_.level(beam, motion.position, motion.ahead);
     if (factor > 0.0) {
@@ -107,7 +107,7 @@ void Senses::range(const BodyMotion& motion) {
     constexpr double at_rest = 10.0;  // mm/s
     const bool moves = std::abs(motion.speed) > at_rest;
     const double deviation = moves ? hardware_.noise.ranger : hardware_.noise.ranger_rest;
-    distance += specimen_.level(NoiseGroup::ranger) * deviation * normal(range_dice_);
+    distance += robot_sample_.level(NoiseGroup::ranger) * deviation * normal(range_dice_);
   }
   sense_.range = static_cast<std::uint16_t>(std::clamp(distance + 0.5, 0.0, ranger.reach));
 }

@@ -15,7 +15,7 @@ namespace labmouse {
 class Senses {
  public:
   /// All must outlive it.
-  Senses(const Field& field, const Hardware& hardware, const Specimen& specimen, std::uint64_t seed);
+  Senses(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed);
 
   /// Calibrates the gyro, at rest.
   void calibrate();
@@ -31,7 +31,7 @@ class Senses {
   void range(const BodyMotion& motion);
 
   const Hardware& hardware_;
-  const Specimen& specimen_;
+  const RobotSample& robot_sample_;
   Beams beams_;
   Sense sense_;
   /// Dice by source, so that none depends on whether others are thrown.

@@ -7,7 +7,7 @@ namespace labmouse {
 BelievedWalls::BelievedWalls(const Maze& maze, MapKind map, PhysicalRecord& record)
     : maze_(maze),
       record_(record),
-      belief_(maze.size(), map),
+      log_odds_(maze.size(), map),
       weighs_(map != MapKind::first),
       asks_where_it_is_(map == MapKind::learned) {}
 
@@ -30,34 +30,34 @@ void BelievedWalls::take(MazeTime time, Cell cell, Heading side, Evidence eviden
   // Nobody has to read the border.
   if (on_border(wall, maze_.size())) return;
   constexpr int sure = 4 * evidence_a_nat;
-  const Belief::News news = add(time, wall, evidence);
-  const bool against = news == Belief::News::contradicted || news == Belief::News::turned;
+  const LogOddsMap::News news = add(time, wall, evidence);
+  const bool against = news == LogOddsMap::News::contradicted || news == LogOddsMap::News::turned;
   if (against && std::abs(evidence) >= sure) ++against_[0];
 }
 
-Belief::News BelievedWalls::add(MazeTime time, Wall wall, int evidence) {
-  const Belief::News news = belief_.add(wall, evidence);
-  if (weighs_) told_last_[told_count_++ % told_last_.size()] = {wall, evidence};
-  if (news == Belief::News::none) return news;
-  if (news != Belief::News::learned) ++record_.contradictions;
-  if (news != Belief::News::contradicted) note(time, wall);
+LogOddsMap::News BelievedWalls::add(MazeTime time, Wall wall, int evidence) {
+  const LogOddsMap::News news = log_odds_.add(wall, evidence);
+  if (weighs_) last_evidence_[evidence_count_++ % last_evidence_.size()] = {wall, evidence};
+  if (news == LogOddsMap::News::none) return news;
+  if (news != LogOddsMap::News::learned) ++record_.contradictions;
+  if (news != LogOddsMap::News::contradicted) note(time, wall);
   return news;
 }
 
 /// What it takes that wall for from now on.
 void BelievedWalls::note(MazeTime time, Wall wall) {
   const bool open = known().open().contains(wall);
-  if (open != maze_.is_open(wall.cell, wall.side)) ++record_.misreads;
+  if (open != maze_.is_open(wall.cell, wall.side)) ++record_.wrong_walls;
   record_.drive.walls.push_back({time, wall, open});
 }
 
-void BelievedWalls::doubt_last() {
-  for (const Told& told : told_last_) belief_.doubt(told.wall, told.evidence);
-  told_last_ = {};
+void BelievedWalls::weaken_last() {
+  for (const Reading& last : last_evidence_) log_odds_.weaken(last.wall, last.evidence);
+  last_evidence_ = {};
 }
 
 void BelievedWalls::forget_all() {
-  WallSet::all(size()).for_each([&](Wall wall) { belief_.forget(wall); });
+  WallSet::all(size()).for_each([&](Wall wall) { log_odds_.forget(wall); });
   put_down();
 }
 

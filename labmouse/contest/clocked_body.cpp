@@ -17,7 +17,7 @@ ClockedBody::ClockedBody(const Maze& maze, const DriveModel& model, const Physic
       time_limit_(time_limit),
       record_(record),
       body_(maze, cell_, *model.robot.hardware, conditions.noise, seed) {
-  record_.frailty = body_.specimen().frailty();
+  record_.severity = body_.robot_sample().severity();
 }
 
 bool ClockedBody::step(const Drive& duties) {
@@ -41,10 +41,10 @@ void ClockedBody::note_gates(DriveRun& run) const {
 
 bool ClockedBody::trace_due() const { return trace_every_ > 0 && clock_ / tick_time % trace_every_ == 0; }
 
-void ClockedBody::trace(const std::optional<BodyPose>& belief) {
-  if (trace_due()) record_.trace.push_back({clock_, pose(), belief, body_.sense().infrared});
+void ClockedBody::trace(const std::optional<BodyPose>& estimate) {
+  if (trace_due()) record_.trace.push_back({clock_, pose(), estimate, body_.sense().infrared});
 }
 
-RunEnd ClockedBody::cause() const { return body_.slid_within(slide_ticks) ? RunEnd::slid : RunEnd::strayed; }
+RunEnd ClockedBody::cause() const { return body_.slid_within(slide_ticks) ? RunEnd::slid : RunEnd::position_lost; }
 
 }  // namespace labmouse

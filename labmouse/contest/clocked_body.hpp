@@ -25,7 +25,7 @@ class ClockedBody {
   /// Where the true mouse is, for the clock of that run.
   void note_gates(DriveRun& run) const;
   /// A point of the trace, where one is due: where the mouse is, and where it believes to be, if that is known.
-  void trace(const std::optional<BodyPose>& belief);
+  void trace(const std::optional<BodyPose>& estimate);
   bool trace_due() const;
 
   const Sense& sense() const { return body_.sense(); }

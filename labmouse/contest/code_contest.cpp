@@ -16,7 +16,7 @@ constexpr double rest_speed = 10.0;  // mm/s
 class CodeContest {
  public:
   CodeContest(const Maze& maze, const DriveRules& rules, const DriveModel& model, const PhysicalConditions& conditions,
-              std::uint64_t seed, PilotCode& code)
+              std::uint64_t seed, ControllerCode& code)
       : maze_(maze),
         rules_(rules),
         handling_(conditions.handling),
@@ -39,12 +39,12 @@ class CodeContest {
   using Kind = DriveRun::Kind;
 
   void tick() {
-    const PilotTick said = code_.tick(body_.sense());
+    const ControllerTick said = code_.tick(body_.sense());
     record_.tape.push_back(said);
-    if (said.word == PilotWord::give_up) return give_up();
-    if (said.word == PilotWord::carry) return carry(RunEnd::given_up);
-    if (said.word == PilotWord::fast) next_ = Kind::fast;
-    if (said.word == PilotWord::goal) goal_said_ = true;
+    if (said.word == ControllerWord::give_up) return give_up();
+    if (said.word == ControllerWord::carry) return carry(RunEnd::given_up);
+    if (said.word == ControllerWord::fast) next_ = Kind::fast;
+    if (said.word == ControllerWord::goal) goal_said_ = true;
     const bool goes_on = body_.step(said.drive());
     body_.trace(std::nullopt);
     if (body_.crashed()) return carry(body_.cause());
@@ -133,7 +133,7 @@ class CodeContest {
   const Maze& maze_;
   const DriveRules& rules_;
   MazeTime handling_;
-  PilotCode& code_;
+  ControllerCode& code_;
   PhysicalRecord record_;
   ClockedBody body_;
   bool running_ = false, over_ = false;
@@ -144,13 +144,13 @@ class CodeContest {
 
 }  // namespace
 
-PilotBriefing pilot_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+ControllerBriefing controller_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                              const PhysicalConditions& conditions, std::uint64_t seed) {
   return {maze.size(), {maze.start(), maze.start_heading()}, maze.goals(), model, rules, conditions.handling, seed};
 }
 
 PhysicalRecord drive_by_code(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                             const PhysicalConditions& conditions, std::uint64_t seed, PilotCode& code) {
+                             const PhysicalConditions& conditions, std::uint64_t seed, ControllerCode& code) {
   return CodeContest(maze, rules, model, conditions, seed, code).hold();
 }
 

@@ -10,17 +10,17 @@
 
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/physical_record.hpp"
-#include "labmouse/contest/pilot_code.hpp"
+#include "labmouse/contest/controller_code.hpp"
 #include "labmouse/maze/maze.hpp"
 
 namespace labmouse {
 
 /// What a program is told of such a contest; maze, rules and model must outlive it.
-PilotBriefing pilot_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+ControllerBriefing controller_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                              const PhysicalConditions& conditions, std::uint64_t seed);
 
-/// Holds the contest, as drive_physically() does for a mind. The program must be new and briefed as above.
+/// Runs the contest, as drive_physically() does for a strategy. The program must be new and briefed as above.
 PhysicalRecord drive_by_code(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                             const PhysicalConditions& conditions, std::uint64_t seed, PilotCode& code);
+                             const PhysicalConditions& conditions, std::uint64_t seed, ControllerCode& code);
 
 }  // namespace labmouse

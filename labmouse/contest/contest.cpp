@@ -47,13 +47,13 @@ void Contest::act(const Action& action) {
       return end(Outcome::forfeit);
     case Action::Kind::reset:
       // Before a goal was entered, or in the speed run, it costs its step and does nothing.
-      if (run_ == Run::exploration && goal_entered_) {
+      if (run_ == Run::search_run && goal_entered_) {
         run_ = Run::speed;
         pose_ = {maze_.start(), maze_.start_heading()};
       }
       break;
     case Action::Kind::step:
-      if (step(action)) return end(Outcome::solved);
+      if (step(action)) return end(Outcome::finished);
       break;
   }
   if (clock >= rules_.budget) return end(outcome_at_the_end_of_steps(run_, goal_entered_));

@@ -43,7 +43,7 @@ class Contest {
 
   const Maze& maze_;
   Rules rules_;
-  Run run_ = Run::exploration;
+  Run run_ = Run::search_run;
   Pose pose_;
   Sighting sighting_;
   bool goal_entered_ = false, ended_ = false;

@@ -5,7 +5,7 @@
 namespace labmouse {
 namespace {
 
-bool explores(const StepRecord& step) { return step.run == Run::exploration; }
+bool explores(const StepRecord& step) { return step.run == Run::search_run; }
 
 /// The cells of the corridors that a reading shows.
 void insert_seen(const StepRecord& step, Size size, CellSet& cells) {

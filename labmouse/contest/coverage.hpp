@@ -1,4 +1,4 @@
-// How much of a maze an exploration saw and walked: a function of its record.
+// How much of a maze a search run saw and walked: a function of its record.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-/// Cells that an exploration came to know; visited lies in discovered.
+/// Cells that a search run came to know; visited lies in discovered.
 struct ExploredCells {
   /// Visited cells, and those that a reading showed a way into: all cells of the corridors that were seen.
   CellSet discovered;
@@ -20,7 +20,7 @@ struct ExploredCells {
   friend bool operator==(const ExploredCells&, const ExploredCells&) = default;
 };
 
-/// Shares, 0 to 1, of the cells that can be reached from the start, at the end of the exploration.
+/// Shares, 0 to 1, of the cells that can be reached from the start, at the end of the search run.
 struct Coverage {
   double discovered = 0.0;
   double visited = 0.0;
@@ -32,11 +32,11 @@ struct Coverage {
 /// stayed, or was a reset. Cells that lie outside of a maze of that size are left out.
 std::vector<Cell> entered_cells(const StepRecord& step, const Pose& next, Size size);
 
-/// The cells that the exploration came into, in their order and as often as it did, the start first. Those that it
+/// The cells that the search run came into, in their order and as often as it did, the start first. Those that it
 /// drove through are among them. Cells of a record that lie outside of a maze of that size are left out.
 std::vector<Cell> explored_way(const RunRecord& record, Size size);
 
-/// The cells of an exploration: of all of its steps, with the reading of the one that reset it. The speed run adds
+/// The cells of a search run: of all of its steps, with the reading of the one that reset it. The speed run adds
 /// none.
 ExploredCells explored_cells(const RunRecord& record, const Maze& maze);
 

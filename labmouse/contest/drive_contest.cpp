@@ -93,7 +93,7 @@ class DriveContest {
 
   Action carry_to_start() {
     ++record_.carried;
-    if (weighed_ != nullptr) weighed_->doubt_last();
+    if (weighed_ != nullptr) weighed_->weaken_last();
     driver_.carry_to_start();
     mouse_.carried(driver_.clock());
     return decide_at_start();
@@ -102,7 +102,7 @@ class DriveContest {
   /// At the start with a map that has no way left, whatever is doubted: the mouse begins with an empty one.
   Action begin_anew() {
     weighed_->forget_all();
-    doubts_ = 0;
+    weakens_ = 0;
     return carry_to_start();
   }
 
@@ -135,7 +135,7 @@ class DriveContest {
     record_.drive.runs.push_back(std::move(run));
     record_.ends.push_back(RunEnd::done);
     driver_.set_pace(record_.drive.runs.back().pace);
-    doubts_ = 0;
+    weakens_ = 0;
     return true;
   }
 
@@ -160,23 +160,23 @@ class DriveContest {
   Action decide(const SearchPlace& place) {
     Action action = ask(place);
     // A mouse that sees no way has misread a wall.
-    while (is_no_way(action) && doubts_++ < most_doubts && doubt(place.pose.cell)) action = ask(place);
+    while (is_no_way(action) && weakens_++ < most_weakenings && weaken(place.pose.cell)) action = ask(place);
     return action;
   }
 
-  /// Whether it sees no way, on a map that may change its mind.
+  /// Whether it sees no way, on a map that may change its strategy.
   bool is_no_way(const Action& action) const {
     return weighed_ != nullptr && action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::no_way;
   }
 
-  bool doubt(Cell cell) {
-    return (goal_entered_ && weighed_->doubt_way(cell, CellSet::of(start_.cell))) ||
-           weighed_->doubt_way(cell, maze_.goals());
+  bool weaken(Cell cell) {
+    return (goal_entered_ && weighed_->weaken_path(cell, CellSet::of(start_.cell))) ||
+           weighed_->weaken_path(cell, maze_.goals());
   }
 
   Action ask(const SearchPlace& place) {
     const std::int64_t plans = mouse_.plans();
-    const Action action = weighed_ != nullptr ? mouse_.consider(weighed_->belief(), place, driver_.clock())
+    const Action action = weighed_ != nullptr ? mouse_.consider(weighed_->log_odds(), place, driver_.clock())
                                               : mouse_.decide(driver_.seen(place.pose));
     replanned_ = mouse_.plans() > plans;
     record_.actions.push_back(action);
@@ -203,10 +203,10 @@ class DriveContest {
       if (driver_.out_of_time()) return end_run(RunEnd::out_of_time, After::over);
       action = decide(driver_.place());
     }
-    if (is_no_way(action)) return end_run(RunEnd::walled_in, After::crashed);
+    if (is_no_way(action)) return end_run(RunEnd::no_route_left, After::crashed);
     if (action.kind == Action::Kind::forfeit) {
       give_up(action.reason);
-      return end_run(action.reason == ForfeitReason::no_way ? RunEnd::walled_in : RunEnd::given_up, After::over);
+      return end_run(action.reason == ForfeitReason::no_way ? RunEnd::no_route_left : RunEnd::given_up, After::over);
     }
     if (!goal_entered_) return give_up_on_it();
     end_run(RunEnd::done, After::on_the_way);
@@ -259,7 +259,7 @@ class DriveContest {
   After make(const Action& part, bool replanned) {
     if (!driver_.make(part, replanned)) return broken_off();
     // It asks to be carried.
-    if (weighed_ != nullptr && weighed_->doubts_its_place()) return end_run(RunEnd::walled_in, After::crashed);
+    if (weighed_ != nullptr && weighed_->doubts_its_place()) return end_run(RunEnd::no_route_left, After::crashed);
     goal_entered_ = goal_entered_ || maze_.is_goal(driver_.place().pose.cell);
     return After::on_the_way;
   }
@@ -277,7 +277,7 @@ class DriveContest {
         home_.fill(known.open(), known.known_cells(), CellSet::of(start_.cell));
         step = home_.step(place);
         if (step.kind != Action::Kind::step)
-          return end_run(RunEnd::walled_in, weighed_ != nullptr ? After::crashed : After::over);
+          return end_run(RunEnd::no_route_left, weighed_ != nullptr ? After::crashed : After::over);
       }
       if (const After after = make(step, false); after != After::on_the_way) return after;
       show(driver_.place().pose);
@@ -293,7 +293,7 @@ class DriveContest {
     run.route = route_;
     const bool stands = driver_.run(route_);
     // What happens to it behind the goal is no matter of this run.
-    if (!run.gate_in) return stands ? end_run(RunEnd::strayed, After::crashed) : broken_off();
+    if (!run.gate_in) return stands ? end_run(RunEnd::position_lost, After::crashed) : broken_off();
     if (!errs_) show(driver_.place().pose);
     return end_run(RunEnd::done, stands ? After::at_goal : driver_.crash() ? After::crashed : After::over);
   }
@@ -307,10 +307,10 @@ class DriveContest {
     }
     if (weighed_ == nullptr) {
       give_up(ForfeitReason::no_way);
-      return end_run(RunEnd::walled_in, After::over);
+      return end_run(RunEnd::no_route_left, After::over);
     }
-    const bool doubts = doubts_++ < most_doubts && weighed_->doubt_way(start_.cell, maze_.goals());
-    return end_run(RunEnd::walled_in, doubts ? After::searching_again : After::crashed);
+    const bool weakens = weakens_++ < most_weakenings && weighed_->weaken_path(start_.cell, maze_.goals());
+    return end_run(RunEnd::no_route_left, weakens ? After::searching_again : After::crashed);
   }
 
   const Maze& maze_;
@@ -328,8 +328,8 @@ class DriveContest {
   DriveTime hoped_ = no_time;
   DriveRoute route_;
   bool replanned_ = false;
-  static constexpr int most_doubts = 8;
-  int doubts_ = 0;     ///< in this run
+  static constexpr int most_weakenings = 8;
+  int weakens_ = 0;     ///< in this run
   bool goal_entered_;  ///< whether it believes to have been in a goal
 };
 

@@ -35,7 +35,7 @@ struct SearchMove {
   Pose from;
   Action action;  ///< a quarter turn or none or a half turn (180), then so many cells ahead
   Pose to;
-  bool replanned = false;  ///< whether the mind had to plan anew
+  bool replanned = false;  ///< whether the strategy had to plan anew
 
   friend bool operator==(const SearchMove&, const SearchMove&) = default;
 };
@@ -86,7 +86,7 @@ struct DriveRecord {
   std::vector<WallSeen> walls;
   DriveOutcome outcome = DriveOutcome::finished;
   ForfeitReason reason = ForfeitReason::none;
-  /// Decisions of the mind, and those for which a route was planned anew.
+  /// Decisions of the strategy, and those for which a route was planned anew.
   int decisions = 0;
   int replanned = 0;
 

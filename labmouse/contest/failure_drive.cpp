@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "labmouse/body/specimen.hpp"
+#include "labmouse/body/robot_sample.hpp"
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
@@ -14,19 +14,19 @@ MazeTime part_of(MazeTime time, double part) { return static_cast<MazeTime>(stat
 }  // namespace
 
 FailureDriver::FailureDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
-                             const Hazards& hazards, std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record)
+                             const FailureRates& failure_rates, std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record)
     : TimedDriver(maze, model, time_limit, record.drive),
       handling_(conditions.handling),
-      usual_pace_(conditions.pilot.pace),
+      usual_pace_(conditions.controller.pace),
       walls_(maze, conditions.map, record),
       dice_(seed_for(seed, "hazards")),
-      hazards_(hazards),
+      rates_(failure_rates),
       noise_(conditions.noise.all),
       noise_share_(dice_.unit()) {
   record.by_dice = true;
-  const Specimen mouse(*model.robot.hardware, conditions.noise, maze.size(), seed);
-  record.frailty = mouse.frailty();
-  luck_ = luck_of(mouse);
+  const RobotSample mouse(*model.robot.hardware, conditions.noise, maze.size(), seed);
+  record.severity = mouse.severity();
+  draws_ = draws_of(mouse);
   set_pace(1.0);
 }
 
@@ -34,11 +34,11 @@ FailureDriver::FailureDriver(const Maze& maze, const DriveModel& model, const Ph
 /// run between two paces.
 void FailureDriver::set_pace(double pace) {
   pace_ = usual_pace_ * pace;
-  const auto paces = between(hazards_.paces, pace_, [](const HazardsAtPace& at) { return at.pace; });
-  const HazardsAtPace& at_pace = hazards_.paces[dice_.unit() < paces.part ? paces.above : paces.below];
-  const auto noises = between(at_pace.noises, noise_, [](const HazardsAtNoise& at) { return at.noise; });
-  const HazardsAtNoise& at = at_pace.noises[noise_share_ < noises.part ? noises.above : noises.below];
-  odds_ = &at.by_luck[static_cast<std::size_t>(luck_)];
+  const auto paces = between(rates_.paces, pace_, [](const RatesAtPace& at) { return at.pace; });
+  const RatesAtPace& at_pace = rates_.paces[dice_.unit() < paces.part ? paces.above : paces.below];
+  const auto noises = between(at_pace.noises, noise_, [](const RatesAtNoise& at) { return at.noise; });
+  const RatesAtNoise& at = at_pace.noises[noise_share_ < noises.part ? noises.above : noises.below];
+  odds_ = &at.by_draws[static_cast<std::size_t>(draws_)];
 }
 
 std::size_t FailureDriver::one_of(std::span<const double> shares) {
@@ -52,7 +52,7 @@ std::size_t FailureDriver::one_of(std::span<const double> shares) {
 
 void FailureDriver::put_at_start() {
   TimedDriver::put_at_start();
-  astray_ = one_of(odds_->put);
+  position_error_ = one_of(odds_->put);
   crash_.reset();
   walls_.put_down();
 }
@@ -81,7 +81,7 @@ Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
   const bool again = read_.contains(wall);
   read_.insert(wall);
   const Reading reading = reading_of(maze_.is_open(place_.pose.cell, side), ahead, again);
-  ReadingHazard shares = odds_->readings[static_cast<std::size_t>(reading)][astray_];
+  ReadingRates shares = odds_->readings[static_cast<std::size_t>(reading)][position_error_];
   double& silent = shares[evidence_class(0)];
   if (clear < silent) return 0;
   for (double& told : shares) told /= 1.0 - silent;
@@ -89,11 +89,11 @@ Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
   return evidence_in(one_of(shares));
 }
 
-FailureDriver::Went FailureDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
-  const ManoeuvreHazard& hazard = odds_->manoeuvres[static_cast<std::size_t>(manoeuvre)][astray_];
-  if (!way_is_open) return {RunEnd::misread, 0.5};
-  if (dice_.unit() < hazard.crash) return {dice_.unit() < hazard.slid ? RunEnd::slid : RunEnd::strayed, dice_.unit()};
-  astray_ = one_of(hazard.after);
+FailureDriver::ManoeuvreOutcome FailureDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
+  const ManoeuvreRates& failure = odds_->manoeuvres[static_cast<std::size_t>(manoeuvre)][position_error_];
+  if (!way_is_open) return {RunEnd::wall_error, 0.5};
+  if (dice_.unit() < failure.crash) return {dice_.unit() < failure.slid ? RunEnd::slid : RunEnd::position_lost, dice_.unit()};
+  position_error_ = one_of(failure.after);
   return {};
 }
 
@@ -117,8 +117,8 @@ bool FailureDriver::is_open(const Action& part) const {
 bool FailureDriver::make(const Action& part, bool replanned) {
   const Cell from = place_.pose.cell;
   const MazeTime begin = clock_, time = time_of(part);
-  const Went went = drive(manoeuvre_of(maze_, place_, part), is_open(part));
-  if (went.crash) return crash_at(begin + part_of(time, went.part), *went.crash);
+  const ManoeuvreOutcome outcome = drive(manoeuvre_of(maze_, place_, part), is_open(part));
+  if (outcome.crash) return crash_at(begin + part_of(time, outcome.part), *outcome.crash);
   if (!reach(begin + time)) return false;
   advance(part, begin, replanned);
   if (walls_.weighs()) walls_.pass(clock_, from, place_.pose);
@@ -141,9 +141,9 @@ bool FailureDriver::run(const DriveRoute& route) {
     const WallSet needed = walls_of(piece);
     bool open = true;
     needed.for_each([&](Wall wall) { open = open && maze_.is_open(wall.cell, wall.side); });
-    const Went went = drive(manoeuvre_of(segment), open);
+    const ManoeuvreOutcome outcome = drive(manoeuvre_of(segment), open);
     const MazeTime length = segment.end - segment.begin;
-    stands = went.crash ? crash_at(begin + slowed(segment.begin + part_of(length, went.part)), *went.crash)
+    stands = outcome.crash ? crash_at(begin + slowed(segment.begin + part_of(length, outcome.part)), *outcome.crash)
                         : reach(begin + slowed(segment.end));
     if (!stands) break;
   }

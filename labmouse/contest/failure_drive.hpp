@@ -5,7 +5,7 @@
 #include <span>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/contest/hazards.hpp"
+#include "labmouse/contest/failure_rates.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/timed_driver.hpp"
 
@@ -14,7 +14,7 @@ namespace labmouse {
 class FailureDriver final : public TimedDriver {
  public:
   /// All must outlive it.
-  FailureDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, const Hazards& hazards,
+  FailureDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, const FailureRates& failure_rates,
                 std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record);
 
   bool errs() const override { return true; }
@@ -32,13 +32,13 @@ class FailureDriver final : public TimedDriver {
 
  private:
   /// How a manoeuvre went: all of it, or the part of its time after which the mouse crashed.
-  struct Went {
+  struct ManoeuvreOutcome {
     std::optional<RunEnd> crash = std::nullopt;
     double part = 1.0;
   };
 
   std::size_t one_of(std::span<const double> shares);
-  Went drive(Manoeuvre manoeuvre, bool way_is_open);
+  ManoeuvreOutcome drive(Manoeuvre manoeuvre, bool way_is_open);
   bool crash_at(MazeTime time, RunEnd cause);
   /// Whether there is time left by then; the clock stands at its end where there is not.
   bool reach(MazeTime time);
@@ -49,12 +49,12 @@ class FailureDriver final : public TimedDriver {
   double usual_pace_;
   BelievedWalls walls_;
   Dice dice_;
-  const Hazards& hazards_;
+  const FailureRates& rates_;
   double noise_;
-  Luck luck_ = Luck::sound;
+  Draws draws_ = Draws::sound;
   double noise_share_;  ///< of this contest: which of two noises that were counted it is held under
-  const HazardsByLuck* odds_ = nullptr;
-  std::size_t astray_ = 0;  ///< its level
+  const FailureRatesByDraw* odds_ = nullptr;
+  std::size_t position_error_ = 0;  ///< its level
   WallSet read_;            ///< at least once
   std::optional<RunEnd> crash_;
 };

@@ -61,11 +61,11 @@ class KnownDriver {
         known_(knowledge_of(maze)),
         told_(told_of(model, conditions)),
         body_(maze, cell_, *model.robot.hardware, conditions.noise, seed),
-        pilot_(model, told_, maze.size(), gains_for(told_, cell_), conditions.pilot),
+        controller_(model, told_, maze.size(), gains_for(told_, cell_), conditions.controller),
         log_(log) {
     body_.put(maze.start(), maze.start_heading());
     if (log_ != nullptr) stand();
-    pilot_.put({maze.start(), maze.start_heading()});
+    controller_.put({maze.start(), maze.start_heading()});
   }
 
   /// Nobody tells it of walls here: it corrects itself as in a search.
@@ -75,27 +75,27 @@ class KnownDriver {
       drive_.cells = static_cast<int>(next);
       if (next > 0) read();
       if (next == moves.size()) return drive_;
-      pilot_.search(moves[next]);
+      controller_.search(moves[next]);
     }
   }
 
   KnownDrive run(const DriveRoute& route) {
-    pilot_.know(&known_);
+    controller_.know(&known_);
     if (!drive_on()) return drive_;
-    pilot_.run(route);
+    controller_.run(route);
     drive_on();
     return drive_;
   }
 
  private:
-  /// Until the pilot has arrived; false after a crash.
+  /// Until the controller has arrived; false after a crash.
   bool drive_on() {
     for (;;) {
       if (!pending_) {
-        duties_ = pilot_.tick(body_.sense());
+        duties_ = controller_.tick(body_.sense());
         pending_ = true;
       }
-      if (pilot_.arrived()) return true;
+      if (controller_.arrived()) return true;
       pending_ = false;
       if (log_ != nullptr) log_->push_back({body_.sense(), duties_, body_.motion()});
       const Touch touch = body_.step(duties_);
@@ -116,18 +116,18 @@ class KnownDriver {
   }
 
   void note() {
-    const Target& target = pilot_.target();
+    const Target& target = controller_.target();
     const BodyMotion& motion = body_.motion();
     ++drive_.ticks;
     add_errors(drive_.truth, motion.position, turned_by(motion.ahead, motion.slip), target);
-    add_errors(drive_.belief, pilot_.estimate().position, pilot_.estimate().way(), target);
+    add_errors(drive_.estimate, controller_.estimate().position, controller_.estimate().way(), target);
     const Position off = motion.position - target.position;
     drive_.most_aside = std::max(drive_.most_aside, std::abs(off.y * target.ahead.cosine - off.x * target.ahead.sine));
   }
 
   void read() {
-    const Pose pose = pilot_.place().pose;
-    const WallEvidence evidence = pilot_.evidence();
+    const Pose pose = controller_.place().pose;
+    const WallEvidence evidence = controller_.evidence();
     count(drive_.side, evidence.left, !maze_.is_open(pose.cell, left_of(pose.heading)));
     count(drive_.side, evidence.right, !maze_.is_open(pose.cell, right_of(pose.heading)));
     count(drive_.front, evidence.ahead, !maze_.is_open(pose.cell, pose.heading));
@@ -138,7 +138,7 @@ class KnownDriver {
   Knowledge known_;
   Hardware told_;
   Body body_;
-  Pilot pilot_;
+  Controller controller_;
   std::vector<LoggedTick>* log_;
   KnownDrive drive_;
   Drive duties_;

@@ -1,4 +1,4 @@
-// What can go wrong in a contest: at which manoeuvre, with a mouse how far astray, and at which reading of a wall.
+// What can go wrong in a contest: at which manoeuvre, with a mouse how far off its believed position, and at which reading of a wall.
 #pragma once
 
 #include <array>
@@ -45,15 +45,15 @@ Manoeuvre manoeuvre_of(const Maze& maze, const SearchPlace& from, const Action& 
 /// A segment of a fast run.
 Manoeuvre manoeuvre_of(const DriveSegment& segment);
 
-/// How far astray a mouse is, by the distance between where it is and where it believes to be: below 2, 4, 8 and 16 %
+/// How far off its believed position a mouse is, by the distance between where it is and where it believes to be: below 2, 4, 8 and 16 %
 /// of a cell, and beyond.
-inline constexpr std::array<double, 4> astray_limits = {0.02, 0.04, 0.08, 0.16};
-inline constexpr std::size_t astray_levels = astray_limits.size() + 1;
+inline constexpr std::array<double, 4> position_error_limits = {0.02, 0.04, 0.08, 0.16};
+inline constexpr std::size_t position_error_levels = position_error_limits.size() + 1;
 
 /// The level of a distance, as a share of a cell.
-constexpr std::size_t astray_level(double share) {
+constexpr std::size_t position_error_level(double share) {
   std::size_t level = 0;
-  while (level < astray_limits.size() && share >= astray_limits[level]) ++level;
+  while (level < position_error_limits.size() && share >= position_error_limits[level]) ++level;
   return level;
 }
 

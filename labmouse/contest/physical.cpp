@@ -17,7 +17,7 @@ PhysicalConditions conditions_for(const DrivingStrategy& mouse, PhysicalConditio
 
 PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                 const PhysicalConditions& conditions, std::uint64_t seed, DrivingStrategy& mouse,
-                                const PilotParts& parts) {
+                                const ControllerParts& parts) {
   PhysicalRecord record;
   const PhysicalConditions held = conditions_for(mouse, conditions);
   PhysicalDriver driver(maze, model, held, seed, rules.time_limit, record, parts);
@@ -26,11 +26,11 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
 }
 
 PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                                   const PhysicalConditions& conditions, const Hazards& hazards, std::uint64_t seed,
+                                   const PhysicalConditions& conditions, const FailureRates& failure_rates, std::uint64_t seed,
                                    DrivingStrategy& mouse) {
   PhysicalRecord record;
   const PhysicalConditions held = conditions_for(mouse, conditions);
-  FailureDriver driver(maze, model, held, hazards, seed, rules.time_limit, record);
+  FailureDriver driver(maze, model, held, failure_rates, seed, rules.time_limit, record);
   run_contest(maze, rules, model, mouse, driver, record);
   return record;
 }

@@ -31,22 +31,22 @@ WallSet walls_between(Cell from, const Pose& to) {
 }  // namespace
 
 PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
-                               std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record, const PilotParts& parts)
+                               std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record, const ControllerParts& parts)
     : record_(record),
       start_{maze.start(), maze.start_heading()},
       handling_(conditions.handling),
-      usual_pace_(conditions.pilot.pace),
+      usual_pace_(conditions.controller.pace),
       walls_(maze, conditions.map, record),
       told_(told_of(model, conditions)),
       body_(maze, model, conditions, seed, time_limit, record),
-      pilot_(model, told_, maze.size(), gains_for(told_, model.tables.cell), conditions.pilot, parts) {
+      controller_(model, told_, maze.size(), gains_for(told_, model.tables.cell), conditions.controller, parts) {
   record_.foreign_parts = parts.any();
-  pilot_.know(&walls_.known());
+  controller_.know(&walls_.known());
 }
 
 void PhysicalDriver::put_at_start() {
   body_.put_at_start();
-  pilot_.put(start_);
+  controller_.put(start_);
   pending_ = false;
   walls_.put_down();
 }
@@ -61,12 +61,12 @@ void PhysicalDriver::look_about() {
   read();
 }
 
-void PhysicalDriver::read() { walls_.read(clock(), place().pose, pilot_.evidence()); }
+void PhysicalDriver::read() { walls_.read(clock(), place().pose, controller_.evidence()); }
 
 bool PhysicalDriver::make(const Action& part, bool replanned) {
   const Pose from = place().pose;
   const MazeTime begin = clock();
-  pilot_.search(part);
+  controller_.search(part);
   in_its_way_ = walls_.standing(walls_between(from.cell, place().pose));
   if (!drive_on()) return false;
   DriveRun& run = record_.drive.runs.back();
@@ -78,10 +78,10 @@ bool PhysicalDriver::make(const Action& part, bool replanned) {
 }
 
 bool PhysicalDriver::run(const DriveRoute& route) {
-  pilot_.run(route);
+  controller_.run(route);
   in_its_way_ = walls_.standing(walls_of(route));
   // Its clock begins once it stands where runs begin.
-  while (!pilot_.running())
+  while (!controller_.running())
     if (!tick()) return false;
   record_.drive.runs.back().begin = clock();
   return drive_on();
@@ -90,22 +90,22 @@ bool PhysicalDriver::run(const DriveRoute& route) {
 bool PhysicalDriver::drive_on() {
   for (;;) {
     if (!pending_) {
-      drive_ = pilot_.tick(body_.sense());
+      drive_ = controller_.tick(body_.sense());
       pending_ = true;
     }
-    if (pilot_.arrived()) return true;
+    if (controller_.arrived()) return true;
     if (!tick()) return false;
   }
 }
 
 bool PhysicalDriver::tick() {
-  if (!pending_) drive_ = pilot_.tick(body_.sense());
+  if (!pending_) drive_ = controller_.tick(body_.sense());
   pending_ = false;
   const bool goes_on = body_.step(drive_);
   if (!body_.crashed()) note_gates();
   if (body_.trace_due()) {
-    const PoseEstimate& belief = pilot_.estimate();
-    body_.trace(BodyPose{belief.position, angle_of(belief.ahead)});
+    const PoseEstimate& estimate = controller_.estimate();
+    body_.trace(BodyPose{estimate.position, angle_of(estimate.ahead)});
   }
   return goes_on;
 }
@@ -127,7 +127,7 @@ std::optional<RunEnd> PhysicalDriver::crash() const {
   const Cell cell = body_.cell();
   const auto stands = [&](Heading side) { return in_its_way_.contains(wall_at(cell, side)); };
   const bool inside = walls_.size().contains(cell);
-  return inside && std::any_of(all_headings.begin(), all_headings.end(), stands) ? RunEnd::misread : body_.cause();
+  return inside && std::any_of(all_headings.begin(), all_headings.end(), stands) ? RunEnd::wall_error : body_.cause();
 }
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// The moving part of a contest in the physical world: body and pilot, tick by tick, their clock, and what was read.
+// The moving part of a contest in the physical world: body and controller, tick by tick, their clock, and what was read.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include "labmouse/contest/contest_driver.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/physical_record.hpp"
-#include "labmouse/pilot/pilot.hpp"
+#include "labmouse/controller/controller.hpp"
 
 namespace labmouse {
 
@@ -15,7 +15,7 @@ class PhysicalDriver final : public ContestDriver {
  public:
   /// All must outlive it.
   PhysicalDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, std::uint64_t seed,
-                 MazeTime time_limit, PhysicalRecord& record, const PilotParts& parts);
+                 MazeTime time_limit, PhysicalRecord& record, const ControllerParts& parts);
 
   bool errs() const override { return true; }
   void put_at_start() override;
@@ -23,9 +23,9 @@ class PhysicalDriver final : public ContestDriver {
   void look_about() override;
   bool make(const Action& part, bool replanned) override;
   bool run(const DriveRoute& route) override;
-  void set_pace(double pace) override { pilot_.set_pace(usual_pace_ * pace); }
+  void set_pace(double pace) override { controller_.set_pace(usual_pace_ * pace); }
 
-  const SearchPlace& place() const override { return pilot_.place(); }
+  const SearchPlace& place() const override { return controller_.place(); }
   const Knowledge& known() const override { return walls_.known(); }
   Sighting seen(const Pose& pose) const override { return walls_.sighting(pose); }
   BelievedWalls* weighed() override { return walls_.weighs() ? &walls_ : nullptr; }
@@ -34,7 +34,7 @@ class PhysicalDriver final : public ContestDriver {
   std::optional<RunEnd> crash() const override;
 
  private:
-  /// Until the pilot has arrived; false where a crash or the end of the time came before.
+  /// Until the controller has arrived; false where a crash or the end of the time came before.
   bool drive_on();
   void read();
   bool tick();
@@ -45,12 +45,12 @@ class PhysicalDriver final : public ContestDriver {
   MazeTime handling_;
   double usual_pace_;
   BelievedWalls walls_;
-  Hardware told_;  ///< what the pilot takes itself for
+  Hardware told_;  ///< what the controller takes itself for
   ClockedBody body_;
-  Pilot pilot_;
+  Controller controller_;
   Drive drive_;
   WallSet in_its_way_;    ///< walls that stand on the present way
-  bool pending_ = false;  ///< whether the pilot has worked off the present tick
+  bool pending_ = false;  ///< whether the controller has worked off the present tick
 };
 
 }  // namespace labmouse

@@ -14,12 +14,12 @@
 namespace labmouse {
 
 /// The two runs of a contest.
-enum class Run : std::uint8_t { exploration, speed };
+enum class Run : std::uint8_t { search_run, speed };
 
 /// How a contest ended.
 enum class Outcome : std::uint8_t {
-  solved,                ///< the speed run ended in a goal
-  out_of_steps,          ///< the budget ended before a step of the exploration ended in a goal
+  finished,                ///< the speed run ended in a goal
+  out_of_steps,          ///< the budget ended before a step of the search run ended in a goal
   never_reset,           ///< a goal was entered, and the budget ended before the mouse went back to the start
   speed_run_unfinished,  ///< the budget ended in the speed run
   forfeit,               ///< the mouse gave up; the last step's action has the reason
@@ -27,8 +27,8 @@ enum class Outcome : std::uint8_t {
 
 constexpr std::string_view name_of(Outcome outcome) {
   switch (outcome) {
-    case Outcome::solved:
-      return "solved";
+    case Outcome::finished:
+      return "finished";
     case Outcome::out_of_steps:
       return "out of steps";
     case Outcome::never_reset:
@@ -43,7 +43,7 @@ constexpr std::string_view name_of(Outcome outcome) {
 
 /// One step: where the mouse stood, what it was shown, what it did.
 struct StepRecord {
-  Run run = Run::exploration;
+  Run run = Run::search_run;
   /// Count of the clock, from 1 over both runs.
   int step = 0;
   Pose pose;             ///< before the action

@@ -7,7 +7,7 @@ struct Rules {
   /// Steps over both runs; the step after the last ends the contest without a score.
   int budget = 1000;
   /// So many steps of exploration count as one of the speed run.
-  int exploration_factor = 30;
+  int search_factor = 30;
   /// The longest movement of one step, in cells; longer ones are cut to it.
   int stride = 3;
   /// What a failed contest counts in means over all contests (the fourth report's habit).

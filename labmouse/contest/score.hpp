@@ -10,17 +10,17 @@ namespace labmouse {
 
 struct Score {
   Outcome outcome = Outcome::out_of_steps;
-  /// Steps of each run; the reset's own step belongs to the exploration. What was not finished is counted as far as it
+  /// Steps of each run; the reset's own step belongs to the search run. What was not finished is counted as far as it
   /// went.
-  int exploration_steps = 0;
+  int search_steps = 0;
   int speed_steps = 0;
-  /// Speed steps plus exploration steps / factor; nothing where the contest was not solved.
+  /// Speed steps plus search steps / factor; nothing where the contest was not finished.
   std::optional<double> value;
 };
 
 /// The formula itself: one division and one addition, so every platform rounds alike.
-constexpr double score_of(int exploration_steps, int speed_steps, const Rules& rules) {
-  return speed_steps + static_cast<double>(exploration_steps) / rules.exploration_factor;
+constexpr double score_of(int search_steps, int speed_steps, const Rules& rules) {
+  return speed_steps + static_cast<double>(search_steps) / rules.search_factor;
 }
 
 Score score(const RunRecord& record, const Rules& rules);

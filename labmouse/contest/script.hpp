@@ -17,7 +17,7 @@ class Script final : public DrivingStrategy {
       : knowledge_(size), actions_(std::move(actions)), paces_(std::move(paces)) {}
 
   Action decide(const Sighting&) override { return next(); }
-  Action consider(const Belief&, const SearchPlace&, std::int64_t) override { return next(); }
+  Action consider(const LogOddsMap&, const SearchPlace&, std::int64_t) override { return next(); }
   void show(const Pose&, const Sighting&) override {}
   void carried(std::int64_t) override {}
   double pace(bool) override { return run_ < paces_.size() ? paces_[run_++] : 1.0; }

@@ -4,22 +4,22 @@
 #include <utility>
 #include <vector>
 
-#include "labmouse/contest/pilot_code.hpp"
+#include "labmouse/contest/controller_code.hpp"
 
 namespace labmouse {
 
 /// Says what is on the tape, and then gives up, for that reason.
-class TapedCode final : public PilotCode {
+class TapedCode final : public ControllerCode {
  public:
-  TapedCode(std::vector<PilotTick> tape, ForfeitReason reason) : tape_(std::move(tape)), reason_(reason) {}
+  TapedCode(std::vector<ControllerTick> tape, ForfeitReason reason) : tape_(std::move(tape)), reason_(reason) {}
 
-  PilotTick tick(const Sense&) override {
-    return next_ < tape_.size() ? tape_[next_++] : PilotTick{0, 0, PilotWord::give_up};
+  ControllerTick tick(const Sense&) override {
+    return next_ < tape_.size() ? tape_[next_++] : ControllerTick{0, 0, ControllerWord::give_up};
   }
   ForfeitReason reason() const override { return reason_; }
 
  private:
-  std::vector<PilotTick> tape_;
+  std::vector<ControllerTick> tape_;
   ForfeitReason reason_;
   std::size_t next_ = 0;
 };

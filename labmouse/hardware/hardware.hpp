@@ -148,7 +148,7 @@ struct Hardware {
 
 /// The same where what a contest draws of the mouse itself is so many times as far spread. The scales of encoders are
 /// not: how far they are apart was measured.
-constexpr Noise spread_by(Noise noise, double factor) {
+constexpr Noise varied_by(Noise noise, double factor) {
   for (double* share : {&noise.motor_gain, &noise.stiffness, &noise.grip, &noise.gyro_scale, &noise.infrared_gain})
     *share *= factor;
   return noise;

@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// One step of body and pilot, in seconds.
+/// One step of body and controller, in seconds.
 inline constexpr double tick_seconds = 0.001;
 
 /// What the hardware reads at a tick.

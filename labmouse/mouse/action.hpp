@@ -7,7 +7,7 @@
 
 namespace labmouse {
 
-/// Why a mouse gives up, or why a guest, a mouse that is another program, was given up: the last word in place of an
+/// Why a mouse gives up, or why an external mouse, a mouse that is another program, was given up: the last word in place of an
 /// exception.
 enum class ForfeitReason : std::uint8_t {
   none,
@@ -15,21 +15,21 @@ enum class ForfeitReason : std::uint8_t {
   no_way,              ///< no route that could exist leads to a goal
   lost,                ///< the mouse no longer knows where it stands
   finished,            ///< a prepared list of actions has no more
-  gave_up,             ///< the guest said so
-  not_started,         ///< the guest could not be started
-  died,                ///< the guest ended before the contest did
-  left,                ///< the guest ended, and what it started held its output open
-  closed,              ///< the guest ran on, but closed its input or its output
-  hung,                ///< the guest did not answer
-  late,                ///< the guest answered, after its time for a decision
-  out_of_time,         ///< the guest's time for the contest was over
-  too_many_processes,  ///< the guest and what it started were too many
-  too_much_memory,     ///< the guest and what it started held too much memory
-  too_much_written,    ///< the guest and what it started wrote too much
-  flooded,             ///< the guest said more than it was asked
-  rubbish,             ///< the guest said something that is no answer
-  interrupted,         ///< whoever watched the guest stopped it
-  not_judged,          ///< the machine was too busy to tell whether the guest was slow
+  gave_up,             ///< the external mouse said so
+  not_started,         ///< the external mouse could not be started
+  died,                ///< the external mouse ended before the contest did
+  left,                ///< the external mouse ended, and what it started held its output open
+  closed,              ///< the external mouse ran on, but closed its input or its output
+  hung,                ///< the external mouse did not answer
+  late,                ///< the external mouse answered, after its time for a decision
+  out_of_time,         ///< the external mouse's time for the contest was over
+  too_many_processes,  ///< the external mouse and what it started were too many
+  too_much_memory,     ///< the external mouse and what it started held too much memory
+  too_much_written,    ///< the external mouse and what it started wrote too much
+  flooded,             ///< the external mouse said more than it was asked
+  rubbish,             ///< the external mouse said something that is no answer
+  interrupted,         ///< whoever watched the external mouse stopped it
+  not_judged,          ///< the machine was too busy to tell whether the external mouse was slow
 };
 
 inline constexpr std::array all_forfeit_reasons = {ForfeitReason::none,

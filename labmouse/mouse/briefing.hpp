@@ -32,7 +32,7 @@ struct Briefing {
   Motion motion = strides();
   /// Steps over both runs, the reset's among them.
   int budget = 1000;
-  /// For mice that throw dice: all their chance comes from here.
+  /// For mice that are stochastic: all their chance comes from here.
   std::uint64_t seed = 0;
   /// Cells that a reading reaches at most, 1 or more: a reading of so many shows no wall at its end.
   int sight = max_side;

@@ -46,7 +46,7 @@ Action DrivingExplorer::decide() {
   return action;
 }
 
-Action DrivingExplorer::consider(const Belief& map, const SearchPlace& place, std::int64_t time) {
+Action DrivingExplorer::consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t time) {
   knowledge_ = map.view();
   place_ = place;
   clock_->set(time);

@@ -23,7 +23,7 @@ class DrivingExplorer : public DrivingStrategy {
   ~DrivingExplorer() override;
 
   Action decide(const Sighting& seen) final;
-  Action consider(const Belief& map, const SearchPlace& place, std::int64_t time) final;
+  Action consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t time) final;
   void show(const Pose& pose, const Sighting& seen) final;
   void carried(std::int64_t time) final;
   void searches_at(double pace) final;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "labmouse/mouse/belief.hpp"
+#include "labmouse/mouse/log_odds_map.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
 #include "labmouse/mouse/strategy.hpp"
 
@@ -15,7 +15,7 @@ class DrivingStrategy : public Strategy {
  public:
   /// The next action, in place of decide(), where the map is a log-odds map: known walls may change between two calls.
   /// `time`: microseconds since the contest began.
-  virtual Action consider(const Belief& map, const SearchPlace& place, std::int64_t time) = 0;
+  virtual Action consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t time) = 0;
 
   /// A reading in a pose in which it does not decide: in a cell that its last step passes, or on a way on which it is
   /// driven. Not with a log-odds map.

@@ -18,7 +18,7 @@ class Explorer : public Strategy {
   const Knowledge& knowledge() const final { return knowledge_; }
 
  protected:
-  /// One action of the exploration. Moves must lead through walls known to be open; a reset is only for a mouse that
+  /// One action of the search run. Moves must lead through walls known to be open; a reset is only for a mouse that
   /// has entered a goal.
   virtual Action explore() = 0;
   /// One action of the speed run; unless a strategy has its own, the next on the shortest known route, planned anew at
@@ -29,9 +29,9 @@ class Explorer : public Strategy {
   const Pose& pose() const { return pose_; }
   /// The reading in the present pose.
   const Sighting& seen() const { return seen_; }
-  /// Whether a step of the exploration has ended in a goal, so that a reset is allowed.
+  /// Whether a step of the search run has ended in a goal, so that a reset is allowed.
   bool goal_entered() const { return goal_entered_; }
-  /// Cells in which the mouse has stood in the exploration, its start and the present one among them.
+  /// Cells in which the mouse has stood in the search run, its start and the present one among them.
   const CellSet& visited() const { return visited_; }
   /// Steps that the budget still allows, the present one among them.
   int steps_left() const { return briefing_.budget - steps_; }

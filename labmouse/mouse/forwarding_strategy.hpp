@@ -37,7 +37,7 @@ class ForwardingDriver : public Forwarding<DrivingStrategy> {
  public:
   using Forwarding::Forwarding;
 
-  Action consider(const Belief& map, const SearchPlace& place, std::int64_t time) override {
+  Action consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t time) override {
     return mouse().consider(map, place, time);
   }
   void show(const Pose& pose, const Sighting& seen) override { mouse().show(pose, seen); }

@@ -1,4 +1,4 @@
-// Why a mind goes where it goes, for those who watch: what it could have done, and what it took that to be worth.
+// Why a strategy goes where it goes, for those who watch: what it could have done, and what it took that to be worth.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct Candidate {
   friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 
-/// What a mind went by.
+/// What a strategy went by.
 enum class Ground : std::uint8_t {
   candidates,  ///< the lowest score of its candidates, or that none of them was worth its price
   flood,       ///< a flood fill: it weighs no candidates, for want of time or because the maze is too large
@@ -37,17 +37,17 @@ inline constexpr std::array ground_names = {"candidates", "flood", "no loops"};
 
 constexpr std::string_view name_of(Ground ground) { return ground_names[static_cast<unsigned>(ground)]; }
 
-/// One choice of a mind.
+/// One choice of a strategy.
 struct Reasons {
   Ground ground = Ground::candidates;
   std::vector<Candidate> candidates;
-  /// The position of the chosen one; -1 where none was worth its price, and the mind stops.
+  /// The position of the chosen one; -1 where none was worth its price, and the strategy stops.
   int chosen = -1;
   int known = 0;  ///< cost of the shortest known run from start to goal; 0 where there is none yet
-  /// The share of the way from the start to a wall that `through` of the wall counts: 0 where a mind only looks ahead.
+  /// The share of the way from the start to a wall that `through` of the wall counts: 0 where a strategy only looks ahead.
   double way_here = 1;
   double hope = 0;   ///< after the goal: the cost of the run through the wall that comes nearest to being worth a look
-  double price = 0;  ///< and what the look at it would cost, as far as the mind counts it against the hope
+  double price = 0;  ///< and what the look at it would cost, as far as the strategy counts it against the hope
 
   friend bool operator==(const Reasons&, const Reasons&) = default;
 };

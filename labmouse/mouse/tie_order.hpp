@@ -1,4 +1,4 @@
-// In which order a mind tries the four directions, where the rest of its method does not decide.
+// In which order a strategy tries the four directions, where the rest of its method does not decide.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What it would cost to go through each wall: nothing where it is open, everything where it is closed, and a mind's
+// What it would cost to go through each wall: nothing where it is open, everything where it is closed, and a strategy's
 // guess where it has not been seen.
 #pragma once
 

@@ -18,7 +18,7 @@
 #include "labmouse/strategies/ariadne/driver.hpp"
 #include "labmouse/strategies/ariadne/edge_costs.hpp"
 #include "labmouse/strategies/ariadne/views.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -326,7 +326,7 @@ std::unique_ptr<DrivingStrategy> drive_ariadne(const Briefing& briefing, const S
 
 }  // namespace
 
-constinit const RosterEntry ariadne_mouse = {
+constinit const BuiltinMouse ariadne_mouse = {
     .name = "ariadne",
     .summary = "looks at walls that a good run could pass, judging by what contest mazes are like",
     .method = ariadne_method,
@@ -336,7 +336,7 @@ constinit const RosterEntry ariadne_mouse = {
     .drive = drive_ariadne,
 };
 
-constinit const RosterEntry ariadne_deep_mouse = {
+constinit const BuiltinMouse ariadne_deep_mouse = {
     .name = "ariadne-deep",
     .summary = "the same, but on the way to the goal it also considers the way back",
     .method = ariadne_method,

@@ -14,7 +14,7 @@
 #include "labmouse/mouse/manhattan.hpp"
 #include "labmouse/mouse/visits.hpp"
 #include "labmouse/strategies/move_mapper.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -64,7 +64,7 @@ constexpr std::array cautious_parameters = {
 
 }  // namespace
 
-constinit const RosterEntry cautious_mouse = {
+constinit const BuiltinMouse cautious_mouse = {
     .name = "cautious",
     .summary = "goes to a random new neighbour, else to the least visited cell near",
     .method =
@@ -76,7 +76,7 @@ constinit const RosterEntry cautious_mouse = {
     .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Cautious>(briefing, settings);
     },
-    .uses_chance = RosterEntry::always,
+    .uses_chance = BuiltinMouse::always,
 };
 
 }  // namespace labmouse

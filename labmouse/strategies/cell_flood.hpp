@@ -18,18 +18,18 @@
 
 namespace labmouse {
 
-/// A mouse that floods cell by cell; what it does between goal and reset, and which map it races on, is the mind's own.
+/// A mouse that floods cell by cell; what it does between goal and reset, and which map it races on, is the strategy's own.
 class CellFlood : public Explorer {
  public:
   CellFlood(const Briefing& briefing, TieOrder ties);
 
  protected:
-  /// One action of the exploration once the goal is found.
+  /// One action of the search run once the goal is found.
   virtual Action after_goal() = 0;
   /// The passages of the speed run: some of the known ones, those of the way to the goal among them.
   virtual WallSet map() const = 0;
 
-  /// One step of the exploration towards a cell that a route that could exist leads to.
+  /// One step of the search run towards a cell that a route that could exist leads to.
   Action step_towards(Cell target);
   /// The cells that routes that could exist lead to, as distances in cells from where the mouse stands.
   const DistanceField& reachable();

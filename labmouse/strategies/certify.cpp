@@ -5,7 +5,7 @@
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/runs.hpp"
 #include "labmouse/mouse/ways.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -72,7 +72,7 @@ class CertifyDriver final : public DrivingExplorer {
 
 }  // namespace
 
-constinit const RosterEntry certify_mouse = {
+constinit const BuiltinMouse certify_mouse = {
     .name = "certify",
     .summary = "explores until its route is proven shortest, or the budget is about to run out",
     .method =

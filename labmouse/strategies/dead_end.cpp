@@ -4,7 +4,7 @@
 // Choices: as for random-move.
 #include <array>
 
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "labmouse/strategies/wanderer.hpp"
 
 namespace labmouse {
@@ -22,7 +22,7 @@ constexpr std::array dead_end_parameters = {wanderers_coverage, wanderers_search
 
 }  // namespace
 
-constinit const RosterEntry dead_end_mouse = {
+constinit const BuiltinMouse dead_end_mouse = {
     .name = "dead-end",
     .summary = "random turns to free cells; turns out of dead ends",
     .method =
@@ -35,7 +35,7 @@ constinit const RosterEntry dead_end_mouse = {
     .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<DeadEnd>(briefing, settings);
     },
-    .uses_chance = RosterEntry::always,
+    .uses_chance = BuiltinMouse::always,
 };
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// festina: makes haste slowly. It searches as another mind does, with a map that doubts, at a pace that its body bears,
+// festina: makes haste slowly. It searches as another strategy does, with a map that doubts, at a pace that its body bears,
 // and runs faster from try to try; and where no fast run ends well it makes sure of a slow one.
 //
 // Limits: what it knows of its body is how its runs ended; of the noise of the day it is told nothing.
@@ -10,7 +10,7 @@
 
 #include "labmouse/mouse/drive/drive_fields.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -23,7 +23,7 @@ constexpr Parameter number_with_errors(std::string_view name, std::string_view v
 
 constexpr std::array festina_parameters = {
     Parameter::choice(
-        "mind", "by-rules", "by-rules/ariadne/certify/flood-return",
+        "strategy", "by-rules", "by-rules/ariadne/certify/flood-return",
         "Strategy that explores; by-rules takes ariadne where the time in the maze counts, and certify elsewhere.",
         ParameterScope::seconds),
     number_with_errors("search", "1", 0.2, 1.0, "Speed of the first search run, as a share of the usual speed."),
@@ -35,9 +35,9 @@ constexpr std::array festina_parameters = {
                        "Factor on the speed of speed runs after each crash in a speed run (no unit)."),
     Parameter::flag("safe", "yes", "Whether it makes a safe run at search speed if no speed run finished.",
                     ParameterScope::errors),
-    Parameter::choice("map", "belief", "belief/learned",
-                      "How contradicting wall readings are handled: a log-odds map weighs them (belief), with a prior "
-                      "learned from other mazes (learned).",
+    Parameter::choice("map", "log-odds", "log-odds/log-odds-prior",
+                      "How contradicting wall readings are handled: a log-odds map weighs them (log-odds), with a prior "
+                      "learned from other mazes (log-odds-prior).",
                       ParameterScope::errors),
 };
 
@@ -57,7 +57,7 @@ double first_run_pace(const Briefing& briefing, double chosen) {
   return briefing.drive.most_runs < many_runs ? of_few : 1.0;
 }
 
-const RosterEntry& explorer_for(const Briefing& briefing, std::string_view chosen) {
+const BuiltinMouse& explorer_for(const Briefing& briefing, std::string_view chosen) {
   if (chosen != "by-rules") return *find_mouse(chosen);
   return briefing.drive.maze_time_divisor > 0 ? ariadne_mouse : certify_mouse;
 }
@@ -94,14 +94,14 @@ class RunLadder {
 
 class Festina final : public DrivingStrategy {
  public:
-  /// `briefing` as the mind has it; the fields, unless they are somebody else's, which the briefing then has, too.
-  Festina(const Briefing& briefing, std::unique_ptr<DriveFields> fields, std::unique_ptr<DrivingStrategy> mind,
+  /// `briefing` as the strategy has it; the fields, unless they are somebody else's, which the briefing then has, too.
+  Festina(const Briefing& briefing, std::unique_ptr<DriveFields> fields, std::unique_ptr<DrivingStrategy> strategy,
           const Settings& settings, double search_pace, double least_pace, double run_pace, double usual_pace)
       : goals_(briefing.goals),
         most_runs_(briefing.drive.most_runs),
         own_fields_(std::move(fields)),
         fields_(briefing.drive.fields),
-        mind_(std::move(mind)),
+        strategy_(std::move(strategy)),
         usual_pace_(usual_pace),
         search_pace_(search_pace),
         least_pace_(least_pace),
@@ -110,8 +110,8 @@ class Festina final : public DrivingStrategy {
         makes_sure_(settings.flag("safe")),
         map_(*map_kind_of(settings.choice("map"))) {}
 
-  Action decide(const Sighting& seen) override { return then(mind_->decide(seen)); }
-  void show(const Pose& pose, const Sighting& seen) override { mind_->show(pose, seen); }
+  Action decide(const Sighting& seen) override { return then(strategy_->decide(seen)); }
+  void show(const Pose& pose, const Sighting& seen) override { strategy_->show(pose, seen); }
   void carried(std::int64_t time) override {
     stands_at_start_ = true;
     safe_run_ = false;
@@ -119,15 +119,15 @@ class Festina final : public DrivingStrategy {
       ladder_.crashed();
     else
       search_pace_ = std::max(least_pace_, search_pace_ * slower_);
-    mind_->searches_at(usual_pace_ * search_pace_);
-    mind_->carried(time);
+    strategy_->searches_at(usual_pace_ * search_pace_);
+    strategy_->carried(time);
   }
-  Action consider(const Belief& belief, const SearchPlace& place, std::int64_t time) override {
-    if (safe_run_) return safe_step(belief, place);
-    const Action action = then(mind_->consider(belief, place, time));
+  Action consider(const LogOddsMap& log_odds, const SearchPlace& place, std::int64_t time) override {
+    if (safe_run_) return safe_step(log_odds, place);
+    const Action action = then(strategy_->consider(log_odds, place, time));
     if (!std::exchange(stands_at_start_, false)) return action;
     const bool sure = action.kind == Action::Kind::reset && has_to_make_sure();
-    const Action first = sure ? safe_step(belief, place) : action;
+    const Action first = sure ? safe_step(log_odds, place) : action;
     if (first.kind == Action::Kind::step) ++runs_;
     return first;
   }
@@ -137,10 +137,10 @@ class Festina final : public DrivingStrategy {
     return fast ? ladder_.pace() : search_pace_;
   }
   std::optional<MapKind> map_kind() const override { return map_; }
-  std::int64_t plans() const override { return mind_->plans(); }
-  const Knowledge& knowledge() const override { return mind_->knowledge(); }
-  StrategyReport report() override { return mind_->report(); }
-  const Reasons* reasons() const override { return mind_->reasons(); }
+  std::int64_t plans() const override { return strategy_->plans(); }
+  const Knowledge& knowledge() const override { return strategy_->knowledge(); }
+  StrategyReport report() override { return strategy_->report(); }
+  const Reasons* reasons() const override { return strategy_->reasons(); }
 
  private:
   /// Whether the next run is to be a safe one.
@@ -150,14 +150,14 @@ class Festina final : public DrivingStrategy {
     return makes_sure_ && crashes > 0 && (runs_ + 1 == most_runs_ || crashes == many_crashes);
   }
   /// To the goal by known ways, as in a search; there, or where there is none, it goes on with fast runs.
-  Action safe_step(const Belief& belief, const SearchPlace& place) {
-    const Knowledge& known = belief.view();
+  Action safe_step(const LogOddsMap& log_odds, const SearchPlace& place) {
+    const Knowledge& known = log_odds.view();
     fields_->ways().fill(known.open(), known.known_cells(), goals_);
     const Action step = fields_->ways().step(place);
     safe_run_ = step.kind == Action::Kind::step && !goals_.contains(place.pose.cell);
     return safe_run_ ? step : Action::reset();
   }
-  /// Asked after a fast run, the other mind has no more to do; whether to run again is festina's to say.
+  /// Asked after a fast run, the other strategy has no more to do; whether to run again is festina's to say.
   Action then(const Action& action) {
     const bool over = action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::finished;
     return running_ && over && ladder_.went_well() ? Action::reset() : action;
@@ -167,7 +167,7 @@ class Festina final : public DrivingStrategy {
   int most_runs_;
   std::unique_ptr<DriveFields> own_fields_;
   DriveFields* fields_;  ///< in seconds
-  std::unique_ptr<DrivingStrategy> mind_;
+  std::unique_ptr<DrivingStrategy> strategy_;
   double usual_pace_;  ///< the part of the robot's own that is 1 to it
   double search_pace_, least_pace_;
   double slower_;
@@ -181,7 +181,7 @@ class Festina final : public DrivingStrategy {
 };
 
 std::unique_ptr<DrivingStrategy> drive_festina(const Briefing& briefing, const Settings& settings) {
-  const RosterEntry& entry = explorer_for(briefing, settings.choice("mind"));
+  const BuiltinMouse& entry = explorer_for(briefing, settings.choice("strategy"));
   const double least = least_pace_of(briefing), pace = std::max(settings.real("search"), least);
   Briefing told = briefing;
   told.drive.pace = briefing.drive.pace * pace;
@@ -190,14 +190,14 @@ std::unique_ptr<DrivingStrategy> drive_festina(const Briefing& briefing, const S
     fields = std::make_unique<DriveFields>(DriveFields::in_own_memory(briefing.size, *briefing.drive.model));
     told.drive.fields = fields.get();
   }
-  auto mind = entry.drive(told, Settings(entry.parameters));
-  return std::make_unique<Festina>(told, std::move(fields), std::move(mind), settings, pace, least,
+  auto strategy = entry.drive(told, Settings(entry.parameters));
+  return std::make_unique<Festina>(told, std::move(fields), std::move(strategy), settings, pace, least,
                                    first_run_pace(briefing, settings.real("run")), briefing.drive.pace);
 }
 
 }  // namespace
 
-constinit const RosterEntry festina_mouse = {
+constinit const BuiltinMouse festina_mouse = {
     .name = "festina",
     .summary = "a log-odds map, slower search runs after crashes, faster speed runs from try to try",
     .method =

@@ -7,7 +7,7 @@
 #include "labmouse/mouse/driving_explorer.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/ways.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -85,7 +85,7 @@ std::unique_ptr<DrivingStrategy> drive_flood(const Briefing& briefing, const Set
 
 }  // namespace
 
-constinit const RosterEntry flood_mouse = {
+constinit const BuiltinMouse flood_mouse = {
     .name = "flood",
     .summary = "flood fill to the goal",
     .method = flood_method,
@@ -95,7 +95,7 @@ constinit const RosterEntry flood_mouse = {
     .drive = drive_flood<false>,
 };
 
-constinit const RosterEntry flood_return_mouse = {
+constinit const BuiltinMouse flood_return_mouse = {
     .name = "flood-return",
     .summary = "flood fill to the goal and back to the start",
     .method = flood_method,

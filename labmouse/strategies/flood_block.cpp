@@ -4,14 +4,14 @@
 // lies; counts cells, not steps, so it prefers a crooked way to a straight one of two cells more.
 // Choices: The tie order wsen is the only one of the 48 that gives the reported score in all three mazes (25.4 as 42
 // steps and 24, 48 as 90 and 45, 40.767 as 83 and 38), and only where the flood starts from the north-western cell of
-// the goal and the exploration ends in that cell alone. Which moves the speed run prefers, and whether the turn on the
+// the goal and the search run ends in that cell alone. Which moves the speed run prefers, and whether the turn on the
 // spot goes left or right, changes none of these numbers; flood-explore decides the first, the second is a right turn.
 // Of goals elsewhere the mouse takes the northernmost cell of the westernmost column; where walls close that one off,
 // the next one to the south or east, of which the report does not speak.
 #include <array>
 
 #include "labmouse/strategies/cell_flood.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -29,7 +29,7 @@ constexpr std::array flood_block_parameters = {cell_flood_ties};
 
 }  // namespace
 
-constinit const RosterEntry flood_block_mouse = {
+constinit const BuiltinMouse flood_block_mouse = {
     .name = "flood-block",
     .summary = "flood fill cell by cell to the goal; the speed run uses only visited cells",
     .method =

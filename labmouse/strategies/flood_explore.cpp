@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "labmouse/strategies/cell_flood.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -43,7 +43,7 @@ constexpr std::array flood_explore_parameters = {cell_flood_ties};
 
 }  // namespace
 
-constinit const RosterEntry flood_explore_mouse = {
+constinit const BuiltinMouse flood_explore_mouse = {
     .name = "flood-explore",
     .summary = "flood fill cell by cell to the goal and then to every cell",
     .method =

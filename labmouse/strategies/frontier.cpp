@@ -5,7 +5,7 @@
 // come out, here as in the author's own mazes.
 #include <array>
 
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "labmouse/strategies/seeker.hpp"
 
 namespace labmouse {
@@ -23,7 +23,7 @@ constexpr std::array frontier_parameters = {table_order};
 
 }  // namespace
 
-constinit const RosterEntry frontier_mouse = {
+constinit const BuiltinMouse frontier_mouse = {
     .name = "frontier",
     .summary = "goes to the nearest cell that it has seen but not visited",
     .method =

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "labmouse/strategies/seeker.hpp"
 
 namespace labmouse {
@@ -39,7 +39,7 @@ constexpr std::array manhattan_parameters = {table_order};
 
 }  // namespace
 
-constinit const RosterEntry manhattan_mouse = {
+constinit const BuiltinMouse manhattan_mouse = {
     .name = "manhattan",
     .summary = "goes to the unvisited cell that looks nearest to the goal",
     .method =

@@ -2,7 +2,7 @@
 //
 // They note which cells one move leads to, as far as single readings show it (ConnectedCells), in tables of their
 // language's (Python 3.4's); of equal choices they take the first that such a table lists. A cell is visited where a
-// step ends in it, and the exploration ends where that is a goal. The speed run is planned once: a breadth-first search
+// step ends in it, and the search run ends where that is a goal. The speed run is planned once: a breadth-first search
 // over the map to the first goal cell, column by column, that is in it; it ends in the first goal cell on that way.
 // Source: Edward Kish, "Plot and Navigate a Virtual Maze" (the third report), and the program behind it.
 #pragma once
@@ -20,16 +20,16 @@ inline constexpr Parameter table_order = Parameter::choice(
     "order", "python-3.4", all_cell_orders,
     "Order of the hash table of that Python version, or row by row (rows), in which equally good choices are tried.");
 
-/// A mouse that moves over a map of the moves that it has seen. A mind derives from it and writes choose().
+/// A mouse that moves over a map of the moves that it has seen. A strategy derives from it and writes choose().
 class MoveMapper : public Explorer {
  public:
   /// Takes the parameter `order`.
   MoveMapper(const Briefing& briefing, const Settings& settings);
 
  protected:
-  /// One action of the exploration. What is seen here is in the map.
+  /// One action of the search run. What is seen here is in the map.
   virtual Action choose() = 0;
-  /// Whether the exploration, which has entered a goal, is over.
+  /// Whether the search run, which has entered a goal, is over.
   virtual bool is_done() const { return true; }
   Action race() override;
 

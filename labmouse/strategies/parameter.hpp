@@ -91,7 +91,7 @@ class Settings {
   std::span<const Setting> all() const { return settings_; }
 
   /// Gives a prior that was learned (null takes it away): a mouse with a parameter of that type expects this in place
-  /// of what the parameter's choice names. Minds made under these settings use it: the settings must outlive them.
+  /// of what the parameter's choice names. Strategies made under these settings use it: the settings must outlive them.
   void attach(std::shared_ptr<const WallPrior> prior) { prior_ = std::move(prior); }
   const WallPrior* attached() const { return prior_.get(); }
 

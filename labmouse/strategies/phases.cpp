@@ -21,7 +21,7 @@
 #include "labmouse/strategies/phases/continuing.hpp"
 #include "labmouse/strategies/phases/searching.hpp"
 #include "labmouse/strategies/phases/speed_run.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -86,7 +86,7 @@ constexpr std::array phases_parameters = {
 
 }  // namespace
 
-constinit const RosterEntry phases_mouse = {
+constinit const BuiltinMouse phases_mouse = {
     .name = "phases",
     .summary = "three interchangeable phases: find the goal, continue, run",
     .method =

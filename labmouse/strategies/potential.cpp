@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "labmouse/strategies/move_mapper.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -52,7 +52,7 @@ constexpr std::array potential_parameters = {table_order};
 
 }  // namespace
 
-constinit const RosterEntry potential_mouse = {
+constinit const BuiltinMouse potential_mouse = {
     .name = "potential",
     .summary = "goes where the potential is lowest; visits and dead ends raise it",
     .method =

@@ -6,7 +6,7 @@
 
 #include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/random_walk.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -34,7 +34,7 @@ constexpr std::array random_parameters = {random_walk_stride, table_order};
 
 }  // namespace
 
-constinit const RosterEntry random_mouse = {
+constinit const BuiltinMouse random_mouse = {
     .name = "random",
     .summary = "random moves through known passages, in both runs",
     .method =
@@ -45,7 +45,7 @@ constinit const RosterEntry random_mouse = {
     .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<RandomMouse>(briefing, settings);
     },
-    .uses_chance = RosterEntry::always,
+    .uses_chance = BuiltinMouse::always,
 };
 
 }  // namespace labmouse

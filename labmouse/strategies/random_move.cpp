@@ -2,11 +2,11 @@
 //
 // Limits: of three draws, the walls of a corridor waste two, and a dead end takes two turns the same way; so it seldom
 // covers its share within the budget. Where the share cannot be reached it wanders for ever.
-// Choices: the report prints nothing of this mouse; where its three minds differ in the share, by the date of the
+// Choices: the report prints nothing of this mouse; where its three strategies differ in the share, by the date of the
 // program, this is the one of the report's listing, 5/6.
 #include <array>
 
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "labmouse/strategies/wanderer.hpp"
 
 namespace labmouse {
@@ -28,7 +28,7 @@ constexpr std::array random_move_parameters = {wanderers_coverage, wanderers_sea
 
 }  // namespace
 
-constinit const RosterEntry random_move_mouse = {
+constinit const BuiltinMouse random_move_mouse = {
     .name = "random-move",
     .summary = "random turns, whatever it sees",
     .method =
@@ -40,7 +40,7 @@ constinit const RosterEntry random_move_mouse = {
     .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<RandomMove>(briefing, settings);
     },
-    .uses_chance = RosterEntry::always,
+    .uses_chance = BuiltinMouse::always,
 };
 
 }  // namespace labmouse

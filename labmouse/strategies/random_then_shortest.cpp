@@ -7,7 +7,7 @@
 
 #include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/random_walk.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -31,11 +31,11 @@ constexpr std::array random_then_shortest_parameters = {random_walk_stride, tabl
 
 }  // namespace
 
-constinit const RosterEntry random_then_shortest_mouse = {
+constinit const BuiltinMouse random_then_shortest_mouse = {
     .name = "random-then-shortest",
     .summary = "random moves to the goal, then the shortest route that it has seen",
     .method =
-        "At each step of the exploration it goes to one of the cells that it can reach in one move through walls "
+        "At each step of the search run it goes to one of the cells that it can reach in one move through walls "
         "known to be open, all equally likely. When it first enters the goal, it resets and takes the shortest route "
         "that it has seen.",
     .source = "BetterBenchmarkBot in Edward Kish, section 4.2 (the third report).",
@@ -43,7 +43,7 @@ constinit const RosterEntry random_then_shortest_mouse = {
     .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<RandomThenShortest>(briefing, settings);
     },
-    .uses_chance = RosterEntry::always,
+    .uses_chance = BuiltinMouse::always,
 };
 
 }  // namespace labmouse

@@ -8,7 +8,7 @@
 namespace labmouse {
 
 /// A mouse that goes to the cheapest unvisited cell of its map by a whole shortest route, whatever it sees on the way,
-/// and chooses again. A mind derives from it and says what a cell costs.
+/// and chooses again. A strategy derives from it and says what a cell costs.
 ///
 /// A cell into which a mouse moves was seen before, in all four directions, but for the wall behind it at the start.
 /// Where no unvisited cell is left to see, that wall is what is left: the mouse goes and looks at it, if a route to the
@@ -19,7 +19,7 @@ class Seeker : public MoveMapper {
       : MoveMapper(briefing, settings), optimistic_(briefing.size, briefing.motion) {}
 
  protected:
-  /// What the mind gives an unvisited cell that the search has found: the least is next.
+  /// What the strategy gives an unvisited cell that the search has found: the least is next.
   virtual int cost(const SearchTree& routes, Cell cell) const = 0;
 
  private:

@@ -17,7 +17,7 @@
 #include "labmouse/mouse/hashed_cells.hpp"
 #include "labmouse/mouse/legs.hpp"
 #include "labmouse/mouse/search_tree.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -238,7 +238,7 @@ constexpr std::array two_way_parameters = {
 
 }  // namespace
 
-constinit const RosterEntry two_way_mouse = {
+constinit const BuiltinMouse two_way_mouse = {
     .name = "two-way",
     .summary = "A* to the goal and back; joins the shorter legs of both paths",
     .method =

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "labmouse/mouse/visits.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "labmouse/strategies/wanderer.hpp"
 
 namespace labmouse {
@@ -76,7 +76,7 @@ constexpr std::array visit_counter_parameters = {
 
 }  // namespace
 
-constinit const RosterEntry visit_counter_mouse = {
+constinit const BuiltinMouse visit_counter_mouse = {
     .name = "visit-counter",
     .summary = "goes to the least visited neighbour, sometimes at random",
     .method =
@@ -93,7 +93,7 @@ constinit const RosterEntry visit_counter_mouse = {
     .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<VisitCounter>(briefing, settings);
     },
-    .uses_chance = RosterEntry::always,
+    .uses_chance = BuiltinMouse::always,
 };
 
 }  // namespace labmouse

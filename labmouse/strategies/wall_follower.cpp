@@ -2,7 +2,7 @@
 //
 // Limits: walks for ever around a goal that hangs on no wall of the outside ("island"), as contest mazes ensure.
 #include "labmouse/mouse/explorer.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -32,7 +32,7 @@ class WallFollower final : public Explorer {
 
 }  // namespace
 
-constinit const RosterEntry wall_left_mouse = {
+constinit const BuiltinMouse wall_left_mouse = {
     .name = "wall-left",
     .summary = "keeps its left hand on the wall until the goal",
     .method = wall_follower_method,
@@ -42,7 +42,7 @@ constinit const RosterEntry wall_left_mouse = {
     },
 };
 
-constinit const RosterEntry wall_right_mouse = {
+constinit const BuiltinMouse wall_right_mouse = {
     .name = "wall-right",
     .summary = "keeps its right hand on the wall until the goal",
     .method = wall_follower_method,

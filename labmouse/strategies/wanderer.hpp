@@ -23,7 +23,7 @@ inline constexpr Parameter wanderers_coverage =
 inline constexpr Parameter wanderers_search = Parameter::choice("search", "a-star", "breadth-first/a-star/dijkstra",
                                                                 "Search algorithm that plans the speed run.");
 
-/// A mouse that wanders. A mind derives from it and writes wander(). Has the parameters above.
+/// A mouse that wanders. A strategy derives from it and writes wander(). Has the parameters above.
 class Wanderer : public Explorer {
  public:
   Wanderer(const Briefing& briefing, const Settings& settings);
@@ -32,7 +32,7 @@ class Wanderer : public Explorer {
   StrategyReport report() final;
 
  protected:
-  /// One step of the exploration, of no more than a cell.
+  /// One step of the search run, of no more than a cell.
   virtual Action wander() = 0;
 
   /// Draws a turn: -1, 0 or 1 quarters, equally likely, whatever is there. Marks the present cell.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares the tree with the tables of rooms and wings in docs/contributing/architecture.md.
+"""Compares the tree with the tables of modules and packages in docs/contributing/architecture.md.
 
 Usage: architecture.py ROOT
 Prints each violation as FILE:LINE: error: REASON and exits with 1 if there is any.
@@ -9,28 +9,28 @@ import sys
 from pathlib import Path
 
 # Behaviour that depends on the platform, the clock or the standard library has no place where the same bits must come
-# out everywhere: these rooms compile for WebAssembly and for microcontrollers.
-PORTABLE_ROOMS = ("functions", "hardware", "grid", "chance", "maze", "mouse", "body", "pilot", "strategies",
+# out everywhere: these modules compile for WebAssembly and for microcontrollers.
+PORTABLE_MODULES = ("functions", "hardware", "grid", "chance", "maze", "mouse", "body", "controller", "strategies",
                   "contest")
 BANNED_HEADERS = ("chrono", "filesystem", "fstream", "iostream", "random", "regex", "thread", "unordered_map",
                   "unordered_set")
 
-# A wing with more files than that has a second purpose.
-MOST_FILES_IN_A_WING = 40
+# A package with more files than that has a second purpose.
+MOST_FILES_IN_A_PACKAGE = 40
 
-# What serves all worlds names none of them: they are values there, and stand in one list. The wings and commands below
+# What serves all worlds names none of them: they are values there, and stand in one list. The packages and commands below
 # are about one or some of them; some more files name one for another reason.
-WORLD_WINGS = ("steps", "drive", "mms")
-ABOUT_WORLDS = WORLD_WINGS + ("records", "plays", "shapes", "hazards", "drives", "routes", "hindsight")
-COMMANDS_ABOUT_WORLDS = ("robot", "rules", "hazards", "drive", "route", "mms")
+WORLD_PACKAGES = ("steps", "drive", "mms")
+ABOUT_WORLDS = WORLD_PACKAGES + ("records", "replays", "shapes", "failure_rates", "drives", "routes", "hindsight")
+COMMANDS_ABOUT_WORLDS = ("robot", "rules", "failure_rates", "drive", "route", "mms")
 NAME_A_WORLD = {
     "labmouse/lab/worlds/list.cpp": "is the list",
     "labmouse/lab/mice/specs.cpp": "mms: is a kind of mouse, and parameters have worlds in which they count",
-    "labmouse/lab/lineups/lineup_file.cpp": "mms is a kind of mouse",
-    "labmouse/lab/lineups/lineup_scan.cpp": "mms is a kind of mouse",
+    "labmouse/lab/mice_files/mice_file.cpp": "mms is a kind of mouse",
+    "labmouse/lab/mice_files/mice_scan.cpp": "mms is a kind of mouse",
     "labmouse/lab/races/earlier_results.hpp": "reads what earlier versions wrote",
     "labmouse/lab/page/about.cpp": "has an example",
-    "labmouse/lab/page/guest_calls.cpp": "asks programs for steps",
+    "labmouse/lab/page/external_calls.cpp": "asks programs for steps",
     "apps/python/briefing.cpp": "tells a mouse what it decides in",
     "apps/python/labmouse/learn/mouse.py": "learns in steps alone",
 }
@@ -38,7 +38,7 @@ NAMES = "steps|strides|seconds|physical|failures|mms"
 TEXT = re.compile(r"\"((?:[^\"\\]|\\.)*)\"|'((?:[^'\\]|\\.)*)'")
 WORLD_NAME = re.compile(rf"^(strides|physical|failures|mms)$|\b({NAMES}) world\b|\bworld (?:in |of )?({NAMES})\b")
 EXAMPLE = re.compile(r"\blabmouse [a-z]+ ")
-# A variable that outlives its function: one that the compiler has not fixed is state that minds could share, and often
+# A variable that outlives its function: one that the compiler has not fixed is state that strategies could share, and often
 # takes memory when it is first met. A function has a parenthesis before any of `=;{`, and no values in it.
 FIXED = r"(?:constexpr|constinit const)\b"
 NO_VALUES = r"(?!\s*(?:[\d\"'&]|(?!int|bool|char|float|double|unsigned|auto)[a-z]\w*\s*[,)]))"
@@ -49,7 +49,7 @@ WORDS_OF_NO_VARIABLE = ("namespace|using|template|class|struct|enum|union|static
 GLOBAL = re.compile(rf"^(?!(?:{WORDS_OF_NO_VARIABLE})\b|(?:inline )?{FIXED})"
                     r"[A-Za-z_][^()]*[\w>&*\]]\s+\w+(?:\[[^]]*\])*\s*(?:=[^=]|=$|;|\{)")
 
-# Calls of one system: only in these files, which know that there are others, and in what a build without guests leaves out.
+# Calls of one system: only in these files, which know that there are others, and in what a build without external mice leaves out.
 SYSTEM_HEADER = re.compile(r"(sys|linux|net|netinet|arpa)/|(unistd|fcntl|poll|signal|pthread|sched|spawn|dirent|termios|dlfcn|pwd"
                            r"|grp|glob|io|process|windows)\.h$")
 SYSTEM_FILES = ("labmouse/lab/system/calls.cpp", "apps/cli/terminal.cpp")
@@ -65,98 +65,98 @@ STREAM_HEADERS = ("iomanip", "iostream", "istream", "locale", "ostream", "sstrea
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
-def rooms_of(page):
-    """The table as {room: set of the rooms that it may include}, in the order of the page."""
-    rooms = {}
+def modules_of(page):
+    """The table as {module: set of the modules that it may include}, in the order of the page."""
+    modules = {}
     for name, allowed in re.findall(r"^\| (\w+) \| [^|]+ \| ([^|]+) \| [^|]+ \|$", page, re.MULTILINE):
-        if name == "room":
+        if name == "module":
             continue
-        words = {"all above": list(rooms), "nothing": []}.get(allowed.strip(), allowed.strip().split(", "))
-        above = [word for word in words if word not in rooms]
+        words = {"all above": list(modules), "nothing": []}.get(allowed.strip(), allowed.strip().split(", "))
+        above = [word for word in words if word not in modules]
         if above:
-            raise ValueError(f"room {name} may include {', '.join(above)}, which the table does not list above it")
-        rooms[name] = set(words)
-    if not rooms:
-        raise ValueError("no table of rooms")
-    return rooms
+            raise ValueError(f"module {name} may include {', '.join(above)}, which the table does not list above it")
+        modules[name] = set(words)
+    if not modules:
+        raise ValueError("no table of modules")
+    return modules
 
 
-def wings_of(page):
-    """The second table as {room/wing: the wings of the same room that it includes}, in the order of the page."""
-    wings = {}
+def packages_of(page):
+    """The second table as {module/package: the packages of the same module that it includes}, in the order of the page."""
+    packages = {}
     for name, included in re.findall(r"^\| (\w+/\w+) \| [^|]+ \| ([^|]+) \|$", page, re.MULTILINE):
-        room = name.split("/")[0]
-        words = [] if included.strip() == "nothing" else [f"{room}/{word}" for word in included.strip().split(", ")]
-        above = [word for word in words if word not in wings]
+        module = name.split("/")[0]
+        words = [] if included.strip() == "nothing" else [f"{module}/{word}" for word in included.strip().split(", ")]
+        above = [word for word in words if word not in packages]
         if above:
-            raise ValueError(f"wing {name} includes {', '.join(above)}, which the table does not list above it")
-        wings[name] = set(words)
-    return wings
+            raise ValueError(f"package {name} includes {', '.join(above)}, which the table does not list above it")
+        packages[name] = set(words)
+    return packages
 
 
 def sources(folder):
     return sorted(path for path in folder.rglob("*") if path.suffix in (".hpp", ".cpp"))
 
 
-def include_violations(root, rooms):
+def include_violations(root, modules):
     for path in sources(root / "labmouse") + sources(root / "apps"):
         parts = path.relative_to(root).parts
-        room = "apps" if parts[0] == "apps" else parts[1]
-        if room not in rooms:
-            yield path, 1, f"{room} is no room of docs/contributing/architecture.md"
+        module = "apps" if parts[0] == "apps" else parts[1]
+        if module not in modules:
+            yield path, 1, f"{module} is no module of docs/contributing/architecture.md"
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             if match := INCLUDE.match(line):
-                yield from ((path, number, reason) for reason in judged(room, rooms, match[1] == '"', match[2]))
+                yield from ((path, number, reason) for reason in judged(module, modules, match[1] == '"', match[2]))
 
 
-def judged(room, rooms, quoted, header):
-    """Why a file of that room may not include that header; nothing if it may."""
+def judged(module, modules, quoted, header):
+    """Why a file of that module may not include that header; nothing if it may."""
     if header.startswith("labmouse/"):
         other = header.split("/")[1]
-        if other != room and other not in rooms[room]:
-            yield f"{room} must not include {other}: {header}"
-    elif quoted and room != "apps":
+        if other != module and other not in modules[module]:
+            yield f"{module} must not include {other}: {header}"
+    elif quoted and module != "apps":
         yield f'{header} is not named by its path from the root: "labmouse/..."'
     elif ".." in header:
         yield f"{header} climbs out of its folder"
-    elif room in PORTABLE_ROOMS and header in BANNED_HEADERS:
-        yield f"{room} must not include <{header}>"
+    elif module in PORTABLE_MODULES and header in BANNED_HEADERS:
+        yield f"{module} must not include <{header}>"
 
 
-def wing_of(header):
-    """`lab/text` of `labmouse/lab/text/counted.hpp`; of a file that lies in its room directly, the room."""
+def package_of(header):
+    """`lab/text` of `labmouse/lab/text/counted.hpp`; of a file that lies in its module directly, the module."""
     return "/".join(header.split("/")[1:-1][:2])
 
 
-def wing_violations(root, wings):
-    """Each wing includes just those that the table names, and a room with a list of all its wings has no other files."""
-    rooms = {name.split("/")[0] for name in wings}
-    used, files = {name: set() for name in wings}, {name: 0 for name in wings}
+def package_violations(root, packages):
+    """Each package includes just those that the table names, and a module with a list of all its packages has no other files."""
+    modules = {name.split("/")[0] for name in packages}
+    used, files = {name: set() for name in packages}, {name: 0 for name in packages}
     for path in sources(root / "labmouse"):
-        wing = wing_of(path.relative_to(root).as_posix())
-        if wing.split("/")[0] not in rooms or (wing not in wings and wing == "mouse"):
+        package = package_of(path.relative_to(root).as_posix())
+        if package.split("/")[0] not in modules or (package not in packages and package == "mouse"):
             continue
-        if wing not in wings:
-            yield path, 1, f"{wing} is no wing of docs/contributing/architecture.md"
+        if package not in packages:
+            yield path, 1, f"{package} is no package of docs/contributing/architecture.md"
             continue
-        files[wing] += 1
+        files[package] += 1
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             match = INCLUDE.match(line)
-            other = wing_of(match[2]) if match and match[2].startswith("labmouse/") else wing
-            if other == wing or other not in wings or other.split("/")[0] != wing.split("/")[0]:
+            other = package_of(match[2]) if match and match[2].startswith("labmouse/") else package
+            if other == package or other not in packages or other.split("/")[0] != package.split("/")[0]:
                 continue
-            used[wing].add(other)
-            if other not in wings[wing]:
-                yield path, number, f"{wing} must not include {other}: {match[2]}"
+            used[package].add(other)
+            if other not in packages[package]:
+                yield path, number, f"{package} must not include {other}: {match[2]}"
     page = root / "docs/contributing/architecture.md"
-    for wing, allowed in wings.items():
-        if unused := sorted(allowed - used[wing]):
-            yield page, 1, f"{wing} does not include {', '.join(unused)}, though the table says so"
-        if files[wing] == 0:
-            yield page, 1, f"{wing} has no files"
-        if files[wing] > MOST_FILES_IN_A_WING:
-            yield page, 1, f"{wing} has {files[wing]} files; {MOST_FILES_IN_A_WING} are the most"
+    for package, allowed in packages.items():
+        if unused := sorted(allowed - used[package]):
+            yield page, 1, f"{package} does not include {', '.join(unused)}, though the table says so"
+        if files[package] == 0:
+            yield page, 1, f"{package} has no files"
+        if files[package] > MOST_FILES_IN_A_PACKAGE:
+            yield page, 1, f"{package} has {files[package]} files; {MOST_FILES_IN_A_PACKAGE} are the most"
 
 
 def serves_all_worlds(name):
@@ -184,7 +184,7 @@ def world_violations(root):
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             match = INCLUDE.match(line)
-            if match and wing_of(match[2]) in {f"lab/{wing}" for wing in WORLD_WINGS}:
+            if match and package_of(match[2]) in {f"lab/{package}" for package in WORLD_PACKAGES}:
                 yield path, number, f"what serves all worlds must not include {match[2]}"
             for name in names_of_worlds(line) if not match else ():
                 yield path, number, f"what serves all worlds must not name that of {name}"
@@ -219,9 +219,9 @@ def cycle_violations(root):
 
 
 def system_violations(root):
-    """What a build without guests compiles includes no header of one system, itself or through others of ours."""
-    guests = re.search(r'set\(LABMOUSE_LEFT_OUT "([^"]*/guests/[^"]*)"\)', (root / "CMakeLists.txt").read_text(encoding="utf-8"))
-    left_out = re.compile(guests[1]) if guests else None
+    """What a build without external mice compiles includes no header of one system, itself or through others of ours."""
+    external = re.search(r'set\(LABMOUSE_LEFT_OUT "([^"]*/external/[^"]*)"\)', (root / "CMakeLists.txt").read_text(encoding="utf-8"))
+    left_out = re.compile(external[1]) if external else None
     reached = set()
     todo = [path for path in sources(root / "labmouse") + sources(root / "apps") if path.suffix == ".cpp"
             and not (left_out and left_out.search(f"/{path.relative_to(root).as_posix()}"))]
@@ -255,23 +255,23 @@ def number_violations(root):
 
 
 def static_violations(root):
-    """The portable rooms have no variables outside of functions and objects but those that the compiler has fixed."""
-    for room in PORTABLE_ROOMS:
-        for path in sources(root / "labmouse" / room):
+    """The portable modules have no variables outside of functions and objects but those that the compiler has fixed."""
+    for module in PORTABLE_MODULES:
+        for path in sources(root / "labmouse" / module):
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 code = line.split("//")[0]
                 if re.search(r"\bthread_local\b", code) or STATIC.match(code) or GLOBAL.match(code):
-                    yield path, number, f"{room} has no variables that last: constexpr, constinit const, or a member"
+                    yield path, number, f"{module} has no variables that last: constexpr, constinit const, or a member"
 
 
-def link_violations(root, rooms):
-    """labmouse_room(NAME ROOM...) links what the table allows: no less, so that the table is not wider than it has to be."""
+def link_violations(root, modules):
+    """labmouse_module(NAME MODULE...) links what the table allows: no less, so that the table is not wider than it has to be."""
     path = root / "CMakeLists.txt"
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-        if match := re.match(r"\s*labmouse_room\((\w+)([\w\s]*)\)", line):
+        if match := re.match(r"\s*labmouse_module\((\w+)([\w\s]*)\)", line):
             name, linked = match[1], set(match[2].split())
-            if linked != rooms.get(name):
-                wanted = " ".join(sorted(rooms[name])) if name in rooms else "no such room"
+            if linked != modules.get(name):
+                wanted = " ".join(sorted(modules[name])) if name in modules else "no such module"
                 yield path, number, f"{name} links {' '.join(sorted(linked))}, but docs/contributing/architecture.md says: {wanted}"
 
 
@@ -291,27 +291,27 @@ def public_header_violations(root):
         yield page, 1, f"{header} is described, and not public"
 
 
-def roster_violations(root):
-    """Every RosterEntry that a mind's file defines is on the roster."""
-    roster = root / "labmouse/strategies/roster.cpp"
-    if not roster.exists():
+def builtin_mice_violations(root):
+    """Every BuiltinMouse that a strategy's file defines is in the list of built-in mice."""
+    builtin_mice = root / "labmouse/strategies/builtin_mice.cpp"
+    if not builtin_mice.exists():
         return
-    listed = set(re.findall(r"&(\w+_mouse)\b", roster.read_text(encoding="utf-8")))
-    for path in sources(roster.parent):
+    listed = set(re.findall(r"&(\w+_mouse)\b", builtin_mice.read_text(encoding="utf-8")))
+    for path in sources(builtin_mice.parent):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            match = re.match(r"\s*(?:constinit )?const RosterEntry (\w+_mouse)\b", line)
+            match = re.match(r"\s*(?:constinit )?const BuiltinMouse (\w+_mouse)\b", line)
             if match and match[1] not in listed:
-                yield path, number, f"{match[1]} is not on the roster"
+                yield path, number, f"{match[1]} is not in the list of built-in mice"
 
 
 def violations(root):
     """All violations as lines of text."""
     root = Path(root)
     page = (root / "docs/contributing/architecture.md").read_text(encoding="utf-8")
-    rooms, wings = rooms_of(page), wings_of(page)
-    found = [*include_violations(root, rooms), *wing_violations(root, wings), *world_violations(root),
-             *cycle_violations(root), *static_violations(root), *system_violations(root), *number_violations(root), *link_violations(root, rooms),
-             *roster_violations(root), *public_header_violations(root)]
+    modules, packages = modules_of(page), packages_of(page)
+    found = [*include_violations(root, modules), *package_violations(root, packages), *world_violations(root),
+             *cycle_violations(root), *static_violations(root), *system_violations(root), *number_violations(root), *link_violations(root, modules),
+             *builtin_mice_violations(root), *public_header_violations(root)]
     return [f"{path.relative_to(root)}:{number}: error: {reason}" for path, number, reason in found]
 
 

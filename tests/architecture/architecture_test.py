@@ -3,23 +3,23 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from architecture import rooms_of, violations
+from architecture import modules_of, violations
 
 ROOT = Path(__file__).resolve().parents[2]
 
 PAGE = """
-| room | holds | may include | must not touch |
+| module | holds | may include | must not touch |
 |---|---|---|---|
 | grid | cells | nothing | heap |
 | maze | truth | grid | mouse |
-| mouse | belief | grid | maze |
-| strategies | minds | grid, mouse | maze |
+| mouse | log-odds map | grid | maze |
+| strategies | strategies | grid, mouse | maze |
 | lab | many runs | all above | terminals |
 | apps | programs | all above | logic |
 """
 
-WINGS = """
-| wing | holds | includes |
+PACKAGES = """
+| package | holds | includes |
 |---|---|---|
 | lab/text | words | nothing |
 | lab/races | many contests | text |
@@ -40,9 +40,9 @@ class Architecture(unittest.TestCase):
     def test_this_tree_keeps_to_the_page(self):
         self.assertEqual(violations(ROOT), [])
 
-    def test_the_page_lists_every_room_and_no_other(self):
+    def test_the_page_lists_every_module_and_no_other(self):
         folders = {path.name for path in (ROOT / "labmouse").iterdir() if path.is_dir()}
-        self.assertEqual(set(rooms_of((ROOT / "docs/contributing/architecture.md").read_text(encoding="utf-8"))), folders | {"apps"})
+        self.assertEqual(set(modules_of((ROOT / "docs/contributing/architecture.md").read_text(encoding="utf-8"))), folders | {"apps"})
 
     def test_what_the_table_allows_is_no_violation(self):
         self.assertEqual(violations_of({
@@ -50,23 +50,23 @@ class Architecture(unittest.TestCase):
             "labmouse/maze/maze.cpp": '#include "labmouse/maze/maze.hpp"\n',
             "labmouse/lab/race.cpp": '#include <thread>\n#include "labmouse/mouse/strategy.hpp"\n',
             "apps/cli/main.cpp": '#include <fstream>\n#include "command.hpp"\n#include "labmouse/lab/race.hpp"\n',
-            "CMakeLists.txt": "labmouse_room(maze grid)\n",
+            "CMakeLists.txt": "labmouse_module(maze grid)\n",
         }), [])
 
-    def test_a_mind_that_includes_a_maze(self):
+    def test_a_strategy_that_includes_a_maze(self):
         self.assertEqual(violations_of({"labmouse/strategies/cheat.cpp": '\n#include "labmouse/maze/maze.hpp"\n'}),
                          ["labmouse/strategies/cheat.cpp:2: error: strategies must not include maze: "
                           "labmouse/maze/maze.hpp"])
 
-    def test_a_room_that_includes_one_below_it(self):
+    def test_a_module_that_includes_one_below_it(self):
         self.assertEqual(violations_of({"labmouse/grid/cell.hpp": '#  include "labmouse/lab/race.hpp"\n'}),
                          ["labmouse/grid/cell.hpp:1: error: grid must not include lab: labmouse/lab/race.hpp"])
 
-    def test_a_room_that_the_page_does_not_know(self):
+    def test_a_module_that_the_page_does_not_know(self):
         self.assertEqual(violations_of({"labmouse/attic/box.hpp": ""}),
-                         ["labmouse/attic/box.hpp:1: error: attic is no room of docs/contributing/architecture.md"])
+                         ["labmouse/attic/box.hpp:1: error: attic is no module of docs/contributing/architecture.md"])
 
-    def test_an_include_that_hides_its_room(self):
+    def test_an_include_that_hides_its_module(self):
         self.assertEqual(violations_of({"labmouse/mouse/route.cpp": '#include "../maze/maze.hpp"\n'}),
                          ['labmouse/mouse/route.cpp:1: error: ../maze/maze.hpp is not named by its path from the root: '
                           '"labmouse/..."'])
@@ -75,47 +75,47 @@ class Architecture(unittest.TestCase):
         self.assertEqual(violations_of({"apps/cli/main.cpp": '#include "../../labmouse/lab/race.hpp"\n'}),
                          ["apps/cli/main.cpp:1: error: ../../labmouse/lab/race.hpp climbs out of its folder"])
 
-    def test_a_portable_room_that_throws_the_library_s_dice(self):
+    def test_a_portable_module_that_throws_the_library_s_dice(self):
         self.assertEqual(violations_of({"labmouse/maze/prim.cpp": "#include <random>\n"}),
                          ["labmouse/maze/prim.cpp:1: error: maze must not include <random>"])
 
     def test_a_link_that_the_page_does_not_allow(self):
-        self.assertEqual(violations_of({"CMakeLists.txt": "labmouse_room(mouse grid maze)\n"}),
+        self.assertEqual(violations_of({"CMakeLists.txt": "labmouse_module(mouse grid maze)\n"}),
                          ["CMakeLists.txt:1: error: mouse links grid maze, but docs/contributing/architecture.md says: grid"])
 
-    def test_a_mind_that_is_not_on_the_roster(self):
+    def test_a_strategy_that_is_not_in_the_list_of_built_in_mice(self):
         self.assertEqual(violations_of({
-            "labmouse/strategies/roster.cpp": "constexpr std::array entries = {&flood_mouse};\n",
-            "labmouse/strategies/flood.cpp": "constinit const RosterEntry flood_mouse = {};\n",
-            "labmouse/strategies/shy.cpp": "constinit const RosterEntry shy_mouse = {};\n",
-        }), ["labmouse/strategies/shy.cpp:1: error: shy_mouse is not on the roster"])
+            "labmouse/strategies/builtin_mice.cpp": "constexpr std::array entries = {&flood_mouse};\n",
+            "labmouse/strategies/flood.cpp": "constinit const BuiltinMouse flood_mouse = {};\n",
+            "labmouse/strategies/shy.cpp": "constinit const BuiltinMouse shy_mouse = {};\n",
+        }), ["labmouse/strategies/shy.cpp:1: error: shy_mouse is not in the list of built-in mice"])
 
-    def test_wings_that_keep_to_the_page(self):
+    def test_packages_that_keep_to_the_page(self):
         self.assertEqual(violations_of({
             "labmouse/lab/text/words.hpp": "",
             "labmouse/lab/races/race.cpp": '#include "labmouse/lab/text/words.hpp"\n',
-        }, PAGE + WINGS), [])
+        }, PAGE + PACKAGES), [])
 
-    def test_a_wing_that_includes_one_below_it(self):
+    def test_a_package_that_includes_one_below_it(self):
         found = violations_of({
             "labmouse/lab/text/words.cpp": '#include "labmouse/lab/races/race.hpp"\n',
             "labmouse/lab/races/race.hpp": '#include "labmouse/lab/text/other.hpp"\n',
-        }, PAGE + WINGS)
+        }, PAGE + PACKAGES)
         self.assertEqual(found, ["labmouse/lab/text/words.cpp:1: error: lab/text must not include lab/races: "
                                  "labmouse/lab/races/race.hpp"])
 
-    def test_a_file_outside_of_all_wings(self):
-        self.assertIn("labmouse/lab/odd.hpp:1: error: lab is no wing of docs/contributing/architecture.md",
-                      violations_of({"labmouse/lab/odd.hpp": ""}, PAGE + WINGS))
+    def test_a_file_outside_of_all_packages(self):
+        self.assertIn("labmouse/lab/odd.hpp:1: error: lab is no package of docs/contributing/architecture.md",
+                      violations_of({"labmouse/lab/odd.hpp": ""}, PAGE + PACKAGES))
 
-    def test_a_table_of_wings_that_is_wider_than_it_has_to_be(self):
-        found = violations_of({"labmouse/lab/text/words.hpp": "", "labmouse/lab/races/race.hpp": ""}, PAGE + WINGS)
+    def test_a_table_of_packages_that_is_wider_than_it_has_to_be(self):
+        found = violations_of({"labmouse/lab/text/words.hpp": "", "labmouse/lab/races/race.hpp": ""}, PAGE + PACKAGES)
         self.assertEqual(found, ["docs/contributing/architecture.md:1: error: lab/races does not include lab/text, though the table says so"])
 
-    def test_a_wing_that_has_become_a_room_of_its_own(self):
+    def test_a_package_that_has_become_a_module_of_its_own(self):
         files = {f"labmouse/lab/text/words{number}.hpp": "" for number in range(41)}
         files["labmouse/lab/races/race.hpp"] = '#include "labmouse/lab/text/words1.hpp"\n'
-        self.assertEqual(violations_of(files, PAGE + WINGS),
+        self.assertEqual(violations_of(files, PAGE + PACKAGES),
                          ["docs/contributing/architecture.md:1: error: lab/text has 41 files; 40 are the most"])
 
     def test_what_serves_all_worlds_and_names_one(self):
@@ -151,7 +151,7 @@ class Architecture(unittest.TestCase):
             "labmouse/lab/race.cpp": "#include <sys/stat.h>\n",
             "labmouse/maze/keeper.cpp": '#include <poll.h>\n#include "labmouse/maze/keeper.hpp"\n',
             "labmouse/maze/keeper.hpp": "#include <unistd.h>\n",
-            "CMakeLists.txt": 'set(LABMOUSE_LEFT_OUT "/guests/.*|/maze/(keeper)[.]cpp$")\n',
+            "CMakeLists.txt": 'set(LABMOUSE_LEFT_OUT "/external/.*|/maze/(keeper)[.]cpp$")\n',
         }
         reason = "is of one system; labmouse/lab/system/calls.cpp is for such calls"
         self.assertEqual(violations_of(files), [f"labmouse/lab/race.cpp:1: error: <sys/stat.h> {reason}"])
@@ -196,7 +196,7 @@ class Architecture(unittest.TestCase):
 
     def test_what_is_no_variable_that_lasts(self):
         for line in ("  static constexpr std::array deep = [] {", "constinit const Format maz_format = {",
-                     "inline constexpr int no_place = -1;", "extern const RosterEntry flood_mouse;", "  int calls = 0;",
+                     "inline constexpr int no_place = -1;", "extern const BuiltinMouse flood_mouse;", "  int calls = 0;",
                      "  static int leap(int node, unsigned bit) const;", "  static bool never(const Settings&) { return 0; }",
                      "static int twice(int) {", "using Motion = int;", "struct Cell {", "enum class Run : std::uint8_t {",
                      "template class Lattice<int>;", "Lattice<Word>::Lattice(Size size) : size_{size} {",
@@ -220,11 +220,11 @@ class Architecture(unittest.TestCase):
             "docs/how-to/use-the-library.md:1: error: labmouse/grid/size.hpp is described, and not public"])
 
     def test_a_table_out_of_order(self):
-        with self.assertRaisesRegex(ValueError, "room grid may include maze, which the table does not list above it"):
+        with self.assertRaisesRegex(ValueError, "module grid may include maze, which the table does not list above it"):
             violations_of({}, "| grid | cells | maze | heap |\n| maze | truth | grid | mouse |\n")
 
     def test_a_page_without_a_table(self):
-        with self.assertRaisesRegex(ValueError, "no table of rooms"):
+        with self.assertRaisesRegex(ValueError, "no table of modules"):
             violations_of({}, "# Architecture\n")
 
 

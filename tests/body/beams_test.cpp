@@ -105,8 +105,8 @@ class InSomeMazes : public testing::Test {
     for (int i = 0; i < count; ++i) {
       const Maze maze = test::some_maze(static_cast<std::uint64_t>(i));
       const Field field(maze, test::cell);
-      const Specimen specimen(hardware, {}, maze.size(), 1);
-      const Beams beams(field, hardware.sensors, specimen);
+      const RobotSample robot_sample(hardware, {}, maze.size(), 1);
+      const Beams beams(field, hardware.sensors, robot_sample);
       const Boxes boxes(maze);
       for (int j = 0; j < 40; ++j) {
         // A mouse within 15 mm of the middle of a cell does not stand in walls.
@@ -170,8 +170,8 @@ TEST(Beams, ReadTheirGainInTheMiddleOfACorridor) {
   Hardware hardware = test::plain_mouse();
   hardware.sensors.infrared.footprint = 0.5;  // all of it on the wall
   const Field field(maze, test::cell);
-  const Specimen specimen(hardware, {}, maze.size(), 1);
-  const Beams beams(field, hardware.sensors, specimen);
+  const RobotSample robot_sample(hardware, {}, maze.size(), 1);
+  const Beams beams(field, hardware.sensors, robot_sample);
   const Position middle = {50.0, 50.0};
   const Direction north{1.0, 0.0}, south{-1.0, 0.0}, west{0.0, -1.0};
   // Towards the west wall, by the left sensor of a mouse that drives north, and the right one of one that drives south.
@@ -188,8 +188,8 @@ TEST(Beams, ReadNoMoreThanTheirMost) {
   const Maze maze = test::hall(2);
   const Hardware hardware = test::plain_mouse();
   const Field field(maze, test::cell);
-  const Specimen specimen(hardware, {}, maze.size(), 1);
-  const Beams beams(field, hardware.sensors, specimen);
+  const RobotSample robot_sample(hardware, {}, maze.size(), 1);
+  const Beams beams(field, hardware.sensors, robot_sample);
   EXPECT_EQ(beams.level(1, {28.0, 50.0}, {0.0, -1.0}), 3600.0);
 }
 
@@ -200,10 +200,10 @@ TEST(Beams, ReadWallsAsTheirSidesReflect) {
   hardware.sensors.infrared.footprint = 0.5;
   const Maze maze = test::hall(4);
   const Field field(maze, test::cell);
-  const Specimen specimen(hardware, {}, maze.size(), 7);
-  const Beams beams(field, hardware.sensors, specimen);
+  const RobotSample robot_sample(hardware, {}, maze.size(), 7);
+  const Beams beams(field, hardware.sensors, robot_sample);
   for (int y = 0; y < 4; ++y) {
-    const double expected = 700.0 * specimen.infrared[2] * specimen.reflectance({0, y}, Heading::west);
+    const double expected = 700.0 * robot_sample.infrared[2] * robot_sample.reflectance({0, y}, Heading::west);
     EXPECT_NEAR(beams.level(2, {50.0, y * test::cell + 50.0}, {1.0, 0.0}), expected, 0.1) << y;
   }
 }
@@ -215,8 +215,8 @@ TEST(Ranger, ReadsTheDistanceToTheFirstBoxAhead) {
   for (int i = 0; i < 40; ++i) {
     const Maze maze = test::some_maze(static_cast<std::uint64_t>(i));
     const Field field(maze, test::cell);
-    const Specimen specimen(hardware, {}, maze.size(), 1);
-    const Beams beams(field, hardware.sensors, specimen);
+    const RobotSample robot_sample(hardware, {}, maze.size(), 1);
+    const Beams beams(field, hardware.sensors, robot_sample);
     const Boxes boxes(maze);
     for (int j = 0; j < 40; ++j) {
       const Position at = {(dice.below(8) + 0.4 + 0.002 * dice.below(100)) * test::cell,

@@ -18,8 +18,8 @@ class World {
   explicit World(const Hardware& hardware, const NoiseLevel& level = {}, std::uint64_t seed = 1)
       : hardware_(hardware),
         field_(maze_, test::cell),
-        specimen_(hardware_, level, maze_.size(), seed),
-        plant_(field_, hardware_, specimen_, seed) {
+        robot_sample_(hardware_, level, maze_.size(), seed),
+        plant_(field_, hardware_, robot_sample_, seed) {
     plant_.put({3250.0, 3250.0}, 0.0);
   }
 
@@ -39,13 +39,13 @@ class World {
     return plant_.motion();
   }
   Plant& plant() { return plant_; }
-  const Specimen& specimen() const { return specimen_; }
+  const RobotSample& robot_sample() const { return robot_sample_; }
 
  private:
   Hardware hardware_;
   Maze maze_ = test::hall(64);
   Field field_;
-  Specimen specimen_;
+  RobotSample robot_sample_;
   Plant plant_;
 };
 
@@ -113,7 +113,7 @@ TEST(Motors, DifferAsTheContestDrewThem) {
   Hardware hardware = test::plain_mouse();
   hardware.noise.motor_gain = 0.1;
   World world(hardware, {}, 3);
-  const auto& [left, right] = world.specimen().motor;
+  const auto& [left, right] = world.robot_sample().motor;
   ASSERT_GT(std::abs(right - left), 0.02);
   const BodyMotion& motion = world.after(3000, 0.3, 0.3);
   EXPECT_NEAR(motion.speed, 3000.0 * (0.3 * (left + right) / 2.0 - 0.05), 1e-3);
@@ -202,9 +202,9 @@ TEST(Tyres, AreAsStiffAndHoldAsMuchAsTheContestDrew) {
   Hardware hardware = test::plain_mouse();
   hardware.noise.stiffness = 0.2;
   World world(hardware, {}, 5);
-  ASSERT_GT(std::abs(world.specimen().stiffness - 1.0), 0.03);
+  ASSERT_GT(std::abs(world.robot_sample().stiffness - 1.0), 0.03);
   const BodyMotion& motion = world.hold(1000, 330.0, 9.0);
-  EXPECT_NEAR(motion.slip, -motion.speed * motion.yaw / (100000.0 * world.specimen().stiffness), 1e-6);
+  EXPECT_NEAR(motion.slip, -motion.speed * motion.yaw / (100000.0 * world.robot_sample().stiffness), 1e-6);
 }
 
 TEST(Plant, DrivesTheArcThatItsSpeedsSay) {
@@ -266,7 +266,7 @@ TEST(Floor, TurnsAndShiftsAMouseWhereItHasAStep) {
   hardware.noise.floor_shift = 1.0;
   World world(hardware, {}, 4);
   world.plant().put({3299.0, 3250.0}, 0.0);
-  const FloorStep step = world.specimen().floor_step({{32, 32}, Heading::east});
+  const FloorStep step = world.robot_sample().floor_step({{32, 32}, Heading::east});
   ASSERT_NE(step.turn, 0.0);
   while (world.hold(1, 300.0, 0.0).position.x < 3300.0) {
   }

@@ -22,8 +22,8 @@ class Sensed {
   explicit Sensed(const Hardware& hardware, const NoiseLevel& level = {}, std::uint64_t seed = 1)
       : hardware_(hardware),
         field_(maze_, test::cell),
-        specimen_(hardware_, level, maze_.size(), seed),
-        senses_(field_, hardware_, specimen_, seed) {
+        robot_sample_(hardware_, level, maze_.size(), seed),
+        senses_(field_, hardware_, robot_sample_, seed) {
     motion.position = {350.0, 350.0};
   }
 
@@ -38,7 +38,7 @@ class Sensed {
     return all;
   }
   void calibrate() { senses_.calibrate(); }
-  const Specimen& specimen() const { return specimen_; }
+  const RobotSample& robot_sample() const { return robot_sample_; }
 
   BodyMotion motion;
 
@@ -46,7 +46,7 @@ class Sensed {
   Hardware hardware_;
   Maze maze_ = test::hall(8);
   Field field_;
-  Specimen specimen_;
+  RobotSample robot_sample_;
   Senses senses_;
 };
 
@@ -100,7 +100,7 @@ TEST(Encoders, OverstateByTheScaleThatTheContestDrew) {
   Sensed mouse(noisy_mouse(), {}, 3);
   mouse.motion.speed = 500.0;
   for (int tick = 0; tick < 2000; ++tick) mouse.read();
-  const std::array<double, 2>& scale = mouse.specimen().encoder;
+  const std::array<double, 2>& scale = mouse.robot_sample().encoder;
   EXPECT_GT(std::abs(scale[0] - scale[1]), 0.001);
   for (const std::size_t wheel : {std::size_t{0}, std::size_t{1}})
     EXPECT_NEAR(mouse.read().counts[wheel] * 0.001, 1000.7 * scale[wheel], 0.3 + 0.7) << wheel;
@@ -150,9 +150,9 @@ TEST(Gyro, OverstatesByTheScaleThatTheContestDrew) {
   Hardware hardware = test::plain_mouse();
   hardware.noise.gyro_scale = 0.01;
   Sensed mouse(hardware, {}, 2);
-  ASSERT_GT(std::abs(mouse.specimen().gyro - 1.0), 0.002);
+  ASSERT_GT(std::abs(mouse.robot_sample().gyro - 1.0), 0.002);
   mouse.motion.yaw = 20.0;
-  EXPECT_NEAR(mouse.read().gyro * 0.001, 20.0 * mouse.specimen().gyro, 0.0006);
+  EXPECT_NEAR(mouse.read().gyro * 0.001, 20.0 * mouse.robot_sample().gyro, 0.0006);
 }
 
 TEST(Gyro, HasABiasOfItsOwnAfterEachCalibration) {
@@ -267,8 +267,8 @@ TEST(Battery, IsReadInMillivolts) {
   const Maze maze = test::hall(4);
   const Hardware hardware = test::plain_mouse();
   const Field field(maze, test::cell);
-  const Specimen specimen(hardware, {}, maze.size(), 1);
-  Senses senses(field, hardware, specimen, 1);
+  const RobotSample robot_sample(hardware, {}, maze.size(), 1);
+  Senses senses(field, hardware, robot_sample, 1);
   BodyMotion motion;
   motion.position = {150.0, 150.0};
   senses.read(motion, 0.9);

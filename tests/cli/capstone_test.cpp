@@ -26,7 +26,7 @@ class ARobotsOwner : public AUser {
 TEST_F(ARobotsOwner, RacesItBesideABuiltinMouse) {
   const auto race = AUser::race({"--mice", "flood,capstone:robot.py", "--mazes", "corridor.txt"});
   ASSERT_EQ(race.at("groups").at(0).at("mice").size(), 2U);
-  for (const auto& mouse : race.at("groups").at(0).at("mice")) EXPECT_EQ(mouse.at("solved"), 1) << mouse;
+  for (const auto& mouse : race.at("groups").at(0).at("mice")) EXPECT_EQ(mouse.at("finished"), 1) << mouse;
   EXPECT_EQ(race.at("groups").at(0).at("mice").at(0).at("results").at(0).at("score"),
             race.at("groups").at(0).at("mice").at(1).at("results").at(0).at("score"));
 }
@@ -41,7 +41,7 @@ TEST_F(ARobotsOwner, GoesOnWhereOneDies) {
 }
 
 TEST_F(ARobotsOwner, GetsTheRecordOfTheBuiltinMouseThatItsRobotDoesAsWell) {
-  const std::string robot = "capstone:" LABMOUSE_SOURCE_DIR "/tests/guests/robots/flood.py";
+  const std::string robot = "capstone:" LABMOUSE_SOURCE_DIR "/tests/external/robots/flood.py";
   EXPECT_EQ(labmouse({"run", robot, "capstone-1", "--record", "robot.jsonl"}).code, 0);
   EXPECT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "mouse.jsonl"}).code, 0);
   const std::string robot_record = content("robot.jsonl"), mouse_record = content("mouse.jsonl");
@@ -52,7 +52,7 @@ TEST_F(ARobotsOwner, MaySayWhereItLiesFromAnywhere) {
   std::filesystem::create_directories(folder_ / "mice" / "mine");
   std::filesystem::rename(folder_ / "robot.py", folder_ / "mice" / "mine" / "robot.py");
   for (const std::string& path : {std::string("mice/mine/robot.py"), (folder_ / "mice/mine/robot.py").string()})
-    EXPECT_THAT(labmouse({"run", "capstone:" + path, "corridor.txt"}).out, HasSubstr("solved, score 1.067")) << path;
+    EXPECT_THAT(labmouse({"run", "capstone:" + path, "corridor.txt"}).out, HasSubstr("finished, score 1.067")) << path;
 }
 
 TEST_F(ARobotsOwner, IsToldWhatFileIsMissing) {

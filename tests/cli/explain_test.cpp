@@ -80,7 +80,7 @@ TEST_F(AUser, SeesTheCandidatesOfAStep) {
 
 TEST_F(AUser, SeesARecordAsFarAsAStep) {
   ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
-  const Ended shown = labmouse({"show", "--record", "walk.jsonl", "--layer", "exploration", "--step", "19"});
+  const Ended shown = labmouse({"show", "--record", "walk.jsonl", "--layer", "search", "--step", "19"});
   EXPECT_EQ(shown.err, "");
   EXPECT_THAT(shown.out,
               testing::AllOf(Says("+ 19 steps", "no goal"), EndsWith("\nflood in capstone-1: step 19 of 52\n")));

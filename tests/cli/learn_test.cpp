@@ -70,7 +70,7 @@ TEST_F(AUser, SeesThatAPriorMayBeAFile) {
 TEST_F(AUser, IsToldWhatIsWrongWithLearning) {
   file("closed.txt", "o---o---o\n| S | G |\no---o---o\n");
   file("occupied", "a file where a folder should be");
-  is_refused({"learn", "contest-01"}, "--out", "required");
+  is_refused({"learn", "contest-01"}, "'--out'", "missing");
   is_refused({"learn", "contest-00", "-o", "my.prior"}, "contest-00", "'contest-01'");
   is_refused({"learn", "closed.txt", "-o", "my.prior"}, "route", "1 given");
   is_refused({"learn", "contest-01", "-o", "occupied/my.prior"}, "occupied/my.prior: error: ", "not a folder");

@@ -37,8 +37,8 @@ const std::map<std::string, Words> usual = {
     {"sweep", {"--vary", "stride=3", "--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
     {"study", {"--mazes", "m.txt", "n.txt", "--folds", "2", "--runs", "1", "--jobs", "1"}},
     {"tune", {"--params", "stride", "--evaluations", "2", "--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
-    {"lineup check", {"mice.toml"}},
-    {"lineup init", {"robots", "--overwrite"}},
+    {"mice-file check", {"mice.toml"}},
+    {"mice-file init", {"robots", "--overwrite"}},
     {"run", {"m.txt"}},
     {"mms", {"false", "--maze", "m.txt"}},
     {"learn", {"m.txt", "-o", "learned.prior"}},
@@ -56,7 +56,7 @@ const std::map<std::string, Words> usual = {
     {"bound", {"m.txt"}},
     {"route", {"m.txt", "--svg", "route.svg"}},
     {"drive", {"--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
-    {"hazards", {"--mazes", "m.txt", "--noise", "1", "--jobs", "1"}},
+    {"failure_rates", {"--mazes", "m.txt", "--noise", "1", "--jobs", "1"}},
     {"replay", {"r.jsonl"}},
     {"score", {"r.jsonl"}},
     {"page", {"-o", "page.html"}},
@@ -80,10 +80,10 @@ class EveryCommand : public test::AUser {
     file("robot.py", "class Robot:\n  def __init__(self, size):\n    pass\n");
     std::filesystem::create_directories(folder_ / "robots");
     file("robots/robot.py", content("robot.py"));
-    std::string lineup;
+    std::string mice_file;
     for (const std::string& mouse : built_in_mice())
-      lineup += "[[mouse]]\nname = \"the " + mouse + "\"\nmouse = \"" + mouse + "\"\n";
-    file("mice.toml", lineup);
+      mice_file += "[[mouse]]\nname = \"the " + mouse + "\"\nmouse = \"" + mouse + "\"\n";
+    file("mice.toml", mice_file);
   }
 
   /// What of a race later commands take.
@@ -137,8 +137,8 @@ class EveryCommand : public test::AUser {
   }
   Words mice() const {
     Words mice = built_in_mice();
-    mice.insert(mice.end(), {"mine=flood:stride=1", "capstone:robot.py", "guest:false", "pilot:false", "mms:false",
-                             "lineup:mice.toml", "nobody"});
+    mice.insert(mice.end(), {"mine=flood:stride=1", "capstone:robot.py", "program:false", "controller:false", "mms:false",
+                             "mice-file:mice.toml", "nobody"});
     return mice;
   }
 
@@ -239,7 +239,7 @@ TEST_F(EveryCommand, EndsWellWithEachWordOfItsHelp) {
 
 TEST_F(EveryCommand, HasAnExampleOfItselfAtTheEndOfItsHelp) {
   Words all = commands();
-  all.insert(all.end(), {"robot", "rules", "store", "lineup"});
+  all.insert(all.end(), {"robot", "rules", "store", "mice-file"});
   for (const std::string& command : all) {
     const std::string help = help_of(command);
     const auto begin = help.rfind("\nExample: labmouse ");
@@ -281,7 +281,7 @@ TEST_F(EveryCommand, EndsWellWithEachKindOfMouse) {
       for (const std::string& mouse : mice()) try_out(command, words_of(each, mouse));
       // Who enters which world is one mechanism, which the first of these commands shows: `race`.
       if (std::exchange(in_worlds, in_worlds || !worlds.empty())) continue;
-      for (const std::string& mouse : both(built_in_mice(), {"guest:false", "pilot:false", "mms:false"}))
+      for (const std::string& mouse : both(built_in_mice(), {"program:false", "controller:false", "mms:false"}))
         for (const std::string& world : worlds) try_out(command, both(words_of(each, mouse), {"--world", world}));
     }
   }

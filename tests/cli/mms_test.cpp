@@ -13,9 +13,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// The command of a program that does what the words say; see tests/guests/mms/mms_guest.cpp.
-std::string guest(const std::vector<std::string>& words) {
-  std::string command = "\"" LABMOUSE_MMS_GUEST "\"";
+/// The command of a program that does what the words say; see tests/external/mms/mms_program.cpp.
+std::string external(const std::vector<std::string>& words) {
+  std::string command = "\"" LABMOUSE_MMS_PROGRAM "\"";
   for (const std::string& word : words) command += " \"" + word + "\"";
   return command;
 }
@@ -25,7 +25,7 @@ class AnMmsUser : public AUser {
   AnMmsUser() { file("plank.txt", "o---o---o---o\n|           |\no---o---o---o\n"); }
 
   Ended mms(const std::vector<std::string>& words, std::vector<std::string> options = {}) const {
-    options.insert(options.begin(), {"mms", guest(words), "--maze", "plank.txt"});
+    options.insert(options.begin(), {"mms", external(words), "--maze", "plank.txt"});
     return labmouse(std::move(options));
   }
   /// The group of the JSON of a race in the plank.
@@ -35,7 +35,7 @@ class AnMmsUser : public AUser {
     return race(std::move(all)).at("groups").at(0);
   }
 
-  const std::string to_the_goal_ = "mms:" + guest({"ask:turnRight", "need:ack", "ask:moveForwardHalf", "need:ack"});
+  const std::string to_the_goal_ = "mms:" + external({"ask:turnRight", "need:ack", "ask:moveForwardHalf", "need:ack"});
 };
 
 TEST_F(AnMmsUser, HostsAProgramInOneMaze) {
@@ -53,9 +53,9 @@ TEST_F(AnMmsUser, ExitCodesSayHowAProgramEnded) {
   EXPECT_EQ(mms({"hang"}, {"--start-limit", "0.06"}).code, 1);
   is_refused({"mms", "/no/such/mouse", "--maze", "plank.txt"}, "/no/such/mouse");
   is_refused({"mms", "", "--maze", "plank.txt"}, "command: ", "empty");
-  is_refused({"mms", guest({}), "--maze", "nowhere.txt"}, "nowhere.txt");
-  is_refused({"mms", guest({}), "--maze", "plank.txt", "--decision-limit", "-1"}, "--decision-limit");
-  is_refused({"mms", guest({}), "--maze", "plank.txt", "--record", "plank.txt/x"}, "plank.txt/x");
+  is_refused({"mms", external({}), "--maze", "nowhere.txt"}, "nowhere.txt");
+  is_refused({"mms", external({}), "--maze", "plank.txt", "--decision-limit", "-1"}, "--decision-limit");
+  is_refused({"mms", external({}), "--maze", "plank.txt", "--record", "plank.txt/x"}, "plank.txt/x");
 }
 
 TEST_F(AnMmsUser, TellsOfLinesThatAreNoCommands) {
@@ -76,7 +76,7 @@ TEST_F(AnMmsUser, PressesResetForWhoWaits) {
 
 TEST_F(AnMmsUser, RunsAProgramInItsFolder) {
   std::filesystem::create_directories(folder_ / "place");
-  std::filesystem::copy_file(LABMOUSE_MMS_GUEST, folder_ / "place" / "mouse");
+  std::filesystem::copy_file(LABMOUSE_MMS_PROGRAM, folder_ / "place" / "mouse");
   EXPECT_EQ(labmouse({"mms", "./mouse ask:mazeWidth", "--maze", "plank.txt", "--directory", "place"}).code, 0);
   is_refused({"mms", "./mouse", "--maze", "plank.txt"}, "./mouse");
 }
@@ -134,7 +134,7 @@ TEST_F(AnMmsUser, WatchesEachMove) {
 }
 
 TEST_F(AnMmsUser, WatchesOnATerminalAtAnySpeed) {
-  const auto printed = on_a_terminal({"mms", guest({"say:setColor 1 0 G", "ask:turnRight", "ask:moveForward"}),
+  const auto printed = on_a_terminal({"mms", external({"say:setColor 1 0 G", "ask:turnRight", "ask:moveForward"}),
                                       "--maze", (folder_ / "plank.txt").string(), "--speed", "1000"},
                                      "NO_COLOR=");
   if (!printed) GTEST_SKIP() << "the system lends no terminals";
@@ -145,7 +145,7 @@ TEST_F(AnMmsUser, WatchesOnATerminalAtAnySpeed) {
 
 TEST_F(AnMmsUser, AnInterruptEndsTheProgram) {
   const Program program(folder_,
-                        {"mms", guest({"ask:turnRight", "hang"}), "--maze", "plank.txt", "--silence-limit", "60"});
+                        {"mms", external({"ask:turnRight", "hang"}), "--maze", "plank.txt", "--silence-limit", "60"});
   while (!program.handles_interrupts()) std::this_thread::yield();
   program.interrupt();
   const Ended ended = program.wait();
@@ -158,7 +158,7 @@ TEST_F(AnMmsUser, RacesInAWorldOfItsOwn) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, Says("world of mms", "1 mouse", "1 maze"));
   EXPECT_THAT(ended.out, ContainsRegex(" 1/1 +1\\.2 "));
-  EXPECT_THAT(ended.out, Not(HasSubstr("exploration steps")));
+  EXPECT_THAT(ended.out, Not(HasSubstr("search steps")));
 }
 
 TEST_F(AnMmsUser, RacesBesideTheOthersInASecondTable) {
@@ -185,7 +185,7 @@ TEST_F(AnMmsUser, GivesAMazeOfTheRaceItsBound) {
 
 TEST_F(AnMmsUser, GetsOneWorldAsCsv) {
   const Ended ended = labmouse({"race", "--mice", to_the_goal_, "--mazes", "plank.txt", "--format", "csv"});
-  EXPECT_THAT(ended.out, StartsWith("mouse,maze,outcome,end,solved,"));
+  EXPECT_THAT(ended.out, StartsWith("mouse,maze,outcome,end,finished,"));
   is_refused({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt", "--format", "csv"},
              "--format csv", "--format json");
 }
@@ -221,14 +221,14 @@ TEST_F(AnMmsUser, CanFailAboveAMean) {
 }
 
 TEST_F(AnMmsUser, LimitsHoldInRacesToo) {
-  const auto mms = group({"mms:" + guest({"ask:mazeWidth", "hang"}), "--silence-limit", "0.06"});
+  const auto mms = group({"mms:" + external({"ask:mazeWidth", "hang"}), "--silence-limit", "0.06"});
   EXPECT_EQ(mms.at("mice")[0].at("results")[0].at("outcome"), "hung");
-  const auto strict = group({"mms:" + guest({"say:what", "hang"}), "--strict"});
+  const auto strict = group({"mms:" + external({"say:what", "hang"}), "--strict"});
   EXPECT_EQ(strict.at("mice")[0].at("results")[0].at("outcome"), "invalid");
 }
 
 TEST_F(AnMmsUser, RacesAndReplaysAProgramThatNeverEnds) {
-  const std::string on = "mms:" + guest({"ask:turnRight", "ask:moveForward", "ask-on:moveForward/turnRight/turnRight"});
+  const std::string on = "mms:" + external({"ask:turnRight", "ask:moveForward", "ask-on:moveForward/turnRight/turnRight"});
   const std::vector<std::string> order = {"race", "--mazes", "plank.txt", "--simulated-limit", "100", "--mice", on};
   auto saving = order;
   saving.insert(saving.begin() + 1, {"--out", "out"});
@@ -239,7 +239,7 @@ TEST_F(AnMmsUser, RacesAndReplaysAProgramThatNeverEnds) {
   EXPECT_EQ(mouse.at("outcomes"), nlohmann::json({{"never ended", 1}}));
   const auto& result = mouse.at("results")[0];
   EXPECT_EQ(result.at("outcome"), "never ended");
-  EXPECT_EQ(result.at("solved"), true);
+  EXPECT_EQ(result.at("finished"), true);
   EXPECT_EQ(result.at("best_run"), 2);
   EXPECT_NEAR(result.at("score").get<double>(), 2.3, 1e-6);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "out"))
@@ -252,7 +252,7 @@ TEST_F(AnMmsUser, RacesAndReplaysAProgramThatNeverEnds) {
 }
 
 TEST_F(AnMmsUser, AnInterruptedRacePrintsWhatIsDone) {
-  const Program program(folder_, {"race", "--mice", "mms:" + guest({"ask:turnRight", "hang"}), "--mazes", "plank.txt",
+  const Program program(folder_, {"race", "--mice", "mms:" + external({"ask:turnRight", "hang"}), "--mazes", "plank.txt",
                                   "--silence-limit", "60"});
   while (!program.handles_interrupts()) std::this_thread::yield();
   program.interrupt();

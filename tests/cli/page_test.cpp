@@ -105,9 +105,9 @@ TEST_F(AReader, IsRefusedWhatIsNoRace) {
 TEST_F(AReader, IsRefusedWhatIsNoPage) {
   is_refused({"page", "--page", "corridor.txt", "-o", "-"}, "corridor.txt: error: ", "<!-- labmouse:report -->");
   is_refused({"page", "--page", "nowhere.html", "-o", "-"}, "nowhere.html: error: ", "no such");
-  is_refused({"page"}, "--out", "required");
-  is_refused({"report", "out", "--page", "page.html"}, "--out", "required");
-  is_refused({"report", "--page", "page.html", "-o", "-"}, "error: results ", "required");
+  is_refused({"page"}, "'--out'", "missing");
+  is_refused({"report", "out", "--page", "page.html"}, "'--out'", "missing");
+  is_refused({"report", "--page", "page.html", "-o", "-"}, "error: 'results' ", "missing");
   is_refused({"report", "out", "--page", "page.html", "-o", "page.html/report.html"},
              "page.html/report.html: error: ", "not a folder");
   EXPECT_EQ(report({"out", "-o", "report.html"}).code, 0);

@@ -12,9 +12,9 @@ constexpr const char* robot =
     "{\"reading\":[0,1,0],\"action\":[0,1]}\r\n"
     "{\"reading\":[0,0,0],\"action\":\"reset\"}\r\n"
     "{\"reading\":[0,0,2],\"action\":[90,2]}\r\n"
-    "{\"outcome\":\"solved\"}\r\n";
+    "{\"outcome\":\"finished\"}\r\n";
 constexpr const char* result =
-    "robot in corridor.txt: solved, score 1.100 = 1 speed + 3 exploration / 30; bound 1.067\n";
+    "robot in corridor.txt: finished, score 1.100 = 1 speed + 3 search / 30; bound 1.067\n";
 
 class ARobot : public AUser {
  protected:
@@ -52,7 +52,7 @@ TEST_F(ARobot, IsToldWhichWallItMisread) {
 
 TEST_F(ARobot, IsDrawnAndWatched) {
   const Ended shown =
-      labmouse({"show", "--record", "robot.jsonl", "--maze", "corridor.txt", "--layer", "exploration,known,path"});
+      labmouse({"show", "--record", "robot.jsonl", "--maze", "corridor.txt", "--layer", "search,known,path"});
   EXPECT_EQ(shown.code, 0) << shown.err;
   EXPECT_THAT(shown.out, HasSubstr("2 steps to the goal"));
   EXPECT_THAT(shown.out, HasSubstr(result));

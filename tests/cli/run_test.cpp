@@ -13,7 +13,7 @@ class ARunner : public AUser {
   ARunner() { file("m.txt", "o---o---o\n| G     |\no   o   o\n|   |   |\no   o---o\n| S |   |\no---o---o\n"); }
 
   Ended run_in(const std::string& world, std::vector<std::string> options = {}) const {
-    const std::string mouse = world == "mms" ? "mms:\"" LABMOUSE_MMS_GUEST "\"" : "certify";
+    const std::string mouse = world == "mms" ? "mms:\"" LABMOUSE_MMS_PROGRAM "\"" : "certify";
     options.insert(options.begin(), {"run", mouse, "m.txt", "--world", world});
     return labmouse(std::move(options));
   }

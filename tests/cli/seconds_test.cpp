@@ -90,8 +90,9 @@ TEST_F(ADriver, IsToldWhichOptionsMakeNoSense) {
   is_refused({"race", "--world", "seconds", "--mice", "manhattan"}, "'manhattan'", "seconds", "flood, ");
   is_refused({"race", "--world", "seconds", "--rules", "all-japam"}, "'all-japam'", "'all-japan'");
   is_refused({"race", "--world", "seconds", "--mice", "flood,ariadne:base=50"}, "'base'", "'ariadne'", "seconds",
-             "'prior'");
-  is_refused({"race", "--world", "seconds", "--mice", "flood:stride=1"}, "'stride'", "'flood'", "seconds", "none");
+             "labmouse mice ariadne");
+  is_refused({"race", "--world", "seconds", "--mice", "flood:stride=1"}, "'stride'", "'flood'", "seconds",
+             "labmouse mice flood");
   EXPECT_EQ(race_in_seconds({"--mice", "ariadne:prior=uniform"}).code, 0);
   is_refused({"race", "--world", "minutes"}, "--world");
 }

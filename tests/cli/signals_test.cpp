@@ -55,8 +55,8 @@ TEST_P(AnImpatientUser, StopsASearch) {
   EXPECT_EQ(program.wait().code, 128 + GetParam());
 }
 
-TEST_P(AnImpatientUser, KeepsWhatHazardsCounted) {
-  const Program program(folder_, {"hazards", "--mice", "flood-return", "--mazes", "contest-01", "--runs", "500000",
+TEST_P(AnImpatientUser, KeepsWhatFailureRatesCounted) {
+  const Program program(folder_, {"failure_rates", "--mice", "flood-return", "--mazes", "contest-01", "--runs", "500000",
                                   "--jobs", "1", "--format", "json", "--save", "mine.json"});
   ASSERT_TRUE(patiently([&] { return program.handles_interrupts(); }));
   program.signal(GetParam());
@@ -103,7 +103,7 @@ TEST_F(AUserOfASweep, FindsWhatAStoppedOneHasBesideItsFile) {
   file("corridor.txt", corridor);
   file("mouse.sh", "[ \"$1\" = 1 ] && exit 1\ntouch second\nexec tail -f /dev/null\n");
   file("values.csv", "kept");
-  const Program program(folder_, {"sweep", "guest:sh mouse.sh {v}", "--vary", "v=1,2", "--mazes", "corridor.txt",
+  const Program program(folder_, {"sweep", "program:sh mouse.sh {v}", "--vary", "v=1,2", "--mazes", "corridor.txt",
                                   "--sandbox", "off", "--jobs", "1", "--csv", "values.csv"});
   ASSERT_TRUE(patiently([&] { return std::filesystem::exists(folder_ / "second"); }));
   program.interrupt();

@@ -221,15 +221,15 @@ TEST_F(AUserOfAStore, MergesShards) {
   EXPECT_EQ(without_times(merged.out), without_times(whole.out));
 }
 
-TEST_F(AUserOfAStore, RacesAGuestAgainOnceItsFileIsAnother) {
+TEST_F(AUserOfAStore, RacesAnExternalMouseAgainOnceItsFileIsAnother) {
   const auto race = [&](std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments = {"race",    "--mice", "guest:python3 mouse.py", "--mazes", "corridor.txt",
+    std::vector<std::string> arguments = {"race",    "--mice", "program:python3 mouse.py", "--mazes", "corridor.txt",
                                           "--store", "g.db"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Ended ended = labmouse(arguments);
     return ended.out.substr(ended.out.rfind("Store "));
   };
-  std::filesystem::copy_file(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "templates/guest.py", folder_ / "mouse.py");
+  std::filesystem::copy_file(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "templates/program.py", folder_ / "mouse.py");
   EXPECT_THAT(race(), Says("0", "1 added"));
   EXPECT_THAT(race(), Says("1 contest", "0 added"));
   std::ofstream(folder_ / "mouse.py", std::ios::app) << "# another\n";
@@ -241,10 +241,10 @@ TEST_F(AUserOfAStore, RacesAGuestAgainOnceItsFileIsAnother) {
 }
 
 TEST_F(AUserOfAStore, RunsNoProgramOfAStoreUnasked) {
-  // Anybody can write a store that names `guest:sh -c ...`; this program leaves a trace where it is started.
+  // Anybody can write a store that names `program:sh -c ...`; this program leaves a trace where it is started.
   const std::string trace = "open('started', 'w').close()\n";
-  file("mouse.py", trace + test::content_of(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "templates/guest.py"));
-  const std::string spec = "guest:python3 mouse.py";
+  file("mouse.py", trace + test::content_of(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "templates/program.py"));
+  const std::string spec = "program:python3 mouse.py";
   labmouse({"race", "--mice", spec, "--mazes", "corridor.txt", "--store", "g.db", "--keep-folder"});
   ASSERT_TRUE(std::filesystem::remove(folder_ / "started"));
   const Ended unasked = labmouse({"store", "verify", "g.db", "--share", "1"});
@@ -262,10 +262,10 @@ TEST_F(AUserOfAStore, RunsNoProgramOfAStoreUnasked) {
 
 TEST_F(AUserOfAStore, RunsNoProgramThatIsHiddenInASpec) {
   file("mouse.sh", "touch started\n");
-  file("mice.toml", "[[mouse]]\nname = \"m\"\nguest = \"sh mouse.sh\"\n");
-  labmouse({"race", "--mice", "guest:sh mouse.sh", "--mazes", "corridor.txt", "--store", "g.db", "--keep-folder"});
+  file("mice.toml", "[[mouse]]\nname = \"m\"\nprogram = \"sh mouse.sh\"\n");
+  labmouse({"race", "--mice", "program:sh mouse.sh", "--mazes", "corridor.txt", "--store", "g.db", "--keep-folder"});
   ASSERT_TRUE(std::filesystem::remove(folder_ / "started"));
-  for (const char* spec : {"lineup:mice.toml", "X=guest:sh mouse.sh", "X=lineup:mice.toml"}) {
+  for (const char* spec : {"mice-file:mice.toml", "X=program:sh mouse.sh", "X=mice-file:mice.toml"}) {
     shell("sqlite3 g.db \"UPDATE mice SET spec = '" + std::string(spec) + "'\"");
     const Ended ended = labmouse({"store", "verify", "g.db", "--share", "1"});
     EXPECT_THAT(ended.out, Says("0 contests", "1 other")) << spec << ended.err;

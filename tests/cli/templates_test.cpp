@@ -1,4 +1,4 @@
-// The templates of guests: each solves every built-in maze, and stays short. Those of pilots finish contests.
+// The templates of external mice: each solves every built-in maze, and stays short. Those of controllers finish contests.
 #include <map>
 #include <sstream>
 
@@ -13,8 +13,8 @@ std::string path_of(const std::string& name) { return LABMOUSE_SOURCE_DIR "/temp
 
 /// The command that runs a template; empty where what runs it is not here.
 std::string command_of(const std::string& name) {
-  if (name == "guest.cpp") return "\"" LABMOUSE_GUEST_TEMPLATE "\"";
-  const std::string& interpreter = name == "guest.py" ? python3() : node();
+  if (name == "program.cpp") return "\"" LABMOUSE_PROGRAM_TEMPLATE "\"";
+  const std::string& interpreter = name == "program.py" ? python3() : node();
   return interpreter.empty() ? "" : interpreter + " \"" + path_of(name) + "\"";
 }
 
@@ -25,7 +25,7 @@ class ATemplate : public AUser, public testing::WithParamInterface<const char*> 
   }
   /// The steps of a contest as its record has them, and its end.
   std::string walk_of(const std::string& command, std::vector<std::string> where) const {
-    where.insert(where.begin(), {"run", "guest:" + command});
+    where.insert(where.begin(), {"run", "program:" + command});
     where.insert(where.end(), {"--record", "walk.jsonl"});
     EXPECT_EQ(labmouse(where).code, 0);
     const std::string record = content("walk.jsonl");
@@ -36,20 +36,20 @@ class ATemplate : public AUser, public testing::WithParamInterface<const char*> 
 };
 
 TEST_P(ATemplate, SolvesAllBuiltinMazes) {
-  std::vector<std::string> words = {"--mice", "guest:" + command_};
+  std::vector<std::string> words = {"--mice", "program:" + command_};
   const std::vector<std::string> some = {"--mazes", "capstone-1", "contest-01", "island-8", "spiral-9"};
   if (!test::thorough) words.insert(words.end(), some.begin(), some.end());
   const auto race = AUser::race(words);
   const std::size_t mazes = test::thorough ? 43 : some.size() - 1;
   EXPECT_EQ(race.at("groups").at(0).at("mazes").size(), mazes);
   EXPECT_EQ(race.at("groups").at(0).at("mice").at(0).at("runs"), mazes);
-  EXPECT_EQ(race.at("groups").at(0).at("mice").at(0).at("solved"), mazes)
+  EXPECT_EQ(race.at("groups").at(0).at("mice").at(0).at("finished"), mazes)
       << race.at("groups").at(0).at("mice").at(0).at("results");
 }
 
 TEST_P(ATemplate, DoesWhatTheOthersDo) {
   for (const char* maze : {"capstone-1", "contest-05", "island-8"})
-    EXPECT_EQ(walk_of(command_, {maze}), walk_of(command_of("guest.cpp"), {maze})) << maze;
+    EXPECT_EQ(walk_of(command_, {maze}), walk_of(command_of("program.cpp"), {maze})) << maze;
 }
 
 TEST_P(ATemplate, LooksBehindItselfAndBacks) {
@@ -57,14 +57,14 @@ TEST_P(ATemplate, LooksBehindItselfAndBacks) {
   const std::string walk = walk_of(command_, {"corridor.txt", "--start", "1,0,west", "--goal", "2,0"});
   EXPECT_THAT(walk, testing::HasSubstr(R"("action":[90,0])"));
   EXPECT_THAT(walk, testing::HasSubstr(R"("action":[0,-1])"));
-  EXPECT_THAT(walk, testing::HasSubstr(R"("outcome":"solved")"));
+  EXPECT_THAT(walk, testing::HasSubstr(R"("outcome":"finished")"));
 }
 
 TEST_P(ATemplate, EntersAGoalOnWhichItStands) {
   file("corridor.txt", corridor);
   const std::string walk = walk_of(command_, {"corridor.txt", "--goal", "0,0"});
-  EXPECT_THAT(walk, testing::HasSubstr(R"("outcome":"solved")"));
-  EXPECT_THAT(walk, testing::HasSubstr(R"("exploration_steps":2,"speed_steps":1)"));
+  EXPECT_THAT(walk, testing::HasSubstr(R"("outcome":"finished")"));
+  EXPECT_THAT(walk, testing::HasSubstr(R"("search_steps":2,"speed_steps":1)"));
 }
 
 TEST_P(ATemplate, SkipsWhatItDoesNotKnowInTheBriefing) {
@@ -87,12 +87,12 @@ TEST(Templates, AreShort) {
     std::istringstream text(content_of(file.path()));
     int lines = 0;
     for (std::string line; std::getline(text, line); ++lines) EXPECT_LE(line.size(), 120U) << line;
-    EXPECT_LT(lines, kind == "guest" ? 30 : 300);
+    EXPECT_LT(lines, kind == "program" ? 30 : 300);
   }
-  EXPECT_EQ(templates, (std::map<std::string, int>{{"guest", 3}, {"pilot", 2}}));
+  EXPECT_EQ(templates, (std::map<std::string, int>{{"controller", 2}, {"program", 3}}));
 }
 
-class APilotTemplate : public AUser, public testing::WithParamInterface<const char*> {
+class AControllerTemplate : public AUser, public testing::WithParamInterface<const char*> {
  protected:
   void SetUp() override {
     if (python3().empty()) GTEST_SKIP() << "no Python 3 is in PATH";
@@ -101,10 +101,10 @@ class APilotTemplate : public AUser, public testing::WithParamInterface<const ch
 
   static constexpr const char* ring =
       "o---o---o---o\n|           |\no   o---o   o\n|   |   | G |\no   o---o   o\n| S |       |\no---o---o---o\n";
-  std::string spec_ = std::string("pilot:") + GetParam();
+  std::string spec_ = std::string("controller:") + GetParam();
 };
 
-TEST_P(APilotTemplate, FinishesContests) {
+TEST_P(AControllerTemplate, FinishesContests) {
   const auto race = AUser::race({"--mice", spec_, "--mazes", "ring.txt", "--runs", "4"});
   const auto& group = race.at("groups").at(0);
   EXPECT_EQ(group.at("world"), "physical");
@@ -115,7 +115,7 @@ TEST_P(APilotTemplate, FinishesContests) {
   }
 }
 
-TEST_P(APilotTemplate, LeavesRecordsThatReplay) {
+TEST_P(AControllerTemplate, LeavesRecordsThatReplay) {
   ASSERT_EQ(labmouse({"race", "--mice", "mine=" + spec_, "--mazes", "ring.txt", "--runs", "1", "--out", "out"}).code,
             0);
   int records = 0;
@@ -127,26 +127,26 @@ TEST_P(APilotTemplate, LeavesRecordsThatReplay) {
   EXPECT_EQ(records, 1);
 }
 
-TEST_P(APilotTemplate, IsFoundAndTriedOutAsOneOfALineup) {
+TEST_P(AControllerTemplate, IsFoundAndTriedOutAsOneOfAMiceFile) {
   std::filesystem::create_directories(folder_ / "class");
   const bool script = spec_.find(".py") != std::string::npos;
-  const std::string program = script ? path_of("pilot.py") : LABMOUSE_PILOT_TEMPLATE;
+  const std::string program = script ? path_of("controller.py") : LABMOUSE_CONTROLLER_TEMPLATE;
   std::filesystem::copy(program, folder_ / "class" / (script ? "mine.py" : "mine"));
-  ASSERT_EQ(labmouse({"lineup", "init", "class"}).code, 0);
-  EXPECT_THAT(content_of(folder_ / "class" / "mice.toml"), testing::HasSubstr("\npilot = \"./mine"));
-  const Ended checked = labmouse({"lineup", "check", "class/mice.toml"});
+  ASSERT_EQ(labmouse({"mice-file", "init", "class"}).code, 0);
+  EXPECT_THAT(content_of(folder_ / "class" / "mice.toml"), testing::HasSubstr("\ncontroller = \"./mine"));
+  const Ended checked = labmouse({"mice-file", "check", "class/mice.toml"});
   EXPECT_EQ(checked.code, 0) << checked.err;
-  EXPECT_THAT(checked.out, testing::ContainsRegex("mine +pilot +(Python [0-9.]+ +)?solved"));
+  EXPECT_THAT(checked.out, testing::ContainsRegex("mine +controller +(Python [0-9.]+ +)?finished"));
   EXPECT_THAT(checked.out, testing::Not(testing::HasSubstr("differs")));
 }
 
-INSTANTIATE_TEST_SUITE_P(In, APilotTemplate,
-                         testing::Values("\"" LABMOUSE_PILOT_TEMPLATE "\"",
-                                         "python3 \"" LABMOUSE_SOURCE_DIR "/templates/pilot.py\""),
+INSTANTIATE_TEST_SUITE_P(In, AControllerTemplate,
+                         testing::Values("\"" LABMOUSE_CONTROLLER_TEMPLATE "\"",
+                                         "python3 \"" LABMOUSE_SOURCE_DIR "/templates/controller.py\""),
                          [](const auto& name) { return name.index == 0 ? "c" : "py"; });
 
-INSTANTIATE_TEST_SUITE_P(In, ATemplate, testing::Values("guest.cpp", "guest.py", "guest.js"), [](const auto& name) {
-  return std::string(name.param).substr(std::string_view("guest.").size());
+INSTANTIATE_TEST_SUITE_P(In, ATemplate, testing::Values("program.cpp", "program.py", "program.js"), [](const auto& name) {
+  return std::string(name.param).substr(std::string_view("program.").size());
 });
 
 }  // namespace

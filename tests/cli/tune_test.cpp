@@ -59,8 +59,8 @@ TEST_F(AUser, IsToldWhatIsWrongWithTuning) {
   refused("two-way", "join_legs", "'join_legs'", "'two-way'", "numbers", "bias");
   refused("two-way", "bias=3", "'3'", "LOW:HIGH");
   refused("two-way", "bias=3:300", "'300'", "'bias'", "0 to 100");
-  is_refused({"tune", "flood", "--params", "stride"}, "--evaluations", "required");
-  is_refused({"tune", "flood", "--evaluations", "5"}, "--params", "required");
+  is_refused({"tune", "flood", "--params", "stride"}, "'--evaluations'", "missing");
+  is_refused({"tune", "flood", "--evaluations", "5"}, "'--params'", "missing");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "0"}, "--evaluations");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--population", "3"}, "--population");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--sigma", "0"}, "--sigma");

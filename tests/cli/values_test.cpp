@@ -20,7 +20,7 @@ TEST_F(AUser, HasAPictureOfARobotWithoutDiagonals) {
 TEST_F(AUser, IsToldWhereANumberIsNone) {
   file("race.json", "{\n \"labmouse\": \"0.1.0\",\n \"mazes\": [{\"bound\": 1e309}],\n \"mice\": []\n}\n");
   is_refused({"race", "--mice", "flood", "--baseline", "race.json"}, "race.json:3:22: error: ", "'1e309'");
-  is_refused({"race", "--world", "failures", "--hazards", "./race.json"}, "race.json:3:22: error: ", "'1e309'");
+  is_refused({"race", "--world", "failures", "--failure-rates", "./race.json"}, "race.json:3:22: error: ", "'1e309'");
   file("robot.toml", "cell = 1e-320\n");
   is_refused({"robot", "show", "./robot.toml"}, "robot.toml:1:8: error: ");
   file("walk.jsonl", "{}\n{\"a\": 1e309}\n");
@@ -38,8 +38,8 @@ TEST_F(AUser, GivesDecimalNumbersToAllOptions) {
   for (const std::string odd : {"0x1", "inf", "nan", "1x", "+1", " 1", "1,5x", "1e309", "1e-320", "1_0"}) {
     is_refused({"race", "--world", "physical", "--mice", "flood", "--mazes", "m.txt", "--noise", odd}, "--noise");
     is_refused({"drive", "--mazes", "m.txt", "--noise", odd}, "--noise");
-    is_refused({"race", "--world", "physical", "--mice", "flood", "--spread", odd}, "--spread");
-    is_refused({"drive", "--spread", odd}, "--spread");
+    is_refused({"race", "--world", "physical", "--mice", "flood", "--variation", odd}, "--variation");
+    is_refused({"drive", "--variation", odd}, "--variation");
     is_refused({"race", "--fail-above", odd}, "--fail-above");
     is_refused({"race", "--seed", odd}, "--seed");
     is_refused({"race", "--runs", odd}, "--runs");
@@ -67,11 +67,11 @@ TEST_F(AUser, GivesSpeedsInMillimetres) {
   is_refused({"race", "--world", "physical", "--mice", "flood", "--mazes", "m.txt", "--search-speed", "0.3"},
              "error: --search-speed", "mm/s");
   is_refused({"drive", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
-  is_refused({"hazards", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
+  is_refused({"failure_rates", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
 }
 
 TEST_F(AUser, HasNoEmptyValueTakenForNone) {
-  const std::vector<std::vector<std::string>> all = {{"hazards", "--check", ""},
+  const std::vector<std::vector<std::string>> all = {{"failure_rates", "--check", ""},
                                                      {"race", "--start", ""},
                                                      {"mice", ""},
                                                      {"mice", "--format", ""},
@@ -97,7 +97,7 @@ TEST_F(AUser, HasNoEmptyValueTakenForNone) {
 TEST_F(AUser, IsToldWhichMiceHaveHindsight) {
   file("m.txt", test::corridor);
   is_refused({"bound", "m.txt", "--hindsight", "festina"}, "error: ", "'festina'", "steps", "seconds");
-  is_refused({"bound", "m.txt", "--hindsight", "pilot:true"}, "error: ", "steps", "physical");
+  is_refused({"bound", "m.txt", "--hindsight", "controller:true"}, "error: ", "steps", "physical");
   is_refused({"bound", "m.txt", "--hindsight", "mms:true"}, "error: ", "steps", "mms");
 }
 
@@ -121,14 +121,14 @@ TEST_F(AUser, IsToldOfParametersWithoutEffectAndChoosesTheWorld) {
   EXPECT_EQ(chosen.code, 0) << chosen.err;
   is_refused({"race", "--mice", "flood,ariadne:cell_most=1", "--mazes", "m.txt"}, "error: ", "'cell_most'", "steps",
              "--world seconds");
-  is_refused({"hazards", "--mice", "ariadne:travel=30", "--mazes", "m.txt"}, "error: --mice: ", "'travel'", "steps");
+  is_refused({"failure_rates", "--mice", "ariadne:travel=30", "--mazes", "m.txt"}, "error: --mice: ", "'travel'", "steps");
   is_refused({"run", "ariadne:cell_most=1", "m.txt"}, "error: ", "'cell_most'", "seconds");
   is_refused({"bound", "m.txt", "--hindsight", "ariadne:cell_most=1"}, "error: ", "'cell_most'", "seconds");
 }
 
-TEST_F(AUser, MayHaveAMouseThatOnlyDrivesInALineup) {
+TEST_F(AUser, MayHaveAMouseThatOnlyDrivesInAMiceFile) {
   file("mice.toml", "[[mouse]]\nname = \"anna\"\nmouse = \"festina\"\n");
-  const Ended ended = labmouse({"lineup", "check", "mice.toml"});
+  const Ended ended = labmouse({"mice-file", "check", "mice.toml"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, Says("anna ", "score ", " s"));
 }
@@ -140,11 +140,11 @@ TEST_F(AUser, IsToldOfProgramsThatNeverStart) {
     const Ended ended = labmouse(words);
     EXPECT_EQ(ended.code, 1) << ended.out << ended.err;
     EXPECT_NE(ended.out, "");
-    EXPECT_THAT(ended.err, Says("guest:false", "start"));
+    EXPECT_THAT(ended.err, Says("program:false", "start"));
   };
-  is_told({"sweep", "guest:false {depth}", "--vary", "depth=1,2", "--mazes", "m.txt"});
-  is_told({"study", "--mice", "flood,guest:false", "--folds", "2", "--mazes", "m.txt", "n.txt"});
-  is_told({"bound", "m.txt", "--hindsight", "guest:false"});
+  is_told({"sweep", "program:false {depth}", "--vary", "depth=1,2", "--mazes", "m.txt"});
+  is_told({"study", "--mice", "flood,program:false", "--folds", "2", "--mazes", "m.txt", "n.txt"});
+  is_told({"bound", "m.txt", "--hindsight", "program:false"});
 }
 
 }  // namespace

@@ -52,15 +52,15 @@ TEST(ExploredCells, AWallEndsAVisit) { EXPECT_EQ(explored({Action::step(90, 3)})
 
 TEST(ExploredCells, TheSpeedRunAddsNothing) {
   // To the goal and back to the start; then the speed run strays through the cells in the south.
-  const std::vector<Action> exploration = {Action::step(0, 1), Action::step(90, 3), Action::reset()};
-  std::vector<Action> both = exploration;
+  const std::vector<Action> search_run = {Action::step(0, 1), Action::step(90, 3), Action::reset()};
+  std::vector<Action> both = search_run;
   for (const Action& action : {Action::step(0, 1), Action::step(90, 2), Action::step(90, 1)}) both.push_back(action);
-  EXPECT_EQ(explored(both), explored(exploration));
+  EXPECT_EQ(explored(both), explored(search_run));
 }
 
 TEST(ExploredCells, RecordsThatLeaveTheMazeDoNoHarm) {
   RunRecord record;
-  record.steps = {{Run::exploration, 1, {{3, 1}, Heading::east}, {9, 9, 9}, Action::step(0, 3), false}};
+  record.steps = {{Run::search_run, 1, {{3, 1}, Heading::east}, {9, 9, 9}, Action::step(0, 3), false}};
   record.end = {{60, 1}, Heading::east};
   EXPECT_EQ(explored_cells(record, fork()).visited, cells({{3, 1}}));
 }

@@ -76,7 +76,7 @@ class PlainSimulator {
       contest.steps.back().blocked = step(contest, action.rotation, action.movement);
       if (at(2 * contest.x + 1, 2 * contest.y + 1) == 'G') {
         if (speed_run) {
-          contest.outcome = "solved";
+          contest.outcome = "finished";
           return contest;
         }
         goal_entered = true;

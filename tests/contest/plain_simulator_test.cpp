@@ -77,7 +77,7 @@ TEST(PlainSimulator, AgreesStepForStepOverAHundredThousandSteps) {
     ++outcomes[record.outcome];
   }
   for (const Outcome outcome :
-       {Outcome::solved, Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit})
+       {Outcome::finished, Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit})
     EXPECT_GE(outcomes[outcome], 10) << "too few contests end with: " << name_of(outcome);
 }
 

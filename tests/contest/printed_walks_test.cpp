@@ -57,8 +57,8 @@ TEST_P(PrintedWalks, EndInTheGoalWithTheirLastMove) {
   const auto maze = test::capstone_maze(walk.maze);
   if (!maze) GTEST_SKIP() << "the file of test maze " << walk.maze << " is not here";
   const Score result = contest_with(*maze, walk.actions);
-  EXPECT_EQ(result.outcome, Outcome::solved);
-  EXPECT_EQ(result.exploration_steps, walk.moves + 1);
+  EXPECT_EQ(result.outcome, Outcome::finished);
+  EXPECT_EQ(result.search_steps, walk.moves + 1);
   EXPECT_EQ(result.speed_steps, walk.moves);
 }
 

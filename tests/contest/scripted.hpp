@@ -16,7 +16,7 @@ class Scripted final : public DrivingStrategy {
     read.push_back(seen);
     return next_ < script_.size() ? script_[next_++] : Action::forfeit(ForfeitReason::finished);
   }
-  Action consider(const Belief& map, const SearchPlace& place, std::int64_t) override {
+  Action consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t) override {
     return decide(map.sighting(place.pose));
   }
   void carried(std::int64_t) override {}

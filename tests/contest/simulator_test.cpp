@@ -143,12 +143,12 @@ TEST_F(InACorridor, AStepThatEndsInTheGoalAllowsTheReset) {
 TEST_F(InACorridor, PassingThroughTheGoalDoesNotCount) {
   play({go(3), go(3), reset});
   EXPECT_EQ(stands(), east_at(6));
-  EXPECT_EQ(step(4).run, Run::exploration);
+  EXPECT_EQ(step(4).run, Run::search_run);
 }
 
 TEST_F(InACorridor, PassingThroughTheGoalDoesNotEndTheSpeedRun) {
   play({go(3), go(1), reset, go(3), go(3), go(-2)});
-  EXPECT_EQ(outcome(), Outcome::solved);
+  EXPECT_EQ(outcome(), Outcome::finished);
   EXPECT_EQ(score().speed_steps, 3);
 }
 
@@ -160,22 +160,22 @@ TEST_F(InACorridor, TheGoalMayBeLeftBeforeTheReset) {
 TEST_F(InACorridor, AResetBeforeTheGoalCostsAStepAndDoesNothing) {
   play({go(2), reset, go(2), reset, go(2), go(2)});
   EXPECT_EQ(step(3).pose, east_at(2));
-  EXPECT_EQ(step(3).run, Run::exploration);
-  EXPECT_EQ(outcome(), Outcome::solved);
-  EXPECT_EQ(score().exploration_steps, 4);
+  EXPECT_EQ(step(3).run, Run::search_run);
+  EXPECT_EQ(outcome(), Outcome::finished);
+  EXPECT_EQ(score().search_steps, 4);
 }
 
 TEST_F(InACorridor, AResetInTheSpeedRunCostsAStepAndDoesNothing) {
   play({go(2), go(2), reset, go(2), reset, go(2)});
   EXPECT_EQ(step(6).pose, east_at(2));
-  EXPECT_EQ(outcome(), Outcome::solved);
+  EXPECT_EQ(outcome(), Outcome::finished);
   EXPECT_EQ(score().speed_steps, 3);
 }
 
 TEST_F(InACorridor, TheResetsOwnStepBelongsToTheExploration) {
   play({go(3), go(1), reset, go(3), go(1)});
-  EXPECT_EQ(step(3).run, Run::exploration);
-  EXPECT_EQ(score().exploration_steps, 3);
+  EXPECT_EQ(step(3).run, Run::search_run);
+  EXPECT_EQ(score().search_steps, 3);
   EXPECT_EQ(score().speed_steps, 2);
 }
 
@@ -192,7 +192,7 @@ TEST_F(InACorridor, TheFirstReadingOfTheSpeedRunIsMadeAtTheStart) {
 
 TEST_F(InACorridor, TheSpeedRunEndsWithTheStepThatEndsInTheGoal) {
   play({go(3), go(1), reset, go(3), go(1), go(1), go(1)});
-  EXPECT_EQ(outcome(), Outcome::solved);
+  EXPECT_EQ(outcome(), Outcome::finished);
   EXPECT_EQ(steps(), 5);
   EXPECT_EQ(stands(), east_at(4));
 }
@@ -205,20 +205,20 @@ TEST_F(InACorridor, TheClockCountsOverBothRuns) {
 TEST_F(InACorridor, TurningOnTheSpotInTheGoalCounts) {
   maze_ = maze_.with_start({4, 0}, Heading::east);
   play({turn(90), reset, turn(-90)});
-  EXPECT_EQ(outcome(), Outcome::solved);
+  EXPECT_EQ(outcome(), Outcome::finished);
 }
 
 TEST_F(InACorridor, StartingInTheGoalIsNotEnteringIt) {
   maze_ = maze_.with_start({4, 0}, Heading::east);
   play({reset, reset});
-  EXPECT_EQ(step(3).run, Run::exploration);
+  EXPECT_EQ(step(3).run, Run::search_run);
 }
 
 TEST_F(InACorridor, AThousandStepsAreAllowed) {
   std::vector<Action> actions(995, go(0));
   actions.insert(actions.end(), {go(3), go(1), reset, go(3), go(1)});
   play(actions);
-  EXPECT_EQ(outcome(), Outcome::solved);
+  EXPECT_EQ(outcome(), Outcome::finished);
   EXPECT_EQ(steps(), 1000);
 }
 
@@ -292,9 +292,9 @@ TEST_F(AtACrossing, AReadingCountsOpenCellsLeftAheadAndRight) {
 
 TEST_F(AtACrossing, EachStepIsRecordedWithPoseReadingAndAction) {
   play({go(1), turn(90, 2), turn(-90, 1)});
-  EXPECT_EQ(step(1), (StepRecord{Run::exploration, 1, at(1, 1, Heading::north), {1, 1, 3}, go(1), false}));
-  EXPECT_EQ(step(2), (StepRecord{Run::exploration, 2, at(1, 2, Heading::north), {1, 0, 3}, turn(90, 2), false}));
-  EXPECT_EQ(step(3), (StepRecord{Run::exploration, 3, at(3, 2, Heading::east), {0, 1, 1}, turn(-90, 1), true}));
+  EXPECT_EQ(step(1), (StepRecord{Run::search_run, 1, at(1, 1, Heading::north), {1, 1, 3}, go(1), false}));
+  EXPECT_EQ(step(2), (StepRecord{Run::search_run, 2, at(1, 2, Heading::north), {1, 0, 3}, turn(90, 2), false}));
+  EXPECT_EQ(step(3), (StepRecord{Run::search_run, 3, at(3, 2, Heading::east), {0, 1, 1}, turn(-90, 1), true}));
 }
 
 TEST_F(AtACrossing, TheBriefingTellsAllButTheWalls) {
@@ -316,11 +316,11 @@ TEST(Scoring, AThirtiethOfTheExplorationIsAdded) {
 
 TEST(Scoring, TheFactorIsAFieldOfTheRules) {
   Rules rules;
-  rules.exploration_factor = 4;
+  rules.search_factor = 4;
   EXPECT_DOUBLE_EQ(score_of(10, 1, rules), 3.5);
 }
 
-TEST_F(InACorridor, ASolvedContestScores) {
+TEST_F(InACorridor, AFinishedContestScores) {
   play({go(3), go(1), reset, go(3), go(1)});
   EXPECT_DOUBLE_EQ(score().value.value(), 2.1);
 }
@@ -329,7 +329,7 @@ TEST_F(InACorridor, AFailedContestHasNoScoreButItsStepsAreCounted) {
   play({go(3), go(1), reset, go(3)});
   EXPECT_EQ(score().outcome, Outcome::forfeit);
   EXPECT_EQ(score().value, std::nullopt);
-  EXPECT_EQ(score().exploration_steps, 3);
+  EXPECT_EQ(score().search_steps, 3);
   EXPECT_EQ(score().speed_steps, 2);
 }
 

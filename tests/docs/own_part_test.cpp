@@ -9,7 +9,7 @@
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/drawn_maze.hpp"
 
 namespace labmouse {
@@ -26,10 +26,10 @@ struct Contest {
     share_route_tables(model);
     conditions.trace_every = 10;
   }
-  std::unique_ptr<DrivingStrategy> mind() const {
+  std::unique_ptr<DrivingStrategy> strategy() const {
     Briefing briefing = brief(ring(), rules, model, 1);
     briefing.sight = 1;
-    const RosterEntry& entry = *find_mouse("flood-return");
+    const BuiltinMouse& entry = *find_mouse("flood-return");
     return entry.drive(briefing, Settings(entry.parameters));
   }
 };
@@ -38,15 +38,15 @@ struct Contest {
 double farthest(const PhysicalRecord& record) {
   double most = 0.0;
   for (const TracePoint& point : record.trace) {
-    const Position off = point.belief->position - point.truth.position;
+    const Position off = point.estimate->position - point.truth.position;
     most = std::max({most, std::abs(off.x), std::abs(off.y)});
   }
   return most;
 }
 
-TEST(DeadReckoning, DrivesAndGoesAstray) {
+TEST(DeadReckoning, DrivesAndLosesItsPosition) {
   const Contest contest;
-  const auto own = contest.mind(), other = contest.mind();
+  const auto own = contest.strategy(), other = contest.strategy();
   const PhysicalRecord ours = drive_physically(ring(), contest.rules, contest.model, contest.conditions, 1, *other);
   const PhysicalRecord reckoned =
       drive_by_dead_reckoning(ring(), contest.rules, contest.model, contest.conditions, *own);

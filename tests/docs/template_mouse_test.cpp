@@ -5,11 +5,11 @@
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/maze/generators/generator.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 
-extern const RosterEntry nearest_unseen_mouse;
+extern const BuiltinMouse nearest_unseen_mouse;
 
 TEST(TemplateMouse, SolvesPerfectMazesByTheirOnlyRoute) {
   const Rules rules;
@@ -17,7 +17,7 @@ TEST(TemplateMouse, SolvesPerfectMazesByTheirOnlyRoute) {
     const Maze maze = wilson_generator.make({{8, 8}, seed, 0});
     const auto mouse = nearest_unseen_mouse.make(brief(maze, rules, seed), Settings(nearest_unseen_mouse.parameters));
     const Score result = score(run(maze, rules, *mouse), rules);
-    ASSERT_EQ(result.outcome, Outcome::solved) << "seed " << seed;
+    ASSERT_EQ(result.outcome, Outcome::finished) << "seed " << seed;
     EXPECT_EQ(result.speed_steps, *bound_of(maze, rules).optimum);
   }
 }
@@ -29,7 +29,7 @@ TEST(TemplateMouse, StopsSoonerWithASmallerShare) {
     Settings settings(nearest_unseen_mouse.parameters);
     settings.set("share", share);
     const auto mouse = nearest_unseen_mouse.make(brief(maze, rules, 1), settings);
-    return score(run(maze, rules, *mouse), rules).exploration_steps;
+    return score(run(maze, rules, *mouse), rules).search_steps;
   };
   EXPECT_LT(steps_with("0"), steps_with("1"));
 }

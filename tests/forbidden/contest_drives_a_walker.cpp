@@ -1,7 +1,7 @@
-// room: contest
+// module: contest
 // error: invalid initialization of reference|no matching function
 //
-// A contest in seconds of a mind that was written for steps.
+// A contest in seconds of a strategy that was written for steps.
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/mouse/driving_explorer.hpp"
 #include "labmouse/mouse/explorer.hpp"

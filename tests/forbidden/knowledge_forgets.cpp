@@ -1,4 +1,4 @@
-// room: mouse
+// module: mouse
 // error: discards qualifiers|not marked const
 //
 // Knowledge only grows: nobody closes again what was seen open.

@@ -1,4 +1,4 @@
-// room: contest
+// module: contest
 // error: no matching (function for call to|constructor for initialization of|conversion for functional-style cast).*Knowledge
 //
 // Knowledge that was not seen: the one place where both truth and belief are at hand is the contest.

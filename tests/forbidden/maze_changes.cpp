@@ -1,4 +1,4 @@
-// room: maze
+// module: maze
 // error: (class|in) .*Maze.* has no member named|no member named 'open' in 'labmouse::Maze'
 //
 // A maze is final: walls open in a draft only.

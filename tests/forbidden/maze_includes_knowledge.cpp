@@ -1,4 +1,4 @@
-// room: maze
+// module: maze
 // error: labmouse/mouse/knowledge.hpp: No such file|'labmouse/mouse/knowledge.hpp' file not found
 //
 // Truth that depends on belief.

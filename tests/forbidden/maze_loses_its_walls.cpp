@@ -1,4 +1,4 @@
-// room: maze
+// module: maze
 // error: discards qualifiers|no viable overloaded|no viable operator|not marked const
 //
 // A maze is final: its walls can be read, not taken away.

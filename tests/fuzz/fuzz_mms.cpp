@@ -1,8 +1,8 @@
 // Any bytes as what a mouse of mms writes: each command has its one reply, and the mouse stays where a mouse can be.
 #include <limits>
 
-#include "labmouse/guests/line_buffer.hpp"
-#include "labmouse/guests/mms/host.hpp"
+#include "labmouse/external/line_buffer.hpp"
+#include "labmouse/external/mms/host.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/fuzz/fuzzer.hpp"
 
@@ -40,7 +40,7 @@ bool is_reply(std::string_view reply, bool wanted) {
 
 /// What a finished run costs, and more than all that before the first.
 float best_of(const MmsStatistics& all) {
-  return all.solved ? all.best_run_effective_distance + all.best_run_turns : std::numeric_limits<float>::max();
+  return all.finished ? all.best_run_effective_distance + all.best_run_turns : std::numeric_limits<float>::max();
 }
 
 void obey(MmsHost& host, std::string_view line) {
@@ -53,10 +53,10 @@ void obey(MmsHost& host, std::string_view line) {
   require(is_reply(reply, goes_on && read.command && read.command->verb < MmsVerb::set_wall));
   require(is_inside(host.pose().place));
   const MmsStatistics& after = host.statistics();
-  require(best_of(after) <= best_of(before) && after.solved >= before.solved);
+  require(best_of(after) <= best_of(before) && after.finished >= before.finished);
   require(after.total_distance >= before.total_distance && after.total_turns >= before.total_turns);
   require(after.total_effective_distance >= after.current_run_effective_distance);
-  if (!after.solved) require(after.score == 2000);
+  if (!after.finished) require(after.score == 2000);
   require(goes_on || after == before);
 }
 

@@ -8,7 +8,7 @@ namespace labmouse::fuzz {
 
 LABMOUSE_FUZZER(spec) {
   // A named Python, so that none is started to ask for its version.
-  GuestOptions options;
+  ExternalOptions options;
   options.python = "/bin/sh";
   const auto result = read_specs({reinterpret_cast<const char*>(bytes), size}, options);
   if (result.contestants.empty() == result.error.empty()) std::abort();

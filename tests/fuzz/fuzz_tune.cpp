@@ -5,7 +5,7 @@
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/studies/parameter_range.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/fuzz/fuzzer.hpp"
 
 namespace labmouse::fuzz {
@@ -30,9 +30,9 @@ LABMOUSE_FUZZER(tune) {
   const std::string_view all(reinterpret_cast<const char*>(bytes), size);
   // Built-in mice alone: other words would name files and programs.
   const std::string_view first = all.substr(0, all.find('\n'));
-  const auto mice = roster();
+  const auto mice = builtin_mice();
   const auto known =
-      std::find_if(mice.begin(), mice.end(), [&](const RosterEntry* mouse) { return mouse->name == first; });
+      std::find_if(mice.begin(), mice.end(), [&](const BuiltinMouse* mouse) { return mouse->name == first; });
   const std::string_view mouse = known == mice.end() ? "ariadne" : (*known)->name;
   const RangesResult read = read_ranges(mouse, all.substr(std::min(size, first.size() + 1)));
   require(read.ranges.empty() != read.error.empty());

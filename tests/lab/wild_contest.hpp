@@ -1,4 +1,4 @@
-// A contest in which readings of walls mean nothing: what a mind believes turns over at every step.
+// A contest in which readings of walls mean nothing: what a strategy believes turns over at every step.
 #pragma once
 
 #include <array>
@@ -7,45 +7,45 @@
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/drive.hpp"
-#include "labmouse/contest/hazards.hpp"
+#include "labmouse/contest/failure_rates.hpp"
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse::test {
 
 struct WildContest {
   std::uint64_t seed = 1;
-  std::size_t mind = 0;  ///< of wild_minds
+  std::size_t strategy = 0;  ///< of wild_strategies
   int side = 6;          ///< of the maze, in cells
   int loops = 100;       ///< thousandths
   double wild = 0.5;     ///< the share of readings that any wall may have given
   double crash = 0.02;   ///< of manoeuvres
 };
 
-inline constexpr std::array<std::string_view, 5> wild_minds = {"flood", "flood-return", "certify", "ariadne",
+inline constexpr std::array<std::string_view, 5> wild_strategies = {"flood", "flood-return", "certify", "ariadne",
                                                                "festina"};
 inline constexpr MazeTime wild_time = 20'000'000;
-/// A move takes a twentieth of a second at least; what is more is a mind that goes round and round.
+/// A move takes a twentieth of a second at least; what is more is a strategy that goes round and round.
 inline constexpr int most_decisions = 20 * (wild_time / 1'000'000);
 
 /// As many readings as that are of any evidence, the others right and sure.
-inline Hazards wild_hazards(double wild, double crash) {
-  HazardsAtNoise noise = no_hazards();
+inline FailureRates wild_rates(double wild, double crash) {
+  RatesAtNoise noise = no_failures();
   noise.noise = 1.0;
-  for (HazardsByLuck& some : noise.by_luck) {
+  for (FailureRatesByDraw& some : noise.by_draws) {
     for (auto& levels : some.readings)
-      for (ReadingHazard& shares : levels)
+      for (ReadingRates& shares : levels)
         for (double& share : shares) share = (1.0 - wild) * share + wild / static_cast<double>(evidence_classes);
     for (auto& levels : some.manoeuvres)
-      for (ManoeuvreHazard& hazard : levels) hazard.crash = crash;
+      for (ManoeuvreRates& failure : levels) failure.crash = crash;
   }
-  Hazards hazards;
-  hazards.paces = {{1.0, {noise}}};
-  return hazards;
+  FailureRates failure_rates;
+  failure_rates.paces = {{1.0, {noise}}};
+  return failure_rates;
 }
 
 inline PhysicalRecord held(const WildContest& contest) {
@@ -59,16 +59,16 @@ inline PhysicalRecord held(const WildContest& contest) {
   const Maze maze =
       depth_first_generator.make({{contest.side, contest.side}, seed_for(contest.seed, "maze"), contest.loops});
   PhysicalConditions conditions;
-  conditions.map = contest.seed % 2 == 0 ? MapKind::belief : MapKind::learned;
+  conditions.map = contest.seed % 2 == 0 ? MapKind::log_odds : MapKind::learned;
   Briefing briefing = brief(maze, rules, model, contest.seed);
   briefing.sight = 1;
-  const RosterEntry& entry = *find_mouse(wild_minds[contest.mind % wild_minds.size()]);
-  const auto mind = entry.drive(briefing, Settings(entry.parameters));
-  return drive_with_failures(maze, rules, model, conditions, wild_hazards(contest.wild, contest.crash), contest.seed,
-                             *mind);
+  const BuiltinMouse& entry = *find_mouse(wild_strategies[contest.strategy % wild_strategies.size()]);
+  const auto strategy = entry.drive(briefing, Settings(entry.parameters));
+  return drive_with_failures(maze, rules, model, conditions, wild_rates(contest.wild, contest.crash), contest.seed,
+                             *strategy);
 }
 
-/// Whether the contest came to an end that is no fault of the mind: with a score, or by the time or the rules.
+/// Whether the contest came to an end that is no fault of the strategy: with a score, or by the time or the rules.
 inline bool came_to_its_end(const PhysicalRecord& record) {
   const bool in_time = record.drive.runs.empty() || record.drive.runs.back().end <= wild_time;
   return record.drive.outcome != DriveOutcome::forfeit && in_time;

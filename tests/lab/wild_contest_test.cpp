@@ -1,4 +1,4 @@
-// Minds bear any readings: 10,000 contests in small mazes.
+// Strategies bear any readings: 10,000 contests in small mazes.
 #include "tests/lab/wild_contest.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ namespace {
 
 class AMind : public ::testing::TestWithParam<std::size_t> {};
 
-std::string name_of_mind(const ::testing::TestParamInfo<std::size_t>& tested) {
-  std::string name(test::wild_minds[tested.param]);
+std::string name_of_strategy(const ::testing::TestParamInfo<std::size_t>& tested) {
+  std::string name(test::wild_strategies[tested.param]);
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
@@ -24,7 +24,7 @@ TEST_P(AMind, BearsWhateverIsRead) {
   for (std::uint64_t seed = 1; seed <= test::fewer(2000U); ++seed) {
     test::WildContest contest;
     contest.seed = seed;
-    contest.mind = GetParam();
+    contest.strategy = GetParam();
     contest.side = 3 + static_cast<int>(seed % 5);
     contest.loops = static_cast<int>(seed % 4) * 100;
     contest.wild = 0.25 * static_cast<double>(1 + seed % 4);
@@ -38,7 +38,7 @@ TEST_P(AMind, BearsWhateverIsRead) {
   EXPECT_GT(turned, test::fewer(1000));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AMind, ::testing::Range(std::size_t{0}, test::wild_minds.size()), name_of_mind);
+INSTANTIATE_TEST_SUITE_P(All, AMind, ::testing::Range(std::size_t{0}, test::wild_strategies.size()), name_of_strategy);
 
 }  // namespace
 }  // namespace labmouse

@@ -21,7 +21,7 @@ class Asked : public Kind {
 
 class AskedDriver : public Asked<DrivingStrategy> {
  public:
-  MOCK_METHOD(Action, consider, (const Belief&, const SearchPlace&, std::int64_t), (override));
+  MOCK_METHOD(Action, consider, (const LogOddsMap&, const SearchPlace&, std::int64_t), (override));
   MOCK_METHOD(void, show, (const Pose&, const Sighting&), (override));
   MOCK_METHOD(void, carried, (std::int64_t), (override));
   MOCK_METHOD(double, pace, (bool), (override));
@@ -56,7 +56,7 @@ TEST(ForwardingDriver, ForwardsEveryCall) {
   ForwardingDriver forwarding(asked);
   expect_forwarded(asked, forwarding);
   DrivingStrategy& driver = forwarding;
-  const Belief map({4, 4}, MapKind::belief);
+  const LogOddsMap map({4, 4}, MapKind::log_odds);
   const SearchPlace place{{{1, 2}, Heading::east}, true};
   const Sighting seen{1, 0, 1};
   EXPECT_CALL(asked, consider(Ref(map), place, 5)).WillOnce(Return(Action::reset()));
@@ -64,14 +64,14 @@ TEST(ForwardingDriver, ForwardsEveryCall) {
   EXPECT_CALL(asked, carried(7));
   EXPECT_CALL(asked, pace(true)).WillOnce(Return(0.5));
   EXPECT_CALL(asked, searches_at(0.25));
-  EXPECT_CALL(asked, map_kind).WillOnce(Return(MapKind::belief));
+  EXPECT_CALL(asked, map_kind).WillOnce(Return(MapKind::log_odds));
   EXPECT_CALL(asked, plans).WillOnce(Return(3));
   EXPECT_EQ(driver.consider(map, place, 5), Action::reset());
   driver.show(place.pose, seen);
   driver.carried(7);
   EXPECT_EQ(driver.pace(true), 0.5);
   driver.searches_at(0.25);
-  EXPECT_EQ(driver.map_kind(), MapKind::belief);
+  EXPECT_EQ(driver.map_kind(), MapKind::log_odds);
   EXPECT_EQ(driver.plans(), 3);
 }
 

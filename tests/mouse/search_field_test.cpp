@@ -210,7 +210,7 @@ TEST(SearchField, IsThatOfAPlainSearchOverPrices) {
       if (!known.contains(cell))
         savings[static_cast<std::size_t>(maze.size().index(cell))] = dice.below(times.half_cell);
     });
-    // Of a mind that counts turns otherwise.
+    // Of a strategy that counts turns otherwise.
     SearchTolls tolls{times};
     tolls.drive.turn = 50 + dice.below(2 * times.half_cell + times.quarter - 50);
     tolls.unit = 13;
@@ -315,15 +315,15 @@ TEST(SearchField, IsInMemoryThatOthersWriteToWhatItIsInItsOwn) {
     WallSet passages = maze.open_walls();
     CellSet known, targets = maze.goals();
     std::vector<std::uint32_t> memory(SearchField::bytes_for(maze.size()) / sizeof(std::uint32_t) + 1);
-    SearchField guest(maze.size(), times, std::as_writable_bytes(std::span(memory))), own(maze.size(), times);
+    SearchField external(maze.size(), times, std::as_writable_bytes(std::span(memory))), own(maze.size(), times);
     const SearchPlace place = {{maze.start(), maze.start_heading()}, true};
     for (int change = 0; change < 10; ++change) {
       change_a_little(maze.size(), dice, passages, known, targets);
       std::fill(memory.begin(), memory.end(), 0xa5a5a5a5);
-      guest.fill(passages, known, targets, &place);
+      external.fill(passages, known, targets, &place);
       own.fill(passages, known, targets, &place);
-      ASSERT_EQ(guest.from(place), own.from(place));
-      ASSERT_EQ(guest.step(place), own.step(place));
+      ASSERT_EQ(external.from(place), own.from(place));
+      ASSERT_EQ(external.step(place), own.step(place));
     }
   }
 }

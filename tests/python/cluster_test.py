@@ -185,7 +185,7 @@ def with_steps(number):
 def test_another_try_is_another_mouse(client, tmp_path):
     for number in (1, 2, 1):
         race = cluster.race(client, {"mouse": with_steps(number)}, MAZES, store=tmp_path / "a.db")
-        assert set(race.table["exploration_steps"]) == {number + 1}
+        assert set(race.table["search_steps"]) == {number + 1}
     assert race.from_store == len(MAZES)
 
 

@@ -21,6 +21,6 @@ def command():
 def programs():
     """For mice that are programs: skips the test where the package was built without them."""
     with pytest.raises(labmouse.Error) as error:
-        labmouse.race("guest:no-such-program")
+        labmouse.race("program:no-such-program")
     if "starts no programs" in str(error.value):
         pytest.skip("this package starts no programs: LABMOUSE_GUESTS is off")

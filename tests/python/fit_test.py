@@ -98,7 +98,7 @@ def robot():
 def driven(tmp_path_factory):
     """A log of kerise as its file has it (no variation between mice), in a contest maze."""
     path = tmp_path_factory.mktemp("logs") / "run.csv"
-    words = "drive --robot kerise --fast --mazes contest-01 --runs 1 --seed 2 --spread 0 --log".split()
+    words = "drive --robot kerise --fast --mazes contest-01 --runs 1 --seed 2 --variation 0 --log".split()
     subprocess.run(["labmouse", *words, str(path)], check=True, capture_output=True)
     return str(path)
 

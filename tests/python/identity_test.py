@@ -181,7 +181,7 @@ WAYS = [by_closure, by_default, by_type, by_attribute, by_global, by_part_of_a_g
 def held(mouse, store, name="mouse", **options):
     """The steps of its contest, and whether the store had it."""
     race = labmouse.race({name: mouse}, MAZE, store=store, **options)
-    return int(race.table["exploration_steps"][0]) - 1, race.from_store > 0
+    return int(race.table["search_steps"][0]) - 1, race.from_store > 0
 
 
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.__name__)
@@ -197,7 +197,7 @@ def test_a_name_and_a_label_are_a_part_of_it(tmp_path, label):
     mice = {"one": by_type(1), "two": by_type(2)}
     for from_store in (0, 2):
         race = labmouse.race(mice, MAZE, store=store, label=label)
-        assert race.from_store == from_store and race.table["exploration_steps"].tolist() == [2, 3]
+        assert race.from_store == from_store and race.table["search_steps"].tolist() == [2, 3]
     assert held(by_type(1), store, name="other", label=label) == (1, False)
     assert held(by_type(1), store, name="one", label="v2") == (1, False)
 
@@ -218,7 +218,7 @@ def race(file=None, before="", after=""):
         (folder / file).write_text(text.replace(before, after))
     held = labmouse.race(importlib.import_module("mine.mouse").Mouse, "contest-01", store=folder / "results.db")
     header, contest = (line.split(",") for line in held.to_csv().splitlines())
-    print(int(contest[header.index("exploration_steps")]) - 1, held.from_store)
+    print(int(contest[header.index("search_steps")]) - 1, held.from_store)
     if file:
         (folder / file).write_text(text)
 
@@ -341,11 +341,11 @@ def test_a_mouse_with_dice_has_several_contests():
         def steps(self):
             return int(numpy.random.default_rng(1).integers(3))
 
-    class Told(Waiter):
+    class Evidence(Waiter):
         def __init__(self, told):
             self.left = told.seed % 3
 
-    class Held(Waiter):
+    class ContestOutput(Waiter):
         dice = random.Random(1)
 
         def steps(self):
@@ -354,7 +354,7 @@ def test_a_mouse_with_dice_has_several_contests():
     class Sober(Dicer):
         uses_chance = False
 
-    counts = labmouse.race([Dicer, Chooser, Numpy, Told, Held, Sober, Waiter], MAZE, runs=2).table["mouse"].value_counts()
+    counts = labmouse.race([Dicer, Chooser, Numpy, Evidence, ContestOutput, Sober, Waiter], MAZE, runs=2).table["mouse"].value_counts()
     assert counts.to_dict() == {"Dicer": 2, "Chooser": 2, "Numpy": 2, "Told": 2, "Held": 2, "Sober": 1, "Waiter": 1}
 
 

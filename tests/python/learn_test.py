@@ -67,7 +67,7 @@ def test_the_return_is_minus_the_score_of_the_race(seed, data):
         total += reward
         assert not truncated
     raced = labmouse.race({"replayed": lambda: Replayed(actions)}, maze, budget=60, jobs=1, progress=False).table.iloc[0]
-    assert (raced["outcome"] == "solved") == (info["state"] == 1)
+    assert (raced["outcome"] == "finished") == (info["state"] == 1)
     assert total == info["return"] == -(raced["score"] if info["state"] == 1 else 100.0)
 
 
@@ -270,7 +270,7 @@ def test_mazes_come_from_files_and_lists(tmp_path):
 def test_the_learned_mouse_scores_in_races_what_it_returned_in_the_environment():
     mazes, mouse = learn.MazeSet("test")[:4], learn.Learned.load()
     raced = labmouse.race({"learned": mouse}, mazes, jobs=1, progress=False).table
-    assert (raced["outcome"] == "solved").all()
+    assert (raced["outcome"] == "finished").all()
     assert sorted(raced["score"]) == sorted(-play(mouse.weights[None], mazes)[0])
 
 

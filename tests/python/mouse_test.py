@@ -22,7 +22,7 @@ SOURCE = textwrap.dedent('''
             return self.dice.choice((-90, 0, 90)), self.dice.choice((-3, -2, -1, 0, 1, 2, 3)) + (seen.ahead > 5)
 ''')
 #: The same mouse as a program.
-GUEST = SOURCE + textwrap.dedent('''
+PROGRAM = SOURCE + textwrap.dedent('''
     import types
     told = types.SimpleNamespace()
     while (line := input().split()) != ["begin"]:
@@ -45,10 +45,10 @@ Wanderer = names["Wanderer"]
 
 @pytest.mark.parametrize("maze", ["contest-01", "contest-05", "capstone-1"])
 def test_its_walk_is_that_of_the_same_mouse_as_a_guest(programs, tmp_path, maze):
-    program = tmp_path / "guest.py"
-    program.write_text(GUEST)
+    program = tmp_path / "program.py"
+    program.write_text(PROGRAM)
     here = labmouse.run(Wanderer, maze, seed=3)
-    guest = labmouse.run(f'guest:"{sys.executable}" "{program}"', maze, seed=3)
+    guest = labmouse.run(f'program:"{sys.executable}" "{program}"', maze, seed=3)
     assert len(here.steps) > 100
     numpy.testing.assert_array_equal(here.steps, guest.steps)
     assert here.outcome == guest.outcome
@@ -73,7 +73,7 @@ def test_what_it_raises_is_its_forfeit_with_the_traceback():
     assert "ValueError: lost my way" in first
     assert any("in decide" in line for line in rest)
     race = labmouse.race([Clumsy, "flood"], "contest-01")
-    assert race.complete and race.standings["solved"].tolist() == [1, 0]
+    assert race.complete and race.standings["finished"].tolist() == [1, 0]
 
 
 def test_what_raises_before_its_first_word_did_not_start():
@@ -141,11 +141,11 @@ def test_it_is_told_what_a_mouse_in_seconds_is_told(tmp_path):
 
 
 @pytest.mark.parametrize("options, columns", [
-    ({}, ["outcome", "score", "exploration_steps"]),
-    ({"budget": 50}, ["outcome", "score", "exploration_steps"]),
+    ({}, ["outcome", "score", "search_steps"]),
+    ({"budget": 50}, ["outcome", "score", "search_steps"]),
     ({"world": "seconds"}, ["outcome", "score_us", "search_us", "decisions"]),
     ({"world": "seconds", "robot": "half", "rules": "thirtieth"}, ["outcome", "score_us", "search_us", "decisions"]),
-    ({"world": "physical", "runs": 1}, ["outcome", "score_us", "search_us", "strayed", "misreads"]),
+    ({"world": "physical", "runs": 1}, ["outcome", "score_us", "search_us", "position_lost", "wrong_walls"]),
 ])
 def test_it_races_as_well_in_several_processes(options, columns):
     mazes = [labmouse.generate("wilson", seed=seed) for seed in range(5)]
@@ -205,7 +205,7 @@ def test_what_it_raises_in_seconds_is_its_forfeit_with_the_traceback():
     assert "ValueError: lost my way" in record.last_words.splitlines()[0] and "in decide" in record.last_words
     assert labmouse.run(Stillborn, "contest-01", world="seconds").outcome == "forfeit: not started"
     race = labmouse.race([Clumsy, "flood"], "contest-01", world="seconds")
-    assert race.complete and race.standings["scored"].tolist() == [1, 0]
+    assert race.complete and race.standings["finished"].tolist() == [1, 0]
 
 
 def test_a_class_is_no_program_for_mms():

@@ -236,7 +236,7 @@ def interrupt():
     sent.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell has it ignored in what runs in its background
-guest = 'guest:"' + sys.executable + '" -c "import time; time.sleep(1000)"'
+guest = 'program:"' + sys.executable + '" -c "import time; time.sleep(1000)"'
 sent, begin = [], time.monotonic()
 threading.Thread(target=interrupt).start()
 rounds = 0
@@ -338,7 +338,7 @@ def test_a_bad_store_is_an_error(tmp_path):
             labmouse.race("flood", MAZES, store=path)
 
 
-@pytest.mark.parametrize("name", ["flood,a", "flood:stride=1", "a=b", "guest:x", "lineup:mice.toml", "flood", " ", "größte Maus", "'"])
+@pytest.mark.parametrize("name", ["flood,a", "flood:stride=1", "a=b", "program:x", "mice-file:mice.toml", "flood", " ", "größte Maus", "'"])
 def test_a_name_is_a_name_and_no_part_of_a_spec(name):
     race = labmouse.race({name: "certify"}, MAZES)
     assert race.mice == [name] and race.standings["name"].tolist() == [name]
@@ -349,7 +349,7 @@ def test_a_name_is_a_name_and_no_part_of_a_spec(name):
 
 
 @pytest.mark.parametrize("mice", [{"a": "flood,certify"}, {"": "flood"}, {"": Straight}, {"a\nb": "flood"}, {"a\nb": Straight},
-                                  {"a": "lineup:none.toml"}])
+                                  {"a": "mice-file:none.toml"}])
 def test_a_name_for_no_mouse_or_for_two_is_refused(mice):
     with pytest.raises(labmouse.Error, match="^[^\n]*$"):
         labmouse.race(mice, MAZES)

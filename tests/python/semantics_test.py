@@ -56,7 +56,7 @@ def nearby(monkeypatch, tmp_path):
 
 
 def steps(mouse, **options):
-    return set(labmouse.race(mouse, MAZES, **options).table["exploration_steps"])
+    return set(labmouse.race(mouse, MAZES, **options).table["search_steps"])
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
@@ -158,6 +158,6 @@ def test_one_contest_is_that_of_a_race():
     table = labmouse.race(Dicer, MAZES[:2], runs=2).table
     for row in table.itertuples():
         record = labmouse.run(Dicer, row.maze, seed=row.seed)
-        assert record.figures["exploration_steps"] == row.exploration_steps
+        assert record.figures["search_steps"] == row.search_steps
         assert len(record.steps) > 10
     assert len({labmouse.run(Dicer, "contest-01", seed=seed).steps.tobytes() for seed in (1, 2, 3)}) == 3

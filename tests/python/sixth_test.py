@@ -29,7 +29,7 @@ def test_is_raced_with_its_noise():
 import json
 for noise in (0, 9):
     race = labmouse.race("flood", "contest-01", world="battery", robot="half", noise=noise, runs=20, progress=False)
-    print(race.world, json.loads(race.to_json())["groups"][0]["mice"][0]["scored"])
+    print(race.world, json.loads(race.to_json())["groups"][0]["mice"][0]["finished"])
 """)
     assert finished[:3] == ["battery", "20", "battery"]
     assert int(finished[3]) < 20

@@ -34,7 +34,7 @@ TEST_F(ASixthWorld, IsRacedWithItsNoiseStoredAndReported) {
     const auto race = labmouse({"race", "--mice", "flood", "--mazes", "contest-01", "--world", "battery", "--noise",
                                 noise, "--runs", "20", "--store", "contests.db", "--format", "json"});
     EXPECT_EQ(race.code, 0) << race.err;
-    return nlohmann::json::parse(race.out)["groups"][0]["mice"][0]["scored"].get<int>();
+    return nlohmann::json::parse(race.out)["groups"][0]["mice"][0]["finished"].get<int>();
   };
   EXPECT_EQ(finished("0"), 20);
   EXPECT_LT(finished("9"), 20);

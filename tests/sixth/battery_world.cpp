@@ -11,7 +11,7 @@
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/drive/drive_world.hpp"
 #include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
@@ -29,7 +29,7 @@ class BatteryWorld final : public DriveWorld {
   std::vector<Condition> conditions() const override { return {{"robot", robot_}, {"noise", std::int64_t{noise_}}}; }
   std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
   using DriveWorld::refuse;
-  bool throws_dice() const override { return true; }
+  bool is_stochastic() const override { return true; }
   const WorldFields& fields() const override { return seconds_fields(); }
   std::string notes(const Race&) const override { return score_note(*this); }
 

@@ -111,8 +111,8 @@ TEST(Ariadne, RunsShortestWhereItStopsOnlyForAProof) {
     const Maze maze = any_maze(dice, 20);
     rules.stride = 1 + i % 4;
     const Score result = score(run(maze, rules, *ariadne_mouse.make(brief(maze, rules, 1), settings)), rules);
-    ASSERT_EQ(result.outcome == Outcome::solved, shortest(maze, rules).has_value()) << i << drawing_of(maze);
-    if (result.outcome != Outcome::solved) continue;
+    ASSERT_EQ(result.outcome == Outcome::finished, shortest(maze, rules).has_value()) << i << drawing_of(maze);
+    if (result.outcome != Outcome::finished) continue;
     ++proven;
     ASSERT_EQ(result.speed_steps, shortest(maze, rules)) << i << drawing_of(maze);
   }
@@ -127,7 +127,7 @@ TEST(Ariadne, SolvesEveryMazeWithARouteAndGivesUpWhereThereIsNone) {
     const Maze maze = any_maze(dice, i % 10 == 0 ? 40 : 16);
     rules.stride = 1 + i % 4;
     const RunRecord record = test::contest(ariadne_mouse, maze, {}, 1, rules);
-    ASSERT_EQ(record.outcome, shortest(maze, rules) ? Outcome::solved : Outcome::forfeit) << i << drawing_of(maze);
+    ASSERT_EQ(record.outcome, shortest(maze, rules) ? Outcome::finished : Outcome::forfeit) << i << drawing_of(maze);
     if (record.outcome == Outcome::forfeit) {
       ASSERT_EQ(record.steps.back().action.reason, ForfeitReason::no_way);
     }
@@ -138,7 +138,7 @@ TEST(Ariadne, FinishesWithinTheBudgetWhereTheCarefulOnesDo) {
   Dice dice(300);
   for (int i = 0; i < test::tenth(300); ++i) {
     const Maze maze = any_maze(dice, i % 20 == 0 ? 64 : 24);
-    const auto solves = [&](const RosterEntry& mouse) { return test::contest(mouse, maze).outcome == Outcome::solved; };
+    const auto solves = [&](const BuiltinMouse& mouse) { return test::contest(mouse, maze).outcome == Outcome::finished; };
     const bool can_be_done = solves(certify_mouse) || solves(flood_return_mouse);
     ASSERT_TRUE(solves(ariadne_mouse) || !can_be_done) << i << drawing_of(maze);
   }
@@ -149,7 +149,7 @@ int most_to_spare(const Maze& maze, const RunRecord& record, const Rules& rules)
   DistanceField to_goal(maze.size(), strides(rules.stride));
   bool entered = false;
   int most = -unreachable;
-  test::follow_exploration(maze, record, [&](const StepRecord& step, const Knowledge& knowledge) {
+  test::follow_search_run(maze, record, [&](const StepRecord& step, const Knowledge& knowledge) {
     entered = entered || (step.step > 1 && maze.is_goal(step.pose.cell));
     to_goal.fill(knowledge.open(), maze.goals());
     const int run = std::max(1, to_goal.at(maze.start()));
@@ -169,7 +169,7 @@ TEST(Ariadne, HoldsToARunThatIsKnownToFitIntoTheBudget) {
     rules.stride = 1 + i % 4;
     for (rules.budget = 1; rules.budget < 100; rules.budget += 1 + rules.budget / 8) {
       const RunRecord record = test::contest(ariadne_mouse, maze, {}, 1, rules);
-      if (record.outcome == Outcome::solved) continue;
+      if (record.outcome == Outcome::finished) continue;
       ++failed;
       ASSERT_LT(most_to_spare(maze, record, rules), 1) << i << ", budget " << rules.budget << drawing_of(maze);
     }
@@ -186,7 +186,7 @@ TEST(Ariadne, StepsIntoTheGoalThatItStandsIn) {
     o---o---o
   )");
   const RunRecord record = test::contest(ariadne_mouse, maze.with_goals(CellSet::of({0, 0})));
-  ASSERT_EQ(record.outcome, Outcome::solved);
+  ASSERT_EQ(record.outcome, Outcome::finished);
   EXPECT_EQ(record.steps.size(), 3U);
 }
 
@@ -212,7 +212,7 @@ TEST(Ariadne, LooksBehindItBeforeItGivesUp) {
     o---o---o
   )");
   const RunRecord record = test::contest(ariadne_mouse, maze);
-  ASSERT_EQ(record.outcome, Outcome::solved);
+  ASSERT_EQ(record.outcome, Outcome::finished);
   EXPECT_EQ(record.steps.front().action, Action::step(90, 0));
 }
 
@@ -222,7 +222,7 @@ TEST(Ariadne, NeedsNoMoreThanTheWayThereAndTheRunInACorridor) {
     const Maze maze = Maze(MazeDraft(size, MazeDraft::Inside::open)).with_goals(CellSet::of({0, cells - 1}));
     Rules rules;
     rules.budget = 2 * ((cells - 1 + 2) / 3) + 1;
-    EXPECT_EQ(test::contest(ariadne_mouse, maze, {}, 1, rules).outcome, Outcome::solved) << cells;
+    EXPECT_EQ(test::contest(ariadne_mouse, maze, {}, 1, rules).outcome, Outcome::finished) << cells;
   }
 }
 

@@ -11,11 +11,11 @@
 namespace labmouse {
 namespace {
 
-/// Cells in which the mouse stood in the exploration.
+/// Cells in which the mouse stood in the search run.
 int visited_cells(const RunRecord& record) {
   CellSet cells;
   for (const StepRecord& step : record.steps)
-    if (step.run == Run::exploration) cells.insert(step.pose.cell);
+    if (step.run == Run::search_run) cells.insert(step.pose.cell);
   return cells.count();
 }
 
@@ -25,7 +25,7 @@ TEST(Cautious, GoesIntoANewNeighbourElseToTheLeastVisitedCellWithinAMove) {
     Visits visits(maze.size());
     visits.add(maze.start());  // at birth
     ConnectedCells map(maze.size(), 3, CellOrder::python_3_4);
-    test::follow_exploration(maze, test::contest(cautious_mouse, maze), [&](const StepRecord& step, const Knowledge&) {
+    test::follow_search_run(maze, test::contest(cautious_mouse, maze), [&](const StepRecord& step, const Knowledge&) {
       visits.add(step.pose.cell);
       map.learn(step.pose, step.sighting);
       const auto cells = map.of(step.pose.cell);
@@ -60,7 +60,7 @@ TEST(Cautious, LeavesItToChanceWhereSeveralNeighboursAreEqual) {
 TEST(Cautious, ResetsInTheGoalByDefault) {
   for (const Maze& maze : test::loopy_mazes())
     for (const StepRecord& step : test::contest(cautious_mouse, maze).steps)
-      if (step.run == Run::exploration) {
+      if (step.run == Run::search_run) {
         ASSERT_EQ(step.action.kind == Action::Kind::reset, maze.is_goal(step.pose.cell));
       }
 }
@@ -71,7 +71,7 @@ TEST(Cautious, VisitsTheShareOfCellsAndStopsThere) {
   const RunRecord goal = test::contest(cautious_mouse, maze, {}, 4);
   ASSERT_LT(visited_cells(goal), 80);
   EXPECT_EQ(visited_cells(most), 80);
-  EXPECT_EQ(most.outcome, Outcome::solved);
+  EXPECT_EQ(most.outcome, Outcome::finished);
 }
 
 TEST(Cautious, VisitsEveryCellIfAskedTo) {

@@ -10,7 +10,7 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/routes.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/strategies/contract_mazes.hpp"
@@ -22,7 +22,7 @@ using test::capstone_maze;
 using test::drawn;
 using testing::ElementsAre;
 
-RunRecord run_of(const RosterEntry& mouse, const Maze& maze, const Rules& rules = {}, std::string_view ties = "") {
+RunRecord run_of(const BuiltinMouse& mouse, const Maze& maze, const Rules& rules = {}, std::string_view ties = "") {
   Settings settings(mouse.parameters);
   if (!ties.empty()) settings.set("ties", ties);
   return run(maze, rules, *mouse.make(brief(maze, rules, 1), settings));
@@ -37,7 +37,7 @@ std::vector<StepRecord> steps_of(const RunRecord& record, Run run) {
 
 CellSet visited_in(const RunRecord& record) {
   CellSet cells;
-  for (const StepRecord& step : steps_of(record, Run::exploration)) cells.insert(step.pose.cell);
+  for (const StepRecord& step : steps_of(record, Run::search_run)) cells.insert(step.pose.cell);
   return cells;
 }
 
@@ -56,8 +56,8 @@ std::vector<std::vector<int>> distances(Size size, const WallSet& passages, Cell
 }
 
 struct Reported {
-  const RosterEntry* mouse;
-  int maze, exploration_steps, speed_steps;
+  const BuiltinMouse* mouse;
+  int maze, search_steps, speed_steps;
 };
 
 class ReportOne : public testing::TestWithParam<Reported> {};
@@ -66,8 +66,8 @@ TEST_P(ReportOne, IsReproducedExactly) {
   const auto maze = capstone_maze(GetParam().maze);
   if (!maze) GTEST_SKIP() << "test maze " << GetParam().maze << " is not here";
   const Score result = score(run_of(*GetParam().mouse, *maze), Rules());
-  EXPECT_EQ(result.outcome, Outcome::solved);
-  EXPECT_EQ(result.exploration_steps, GetParam().exploration_steps);
+  EXPECT_EQ(result.outcome, Outcome::finished);
+  EXPECT_EQ(result.search_steps, GetParam().search_steps);
   EXPECT_EQ(result.speed_steps, GetParam().speed_steps);
 }
 
@@ -143,15 +143,15 @@ TEST(CellFlood, FindsTheDistancesOfTheReportAmongTheCellsThatItWalked) {
                           ElementsAre(7, -1, -1, -1)));
 }
 
-class BothFloods : public testing::TestWithParam<const RosterEntry*> {};
+class BothFloods : public testing::TestWithParam<const BuiltinMouse*> {};
 
-INSTANTIATE_TEST_SUITE_P(Roster, BothFloods, testing::Values(&flood_block_mouse, &flood_explore_mouse),
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, BothFloods, testing::Values(&flood_block_mouse, &flood_explore_mouse),
                          [](const auto& mouse) {
                            return mouse.param == &flood_block_mouse ? "flood_block" : "flood_explore";
                          });
 
 TEST_P(BothFloods, ExploreOneCellAStepAndTurnInsteadOfGoingBack) {
-  const auto steps = steps_of(run_of(*GetParam(), *capstone_maze(1)), Run::exploration);
+  const auto steps = steps_of(run_of(*GetParam(), *capstone_maze(1)), Run::search_run);
   int turns = 0;
   for (const StepRecord& step : steps) {
     if (step.action.kind == Action::Kind::reset) continue;
@@ -175,7 +175,7 @@ TEST_P(BothFloods, TurnWhereTheOnlyWayBeginsBehind) {
   )"));
   EXPECT_EQ(record.steps[0].action, Action::step(90, 0));
   EXPECT_EQ(record.steps[1].action, Action::step(90, 1));
-  EXPECT_EQ(record.outcome, Outcome::solved);
+  EXPECT_EQ(record.outcome, Outcome::finished);
 }
 
 TEST_P(BothFloods, StayForAStepWhereTheyStartInTheGoal) {
@@ -224,7 +224,7 @@ TEST_P(BothFloods, TakeTheNextGoalCellWhereOneIsClosedOff) {
   const RunRecord record = run_of(*GetParam(), maze);
   EXPECT_TRUE(visited_in(record).contains({2, 2}));
   // The one then looks for the closed cell for ever.
-  EXPECT_EQ(record.outcome, GetParam() == &flood_explore_mouse ? Outcome::never_reset : Outcome::solved);
+  EXPECT_EQ(record.outcome, GetParam() == &flood_explore_mouse ? Outcome::never_reset : Outcome::finished);
 }
 
 TEST_P(BothFloods, RaceForwardsOnceTheyHaveLeftTheStart) {
@@ -243,7 +243,7 @@ TEST_P(BothFloods, SolveEveryMazeWithARouteAndGiveUpInTheOthers) {
         GetParam() == &flood_explore_mouse && reachable_cells(maze.maze) != CellSet::all(maze.maze.size());
     EXPECT_EQ(run_of(*GetParam(), maze.maze, patient).outcome, !has_route       ? Outcome::forfeit
                                                                : looks_for_ever ? Outcome::never_reset
-                                                                                : Outcome::solved)
+                                                                                : Outcome::finished)
         << maze.name;
   }
 }
@@ -264,7 +264,7 @@ TEST(FloodBlock, RacesThroughVisitedCellsOnly) {
 }
 
 TEST(FloodBlock, ResetsWithTheStepAfterItsGoalCell) {
-  const auto steps = steps_of(run_of(flood_block_mouse, *capstone_maze(1)), Run::exploration);
+  const auto steps = steps_of(run_of(flood_block_mouse, *capstone_maze(1)), Run::search_run);
   for (const StepRecord& step : steps) EXPECT_EQ(step.pose.cell == Cell(5, 6), step.action.kind == Action::Kind::reset);
 }
 
@@ -282,7 +282,7 @@ TEST(FloodExplore, VisitsTheEasternmostColumnFirstAndInItTheNorthernmostCell) {
                                 | S         |
                                 o---o---o---o
                               )")),
-                              Run::exploration);
+                              Run::search_run);
   std::vector<Cell> first_visits;
   CellSet seen;
   for (const StepRecord& step : steps) {
@@ -314,14 +314,14 @@ TEST(FloodExplore, NeverResetsWhereTheBudgetDoesNotLastForEveryCell) {
 
 TEST(FloodExplore, IsNotReadyInTheLongMazeAfterAThousandSteps) {
   const Maze maze = test::maze_in_file(LABMOUSE_SOURCE_DIR "/mazes/long-16.txt").value();
-  const auto outcome = [&](const RosterEntry& mouse, int budget) {
+  const auto outcome = [&](const BuiltinMouse& mouse, int budget) {
     Rules rules;
     rules.budget = budget;
     return run(maze, rules, *mouse.make(brief(maze, rules, 1), Settings(mouse.parameters))).outcome;
   };
   EXPECT_EQ(outcome(flood_explore_mouse, 1000), Outcome::never_reset);
-  EXPECT_EQ(outcome(flood_explore_mouse, 2000), Outcome::solved);
-  EXPECT_EQ(outcome(flood_block_mouse, 1000), Outcome::solved);
+  EXPECT_EQ(outcome(flood_explore_mouse, 2000), Outcome::finished);
+  EXPECT_EQ(outcome(flood_block_mouse, 1000), Outcome::finished);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The mazes in which every mouse of the roster must keep its contract.
+// The mazes in which every mouse of the list of built-in mice must keep its contract.
 #pragma once
 
 #include <algorithm>

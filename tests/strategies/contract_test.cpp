@@ -1,4 +1,4 @@
-// What every mouse of the roster promises, in every maze.
+// What every mouse of the list of built-in mice promises, in every maze.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -7,7 +7,7 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/routes.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/slowness.hpp"
 #include "tests/strategies/allocations.hpp"
 #include "tests/strategies/contract_mazes.hpp"
@@ -22,18 +22,18 @@ using test::ContractMaze;
 
 bool has_route(const Maze& maze) { return shortest_in_cells(maze).has_value(); }
 
-std::unique_ptr<Strategy> make(const RosterEntry& mouse, const Maze& maze, const Rules& rules = {},
+std::unique_ptr<Strategy> make(const BuiltinMouse& mouse, const Maze& maze, const Rules& rules = {},
                                std::uint64_t seed = 1) {
   return mouse.make(brief(maze, rules, seed), Settings(mouse.parameters));
 }
 
-RunRecord run_of(const RosterEntry& mouse, const Maze& maze, const Rules& rules = {}, std::uint64_t seed = 1) {
+RunRecord run_of(const BuiltinMouse& mouse, const Maze& maze, const Rules& rules = {}, std::uint64_t seed = 1) {
   return run(maze, rules, *make(mouse, maze, rules, seed));
 }
 
 /// The mouse's record in each of the mazes, run once for all tests of the program.
-const std::vector<RunRecord>& records_of(const RosterEntry& mouse) {
-  static std::map<const RosterEntry*, std::vector<RunRecord>> records;
+const std::vector<RunRecord>& records_of(const BuiltinMouse& mouse) {
+  static std::map<const BuiltinMouse*, std::vector<RunRecord>> records;
   std::vector<RunRecord>& of_mouse = records[&mouse];
   if (of_mouse.empty())
     for (const ContractMaze& maze : contract_mazes()) of_mouse.push_back(run_of(mouse, maze.maze));
@@ -71,9 +71,9 @@ class Examiner final : public test::CountingMouse {
   bool forgets_ = false;
 };
 
-class EveryMouse : public testing::TestWithParam<const RosterEntry*> {
+class EveryMouse : public testing::TestWithParam<const BuiltinMouse*> {
  protected:
-  const RosterEntry& mouse() const { return *GetParam(); }
+  const BuiltinMouse& mouse() const { return *GetParam(); }
 
   /// Hands the record of the mouse in each maze to check(maze, record).
   template <class Check>
@@ -88,8 +88,8 @@ class EveryMouse : public testing::TestWithParam<const RosterEntry*> {
   void examined_in_every_maze(Check check) const {
     for (const ContractMaze& maze : contract_mazes()) {
       SCOPED_TRACE(maze.name);
-      const auto mind = make(mouse(), maze.maze);
-      Examiner examiner(*mind, maze.maze);
+      const auto strategy = make(mouse(), maze.maze);
+      Examiner examiner(*strategy, maze.maze);
       run(maze.maze, {}, examiner);
       check(examiner);
     }
@@ -99,7 +99,7 @@ class EveryMouse : public testing::TestWithParam<const RosterEntry*> {
 TEST_P(EveryMouse, EndsItsRunOrItsBudget) {
   in_every_maze([](const Maze& maze, const RunRecord& record) {
     EXPECT_FALSE(record.steps.empty());
-    if (record.outcome == Outcome::solved) {
+    if (record.outcome == Outcome::finished) {
       EXPECT_TRUE(maze.is_goal(record.end.cell));
     } else if (record.outcome != Outcome::forfeit) {
       EXPECT_EQ(record.steps.size(), 1000U);
@@ -162,11 +162,11 @@ TEST_P(EveryMouse, TakesNoMemoryOnceItIsMade) {
 TEST_P(EveryMouse, KnowsAllThatItHasSeen) {
   for (const ContractMaze& maze : contract_mazes()) {
     SCOPED_TRACE(maze.name);
-    const auto mind = make(mouse(), maze.maze);
+    const auto strategy = make(mouse(), maze.maze);
     Knowledge seen(maze.maze.size());
-    for (const StepRecord& step : run(maze.maze, {}, *mind).steps) ASSERT_TRUE(seen.learn(step.pose, step.sighting));
-    EXPECT_EQ(mind->knowledge().open(), seen.open());
-    EXPECT_EQ(mind->knowledge().possible(), seen.possible());
+    for (const StepRecord& step : run(maze.maze, {}, *strategy).steps) ASSERT_TRUE(seen.learn(step.pose, step.sighting));
+    EXPECT_EQ(strategy->knowledge().open(), seen.open());
+    EXPECT_EQ(strategy->knowledge().possible(), seen.possible());
   }
 }
 
@@ -183,7 +183,7 @@ TEST_P(EveryMouse, DoesTheSameForTheSameSeedAlsoAfterAnother) {
 TEST_P(EveryMouse, DoesTheSameWhileAnotherRuns) {
   const Maze maze = prim_generator.make({{16, 16}, 3, 100});
   const RunRecord alone = run_of(mouse(), maze);
-  // Two minds, asked in turns: what they share would show.
+  // Two strategies, asked in turns: what they share would show.
   const auto one = make(mouse(), maze), other = make(mouse(), maze);
   for (const StepRecord& step : alone.steps) {
     ASSERT_EQ(one->decide(step.sighting), step.action);
@@ -191,7 +191,7 @@ TEST_P(EveryMouse, DoesTheSameWhileAnotherRuns) {
   }
 }
 
-TEST_P(EveryMouse, ThrowsDiceOnlyWhereTheRosterSaysSo) {
+TEST_P(EveryMouse, IsStochasticOnlyWhereItsEntrySaysSo) {
   const Maze maze = prim_generator.make({{16, 16}, 3, 100});
   EXPECT_NE(run_of(mouse(), maze, {}, 1) == run_of(mouse(), maze, {}, 2),
             mouse().uses_chance(Settings(mouse().parameters)));
@@ -199,9 +199,9 @@ TEST_P(EveryMouse, ThrowsDiceOnlyWhereTheRosterSaysSo) {
 
 TEST_P(EveryMouse, GivesUpWhereAReadingContradictsAnother) {
   const Maze maze(MazeDraft({5, 5}, MazeDraft::Inside::open));
-  const auto mind = make(mouse(), maze);
-  ASSERT_EQ(mind->decide({0, 4, 4}).kind, Action::Kind::step);
-  EXPECT_EQ(mind->decide({9, 9, 9}), Action::forfeit(ForfeitReason::contradiction));
+  const auto strategy = make(mouse(), maze);
+  ASSERT_EQ(strategy->decide({0, 4, 4}).kind, Action::Kind::step);
+  EXPECT_EQ(strategy->decide({9, 9, 9}), Action::forfeit(ForfeitReason::contradiction));
 }
 
 /// Values of a parameter to try beside the default.
@@ -235,7 +235,7 @@ std::vector<std::string> values_of(const Parameter& parameter) {
 }
 
 /// Whether another value of the parameter makes another walk, where the others are set so.
-bool changes_something(const RosterEntry& mouse, const Parameter& parameter, const Settings& others) {
+bool changes_something(const BuiltinMouse& mouse, const Parameter& parameter, const Settings& others) {
   for (const std::string& value : values_of(parameter)) {
     EXPECT_EQ(check_value(parameter, value), "") << value;
     Settings settings = others;
@@ -251,7 +251,7 @@ bool changes_something(const RosterEntry& mouse, const Parameter& parameter, con
 }
 
 /// Whether the parameter does so beside the defaults, or beside an extreme of another one that it belongs to.
-bool changes_something(const RosterEntry& mouse, const Parameter& parameter) {
+bool changes_something(const BuiltinMouse& mouse, const Parameter& parameter) {
   const Settings defaults(mouse.parameters);
   if (changes_something(mouse, parameter, defaults)) return true;
   for (const Parameter& other : mouse.parameters) {
@@ -287,7 +287,7 @@ TEST_P(EveryMouse, HasNoParameterWithoutEffect) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Roster, EveryMouse, testing::ValuesIn(roster().begin(), roster().end()), test::mouse_name);
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, EveryMouse, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()), test::mouse_name);
 
 /// The mice that always arrive.
 class SureMouse : public EveryMouse {};
@@ -296,7 +296,7 @@ TEST_P(SureMouse, SolvesEveryMazeWithARouteWhereTheBudgetAllows) {
   Rules patient;
   patient.budget = 1'000'000;
   for (const ContractMaze& maze : contract_mazes())
-    EXPECT_EQ(run_of(mouse(), maze.maze, patient).outcome == Outcome::solved, has_route(maze.maze)) << maze.name;
+    EXPECT_EQ(run_of(mouse(), maze.maze, patient).outcome == Outcome::finished, has_route(maze.maze)) << maze.name;
 }
 
 TEST_P(SureMouse, KnowsWhereThereIsNoRoute) {
@@ -308,7 +308,7 @@ TEST_P(SureMouse, KnowsWhereThereIsNoRoute) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Roster, SureMouse,
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, SureMouse,
                          testing::Values(&flood_mouse, &flood_return_mouse, &certify_mouse, &flood_block_mouse,
                                          &phases_mouse, &two_way_mouse, &frontier_mouse),
                          test::mouse_name);
@@ -334,7 +334,7 @@ TEST(Certify, RacesAShortestRunInEveryMaze) {
     const auto shortest = shortest_in_strides(maze, patient.stride);
     if (!shortest) continue;
     const Score result = score(run_of(certify_mouse, maze, patient), patient);
-    ASSERT_EQ(result.outcome, Outcome::solved) << i;
+    ASSERT_EQ(result.outcome, Outcome::finished) << i;
     ASSERT_EQ(result.speed_steps, shortest->strides)
         << *drawing_format.write(maze.with_start(maze.start(), Heading::north)).content;
   }
@@ -352,7 +352,7 @@ TEST(Certify, SeesNoMoreThanItNeedsForTheProof) {
     o---o---o---o---o---o
   )");
   const Score result = score(run_of(certify_mouse, maze), Rules());
-  EXPECT_EQ(result.exploration_steps, 2);
+  EXPECT_EQ(result.search_steps, 2);
   EXPECT_EQ(result.speed_steps, 1);
 }
 
@@ -361,11 +361,11 @@ TEST(Certify, ResetsWhileTheBudgetStillAllowsTheKnownRoute) {
   const std::size_t needed = run_of(certify_mouse, maze).steps.size();
   Rules rules;
   int least = 1;
-  for (rules.budget = least; run_of(certify_mouse, maze, rules).outcome != Outcome::solved; rules.budget = ++least) {
+  for (rules.budget = least; run_of(certify_mouse, maze, rules).outcome != Outcome::finished; rules.budget = ++least) {
   }
   EXPECT_LT(least, static_cast<int>(needed) / 2);
   for (rules.budget = least; rules.budget <= static_cast<int>(needed); ++rules.budget)
-    EXPECT_EQ(run_of(certify_mouse, maze, rules).outcome, Outcome::solved) << rules.budget;
+    EXPECT_EQ(run_of(certify_mouse, maze, rules).outcome, Outcome::finished) << rules.budget;
 }
 
 TEST(FloodReturn, StandsAtTheStartBeforeItResets) {
@@ -379,12 +379,12 @@ TEST(FloodReturn, StandsAtTheStartBeforeItResets) {
 TEST(Flood, ResetsWithTheStepAfterTheGoal) {
   const Maze maze = depth_first_generator.make({{16, 16}, 4, 50});
   for (const StepRecord& step : run_of(flood_mouse, maze).steps) {
-    EXPECT_EQ(step.run == Run::exploration && maze.is_goal(step.pose.cell), step.action.kind == Action::Kind::reset);
+    EXPECT_EQ(step.run == Run::search_run && maze.is_goal(step.pose.cell), step.action.kind == Action::Kind::reset);
   }
 }
 
-TEST(Roster, HasEachNameOnce) {
-  for (const RosterEntry* entry : roster()) {
+TEST(BuiltinMice, HasEachNameOnce) {
+  for (const BuiltinMouse* entry : builtin_mice()) {
     EXPECT_EQ(find_mouse(entry->name), entry);
     EXPECT_FALSE(entry->summary.empty());
   }

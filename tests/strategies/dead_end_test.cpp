@@ -8,7 +8,7 @@ namespace {
 TEST(DeadEnd, TurnsRightOnTheSpotInADeadEndAndGoesACellElsewhere) {
   int dead_ends = 0;
   const RunRecord record = test::wander(dead_end_mouse, depth_first_generator.make({{8, 8}, 1, 0}), 1);
-  test::in_exploration(record, [&](const StepRecord& step) {
+  test::in_search_run(record, [&](const StepRecord& step) {
     if (step.action.kind == Action::Kind::reset) return;
     if (step.sighting != test::dead_end) {
       ASSERT_EQ(step.action.movement, 1);

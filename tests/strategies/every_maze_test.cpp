@@ -3,7 +3,7 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/routes.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/slowness.hpp"
 #include "tests/strategies/mouse_name.hpp"
@@ -31,7 +31,7 @@ const std::vector<NamedMaze>& real_mazes() {
 }
 
 void expect_good_end(const RunRecord& record, bool has_route) {
-  if (record.outcome == Outcome::solved) return;
+  if (record.outcome == Outcome::finished) return;
   if (record.outcome != Outcome::forfeit) {
     EXPECT_EQ(record.steps.size(), 1000U);
     return;
@@ -40,9 +40,9 @@ void expect_good_end(const RunRecord& record, bool has_route) {
   EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::no_way);
 }
 
-class InRealMazes : public testing::TestWithParam<const RosterEntry*> {};
+class InRealMazes : public testing::TestWithParam<const BuiltinMouse*> {};
 
-void expect_good_contest(const RosterEntry& entry, const Settings& settings, const NamedMaze& maze) {
+void expect_good_contest(const BuiltinMouse& entry, const Settings& settings, const NamedMaze& maze) {
   SCOPED_TRACE(maze.file);
   const auto mouse = entry.make(brief(maze.maze, {}, 1), settings);
   const RunRecord record = run(maze.maze, {}, *mouse);
@@ -72,7 +72,7 @@ TEST_P(InRealMazes, DoesSoByEveryMethodThatItCanBeGiven) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Roster, InRealMazes, testing::ValuesIn(roster().begin(), roster().end()), test::mouse_name);
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, InRealMazes, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()), test::mouse_name);
 
 }  // namespace
 }  // namespace labmouse

@@ -23,7 +23,7 @@ TEST(Frontier, ComesBackToAGoalThatItHasPassed) {
     o---o---o---o---o
   )");
   const RunRecord record = test::contest(frontier_mouse, maze);
-  EXPECT_EQ(record.outcome, Outcome::solved);
+  EXPECT_EQ(record.outcome, Outcome::finished);
   EXPECT_EQ(record.steps[0].action, Action::step(90, 3));
   EXPECT_EQ(record.steps[1].action, Action::step(0, -1));
 }

@@ -10,7 +10,7 @@
 
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/drawn_maze.hpp"
 
 namespace labmouse {
@@ -66,24 +66,24 @@ std::string words_of(const Action& action) {
 std::string line_of(const StepRecord& step) {
   std::ostringstream line;
   line << std::setw(3) << step.step << "  " << std::left << std::setw(11)
-       << (step.run == Run::speed ? "speed" : "exploration") << "  at (" << int{step.pose.cell.x} << ','
+       << (step.run == Run::speed ? "speed" : "search") << "  at (" << int{step.pose.cell.x} << ','
        << int{step.pose.cell.y} << ") " << std::setw(5) << name_of(step.pose.heading) << "  sees " << step.sighting.left
        << ' ' << step.sighting.ahead << ' ' << step.sighting.right << "  " << words_of(step.action)
        << (step.blocked ? " (blocked)" : "") << '\n';
   return line.str();
 }
 
-std::string playthrough(const RosterEntry& mouse, const TinyMaze& tiny) {
+std::string playthrough(const BuiltinMouse& mouse, const TinyMaze& tiny) {
   const Maze maze = test::drawn(tiny.drawing);
   Rules rules;
   rules.budget = 40;  // enough for a person to read
-  const auto mind = mouse.make(brief(maze, rules, 1), Settings(mouse.parameters));
-  const RunRecord record = run(maze, rules, *mind);
+  const auto strategy = mouse.make(brief(maze, rules, 1), Settings(mouse.parameters));
+  const RunRecord record = run(maze, rules, *strategy);
   std::string text = std::string(mouse.name) + " in " + tiny.name + "\n\n" + test::unindented(tiny.drawing) + "\n";
   for (const StepRecord& step : record.steps) text += line_of(step);
   const Score result = score(record, rules);
-  return text + "\n" + std::string(name_of(result.outcome)) + ": " + std::to_string(result.exploration_steps) +
-         " exploration steps, " + std::to_string(result.speed_steps) + " speed steps\n";
+  return text + "\n" + std::string(name_of(result.outcome)) + ": " + std::to_string(result.search_steps) +
+         " search steps, " + std::to_string(result.speed_steps) + " speed steps\n";
 }
 
 std::string content_of(const std::string& path) {
@@ -91,7 +91,7 @@ std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-class Golden : public testing::TestWithParam<const RosterEntry*> {
+class Golden : public testing::TestWithParam<const BuiltinMouse*> {
  protected:
   static void plays_as_before(const TinyMaze& maze) {
     const std::string path =
@@ -107,7 +107,7 @@ TEST_P(Golden, ThePocketIsPlayedAsBefore) { plays_as_before(pocket); }
 
 TEST_P(Golden, TheStairsArePlayedAsBefore) { plays_as_before(stairs); }
 
-INSTANTIATE_TEST_SUITE_P(Roster, Golden, testing::ValuesIn(roster().begin(), roster().end()), [](const auto& mouse) {
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, Golden, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()), [](const auto& mouse) {
   std::string name(mouse.param->name);
   std::replace(name.begin(), name.end(), '-', '_');
   return name;

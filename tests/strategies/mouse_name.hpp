@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <string>
 
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse::test {
 
 /// The mouse's name with what no test's name may hold replaced.
-inline std::string mouse_name(const testing::TestParamInfo<const RosterEntry*>& mouse) {
+inline std::string mouse_name(const testing::TestParamInfo<const BuiltinMouse*>& mouse) {
   std::string name(mouse.param->name);
   std::replace(name.begin(), name.end(), '-', '_');
   return name;

@@ -7,14 +7,14 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse::test {
 
 using Values = std::vector<std::pair<std::string_view, std::string_view>>;
 
 /// The record of a mouse with some parameters set, under a seed for its dice.
-inline RunRecord contest(const RosterEntry& mouse, const Maze& maze, const Values& values = {}, std::uint64_t seed = 1,
+inline RunRecord contest(const BuiltinMouse& mouse, const Maze& maze, const Values& values = {}, std::uint64_t seed = 1,
                          const Rules& rules = {}) {
   Settings settings(mouse.parameters);
   for (const auto& [name, value] : values) settings.set(name, value);
@@ -30,9 +30,9 @@ inline std::vector<Maze> loopy_mazes() {
   return mazes;
 }
 
-/// Calls check(step, knowledge) at each moving step of the exploration, with all that was known when it was decided.
+/// Calls check(step, knowledge) at each moving step of the search run, with all that was known when it was decided.
 template <class Check>
-void follow_exploration(const Maze& maze, const RunRecord& record, Check check) {
+void follow_search_run(const Maze& maze, const RunRecord& record, Check check) {
   Knowledge knowledge(maze.size());
   for (const StepRecord& step : record.steps) {
     if (step.run == Run::speed || step.action.kind != Action::Kind::step) return;

@@ -11,7 +11,7 @@
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/maze/routes.hpp"
 #include "labmouse/strategies/phases/speed_run.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/slowness.hpp"
@@ -35,7 +35,7 @@ Score score_with(const Changes& changes, const Maze& maze, const Rules& rules = 
   return score(run_with(changes, maze, rules), rules);
 }
 
-/// What the mouse knew before each step of its exploration, handed to visit(step, knowledge).
+/// What the mouse knew before each step of its search run, handed to visit(step, knowledge).
 template <class Visit>
 void replay(const Maze& maze, const RunRecord& record, Visit visit) {
   Knowledge knowledge(maze.size());
@@ -61,11 +61,11 @@ int explored_at_reset(const Maze& maze, const RunRecord& record) {
   return cells;
 }
 
-/// Cells in which the mouse stood in its exploration.
+/// Cells in which the mouse stood in its search run.
 CellSet stood_in(const RunRecord& record) {
   CellSet cells;
   for (const StepRecord& step : record.steps)
-    if (step.run == Run::exploration) cells.insert(step.pose.cell);
+    if (step.run == Run::search_run) cells.insert(step.pose.cell);
   return cells;
 }
 
@@ -75,7 +75,7 @@ Maze loops(std::uint64_t seed) { return prim_generator.make({{12, 12}, seed, 200
 
 struct Row {
   int maze;
-  int exploration;
+  int search_run;
   int strides;
   int cells;
 };
@@ -93,22 +93,22 @@ class PhasesInCapstone : public testing::TestWithParam<Row> {
 
 TEST_P(PhasesInCapstone, NeedsTheStepsThatItNeeded) {
   const Score result = score_with({}, *maze_);
-  EXPECT_EQ(result.exploration_steps, GetParam().exploration);
+  EXPECT_EQ(result.search_steps, GetParam().search_run);
   EXPECT_EQ(result.speed_steps, GetParam().strides);
 }
 
 TEST_P(PhasesInCapstone, RunsCellByCellOrUpdatingAsItDid) {
   const Score cells = score_with({{"speed", "one-cell"}}, *maze_);
   const Score updating = score_with({{"speed", "strides-updating"}}, *maze_);
-  EXPECT_EQ(cells.exploration_steps, GetParam().exploration);
+  EXPECT_EQ(cells.search_steps, GetParam().search_run);
   EXPECT_EQ(cells.speed_steps, GetParam().cells);
-  EXPECT_EQ(updating.exploration_steps, GetParam().exploration);
+  EXPECT_EQ(updating.search_steps, GetParam().search_run);
   EXPECT_EQ(updating.speed_steps, GetParam().strides);
 }
 
 TEST_P(PhasesInCapstone, KnowsAllGoalsAfterTwoMoreSteps) {
   const RunRecord record = run_with({{"continuing", "all-goals"}}, *maze_);
-  EXPECT_EQ(score(record, {}).exploration_steps, GetParam().exploration + 2);
+  EXPECT_EQ(score(record, {}).search_steps, GetParam().search_run + 2);
   replay(*maze_, record, [&](const StepRecord& step, const Knowledge& knowledge) {
     if (step.action.kind != Action::Kind::reset) return;
     maze_->goals().for_each(
@@ -159,7 +159,7 @@ std::array<int, 3> turns_at_crossings(const Changes& changes) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Maze maze = kruskal_generator.make({{16, 16}, seed, 1000});
     for (const StepRecord& step : run_with(changes, maze, {}, seed).steps)
-      if (step.run == Run::exploration && step.sighting.left > 0 && step.sighting.ahead > 0 &&
+      if (step.run == Run::search_run && step.sighting.left > 0 && step.sighting.ahead > 0 &&
           step.sighting.right > 0 && step.action.movement == 1)
         ++turns[static_cast<std::size_t>(step.action.rotation / 90 + 1)];
   }
@@ -286,7 +286,7 @@ TEST(PhasesContinuing, AllGoalsGoesIntoNeighboursOnly) {
   )")
                         .with_goals(goals);
   const RunRecord record = run_with({{"continuing", "all-goals"}}, maze);
-  EXPECT_EQ(record.outcome, Outcome::solved);
+  EXPECT_EQ(record.outcome, Outcome::finished);
   EXPECT_EQ(record, run_with({}, maze));
 }
 
@@ -319,7 +319,7 @@ TEST(PhasesContinuing, CoverageEndsWhereNoMoreCanBeReached) {
     | S |   |   |
     o---o---o---o
   )");
-  EXPECT_EQ(score_with({{"continuing", "coverage"}, {"coverage", "1"}}, maze).outcome, Outcome::solved);
+  EXPECT_EQ(score_with({{"continuing", "coverage"}, {"coverage", "1"}}, maze).outcome, Outcome::finished);
 }
 
 TEST(PhasesContinuing, EndsWhileTheBudgetStillAllowsTheKnownRoute) {
@@ -328,9 +328,9 @@ TEST(PhasesContinuing, EndsWhileTheBudgetStillAllowsTheKnownRoute) {
   for (const char* continuing : {"coverage", "worthwhile"}) {
     const Changes changes = {{"continuing", continuing}, {"coverage", "1"}};
     Rules rules;
-    for (rules.budget = at_once.exploration_steps + at_once.speed_steps; rules.budget < 400;
+    for (rules.budget = at_once.search_steps + at_once.speed_steps; rules.budget < 400;
          rules.budget += test::sanitized ? 70 : 7)
-      EXPECT_EQ(score_with(changes, maze, rules).outcome, Outcome::solved) << rules.budget;
+      EXPECT_EQ(score_with(changes, maze, rules).outcome, Outcome::finished) << rules.budget;
   }
 }
 
@@ -340,7 +340,7 @@ TEST(PhasesContinuing, WorthwhileEndsWithAShortestRun) {
     const Maze maze = loops(seed);
     const Score worthwhile = score_with({{"continuing", "worthwhile"}}, maze), none = score_with({}, maze);
     EXPECT_EQ(worthwhile.speed_steps, shortest_in_strides(maze)->strides) << seed;
-    EXPECT_GE(worthwhile.exploration_steps, none.exploration_steps) << seed;
+    EXPECT_GE(worthwhile.search_steps, none.search_steps) << seed;
     gained += none.speed_steps - worthwhile.speed_steps;
     const Score cells = score_with({{"continuing", "worthwhile"}, {"speed", "one-cell"}}, maze);
     EXPECT_EQ(cells.speed_steps, *shortest_in_cells(maze)) << seed;

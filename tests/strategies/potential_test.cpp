@@ -50,7 +50,7 @@ class Ground {
 TEST(Potential, GoesToTheFirstOfTheLowestCells) {
   for (const Maze& maze : test::loopy_mazes()) {
     Ground ground(maze);
-    test::follow_exploration(maze, test::contest(potential_mouse, maze), [&](const StepRecord& step, const Knowledge&) {
+    test::follow_search_run(maze, test::contest(potential_mouse, maze), [&](const StepRecord& step, const Knowledge&) {
       const auto next = ground.next(step);
       if (next)
         ASSERT_EQ(after(step.pose, step.action).cell, *next) << step.step;
@@ -71,7 +71,7 @@ TEST(Potential, LeavesAHollowAsItsGroundRises) {
     |               |
     o---o---o---o---o
   )");
-  EXPECT_EQ(test::contest(potential_mouse, maze).outcome, Outcome::solved);
+  EXPECT_EQ(test::contest(potential_mouse, maze).outcome, Outcome::finished);
 }
 
 TEST(Potential, GoesStraightToTheGoalWhereNothingIsInTheWay) {

@@ -1,4 +1,4 @@
-// Mazes of all kinds for tests of minds: every generator, odd sizes, starts and goals anywhere, areas that are cut off.
+// Mazes of all kinds for tests of strategies: every generator, odd sizes, starts and goals anywhere, areas that are cut off.
 #pragma once
 
 #include <string>

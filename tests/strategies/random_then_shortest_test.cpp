@@ -11,7 +11,7 @@ TEST(RandomThenShortest, ExploresAsTheRandomMouseDoes) {
   for (const Maze& maze : test::loopy_mazes()) {
     const RunRecord walk = test::contest(random_mouse, maze, {}, 7);
     const RunRecord record = test::contest(random_then_shortest_mouse, maze, {}, 7);
-    for (std::size_t i = 0; i < record.steps.size() && record.steps[i].run == Run::exploration; ++i)
+    for (std::size_t i = 0; i < record.steps.size() && record.steps[i].run == Run::search_run; ++i)
       ASSERT_EQ(record.steps[i], walk.steps[i]);
   }
 }
@@ -21,11 +21,11 @@ TEST(RandomThenShortest, RacesByWhatItHasSeen) {
   for (const Maze& maze : test::loopy_mazes()) {
     const RunRecord record = test::contest(random_then_shortest_mouse, maze, {}, 7);
     const Score result = score(record, Rules());
-    if (result.outcome != Outcome::solved) continue;
+    if (result.outcome != Outcome::finished) continue;
     ++raced;
     Knowledge knowledge(maze.size());
     for (const StepRecord& step : record.steps)
-      if (step.run == Run::exploration) {
+      if (step.run == Run::search_run) {
         ASSERT_TRUE(knowledge.learn(step.pose, step.sighting));
       }
     DistanceField known(maze.size(), strides());
@@ -37,7 +37,7 @@ TEST(RandomThenShortest, RacesByWhatItHasSeen) {
 
 TEST(RandomThenShortest, GoesNoFartherThanItsStride) {
   for (const Maze& maze : test::loopy_mazes())
-    test::follow_exploration(
+    test::follow_search_run(
         maze, test::contest(random_then_shortest_mouse, maze, {{"stride", "1"}}),
         [](const StepRecord& step, const Knowledge&) { ASSERT_LE(std::abs(step.action.movement), 1); });
 }

@@ -1,8 +1,8 @@
-// What the reasons of every mouse of the roster promise, where it has any.
+// What the reasons of every mouse of the list of built-in mice promise, where it has any.
 #include <gtest/gtest.h>
 
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/strategies/contract_mazes.hpp"
 #include "tests/strategies/counting_mouse.hpp"
 #include "tests/strategies/mouse_name.hpp"
@@ -13,7 +13,7 @@ namespace {
 using test::contract_mazes;
 using test::ContractMaze;
 
-class EveryReasoner : public testing::TestWithParam<const RosterEntry*> {
+class EveryReasoner : public testing::TestWithParam<const BuiltinMouse*> {
  protected:
   std::unique_ptr<Strategy> mouse_for(const Maze& maze, bool reasons) const {
     Briefing briefing = brief(maze, {}, 1);
@@ -61,7 +61,7 @@ TEST_P(EveryReasoner, ChoosesTheLowestScoreAmongUnseenWallsOfTheExploration) {
     for (const StepRecord& step : record.steps) {
       ASSERT_TRUE(knowledge.learn(step.pose, step.sighting));
       if (next == record.reasons.end() || next->step != step.step) continue;
-      EXPECT_EQ(step.run, Run::exploration);
+      EXPECT_EQ(step.run, Run::search_run);
       examine(next->reasons, knowledge.unknown(), maze.maze.size());
       ++next;
     }
@@ -69,7 +69,7 @@ TEST_P(EveryReasoner, ChoosesTheLowestScoreAmongUnseenWallsOfTheExploration) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Roster, EveryReasoner, testing::ValuesIn(roster().begin(), roster().end()), test::mouse_name);
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, EveryReasoner, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()), test::mouse_name);
 
 }  // namespace
 }  // namespace labmouse

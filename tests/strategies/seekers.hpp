@@ -50,11 +50,11 @@ class SeekersMemory {
 
 /// That the mouse goes to the cheapest cell by a shortest route, and chooses again when it is there.
 template <class Cost>
-void expect_goes_to_the_cheapest(const RosterEntry& mouse, const Maze& maze, Cost cost) {
+void expect_goes_to_the_cheapest(const BuiltinMouse& mouse, const Maze& maze, Cost cost) {
   SeekersMemory memory(maze.size());
   std::optional<Cell> target;
   int moves_left = 0;
-  follow_exploration(maze, contest(mouse, maze), [&](const StepRecord& step, const Knowledge&) {
+  follow_search_run(maze, contest(mouse, maze), [&](const StepRecord& step, const Knowledge&) {
     memory.learn(step);
     if (moves_left == 0) {
       EXPECT_EQ(step.pose.cell, target.value_or(step.pose.cell)) << step.step;
@@ -66,7 +66,7 @@ void expect_goes_to_the_cheapest(const RosterEntry& mouse, const Maze& maze, Cos
 }
 
 /// That each move of both runs was seen as a whole before the speed run, and before it was made.
-inline void expect_makes_only_moves_seen_as_a_whole(const RosterEntry& mouse, const Maze& maze) {
+inline void expect_makes_only_moves_seen_as_a_whole(const BuiltinMouse& mouse, const Maze& maze) {
   SeekersMemory memory(maze.size());
   for (const StepRecord& step : contest(mouse, maze).steps) {
     if (step.run != Run::speed) memory.learn(step);

@@ -4,7 +4,7 @@
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/strategies/ariadne/outlook.hpp"
 #include "labmouse/strategies/ariadne/views.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {

@@ -13,9 +13,9 @@ namespace labmouse {
 namespace {
 
 struct Row {
-  const RosterEntry* mouse;
+  const BuiltinMouse* mouse;
   const char* maze;
-  int exploration;
+  int search_run;
   int speed;
   double reported;
 };
@@ -34,8 +34,8 @@ TEST_P(SixBots, ScoreAsPrinted) {
   const auto maze = maze_of(row.maze);
   if (!maze) GTEST_SKIP() << "the file of maze " << row.maze << " is not here";
   const Score result = score(test::contest(*row.mouse, *maze), Rules());
-  EXPECT_EQ(result.outcome, Outcome::solved);
-  EXPECT_EQ(result.exploration_steps, row.exploration);
+  EXPECT_EQ(result.outcome, Outcome::finished);
+  EXPECT_EQ(result.search_steps, row.search_run);
   EXPECT_EQ(result.speed_steps, row.speed);
   EXPECT_NEAR(result.value.value_or(0), row.reported, 0.0005);
 }

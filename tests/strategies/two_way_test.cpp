@@ -6,7 +6,7 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/routes.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/drawn_maze.hpp"
 
@@ -32,7 +32,7 @@ struct Stage {
   const char* name;
   int maze = 0;
   Values values;
-  int exploration = 0;
+  int search_run = 0;
   int speed = 0;
   /// The score in tenths, as it is printed.
   long printed = 0;
@@ -47,8 +47,8 @@ TEST_P(Stages, ScoreAsPrinted) {
   const auto maze = test::capstone_maze(stage.maze);
   if (!maze) GTEST_SKIP() << "the file of test maze " << stage.maze << " is not here";
   const Score result = score(run_with(*maze, stage.values), Rules());
-  ASSERT_EQ(result.outcome, Outcome::solved);
-  EXPECT_EQ(result.exploration_steps, stage.exploration);
+  ASSERT_EQ(result.outcome, Outcome::finished);
+  EXPECT_EQ(result.search_steps, stage.search_run);
   EXPECT_EQ(result.speed_steps, stage.speed);
   EXPECT_EQ(std::lround(10 * *result.value), stage.printed);
 }

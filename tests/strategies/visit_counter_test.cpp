@@ -53,7 +53,7 @@ TEST(VisitCounter, GoesToTheNeighbourThatWasVisitedLeast) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Maze maze = test::wandering_ground(seed);
     Recount recount(maze.size());
-    test::in_exploration(test::wander(visit_counter_mouse, maze, seed, {{"random_share", "0"}, {"coverage", "1"}}, 300),
+    test::in_search_run(test::wander(visit_counter_mouse, maze, seed, {{"random_share", "0"}, {"coverage", "1"}}, 300),
                          [&](const StepRecord& step) {
                            if (step.action.kind == Action::Kind::reset) return;
                            recount.arrive(step.pose.cell);
@@ -104,7 +104,7 @@ TEST(VisitCounter, MarksACellOnlyByChance) {
   const Maze open = Maze(MazeDraft({6, 6}, MazeDraft::Inside::open)).with_start({2, 2}, Heading::north);
   const auto first_run = [&](const char* share) {
     int steps = 0;
-    test::in_exploration(
+    test::in_search_run(
         test::wander(visit_counter_mouse, open, 1, {{"random_share", share}, {"coverage", "0.3"}}, 2000),
         [&](const StepRecord&) { ++steps; });
     return steps;
@@ -119,11 +119,11 @@ TEST(VisitCounter, MarksACellOnlyByChance) {
 
 TEST(VisitCounter, RacesWhereItWalked) { test::expect_speed_runs_where_it_walked(visit_counter_mouse); }
 
-/// What a search finds after the walk of an exploration and one more step, where that is not {}.
+/// What a search finds after the walk of a search run and one more step, where that is not {}.
 std::pair<std::vector<Action>, int> planned(const Maze& maze, const RunRecord& record, std::string_view method,
                                             std::optional<int> last_turn) {
   WalkedPassages walked(maze.size(), 10'000);
-  test::in_exploration(record, [&](const StepRecord& step) {
+  test::in_search_run(record, [&](const StepRecord& step) {
     if (step.action.movement > 0) walked.walk(step.pose.cell, after(step.pose, step.action).cell);
     if (step.action.kind == Action::Kind::reset && last_turn)
       walked.walk(step.pose.cell, neighbour(step.pose.cell, turned(step.pose.heading, *last_turn)));
@@ -144,14 +144,14 @@ std::pair<std::vector<Action>, int> planned(const Maze& maze, const RunRecord& r
 TEST(VisitCounter, PlansOnWhatItWalkedAndCountsTheSearch) {
   const Maze maze = test::capstone_maze(1).value();
   for (const std::string_view method : {"breadth-first", "a-star", "dijkstra"}) {
-    int solved = 0;
+    int finished = 0;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       const RunRecord record = test::wander(visit_counter_mouse, maze, seed, {{"search", method}, {"coverage", "0.7"}});
-      if (record.outcome != Outcome::solved) continue;
-      ++solved;
+      if (record.outcome != Outcome::finished) continue;
+      ++finished;
       std::vector<Action> raced;
       Sighting last;
-      test::in_exploration(record, [&](const StepRecord& step) { last = step.sighting; });
+      test::in_search_run(record, [&](const StepRecord& step) { last = step.sighting; });
       for (const StepRecord& step : record.steps)
         if (step.run == Run::speed) raced.push_back(step.action);
       ASSERT_EQ(record.counts.size(), 1U);
@@ -165,7 +165,7 @@ TEST(VisitCounter, PlansOnWhatItWalkedAndCountsTheSearch) {
         }
       EXPECT_TRUE(as_planned) << method << ' ' << seed;
     }
-    EXPECT_GE(solved, 8);
+    EXPECT_GE(finished, 8);
   }
 }
 
@@ -176,16 +176,16 @@ TEST(VisitCounter, CountsNothingBeforeItsSpeedRun) {
 TEST(VisitCounter, CoversFiveSixthsOfTestMaze1WithinTheBudget) {
   // Measured with the author's own program: always, in 628 steps.
   const Maze maze = test::capstone_maze(1).value();
-  int solved = 0;
+  int finished = 0;
   double steps = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const RunRecord record = test::wander(visit_counter_mouse, maze, seed, {}, Rules().budget);
-    if (record.outcome != Outcome::solved) continue;
-    ++solved;
-    test::in_exploration(record, [&](const StepRecord&) { ++steps; });
+    if (record.outcome != Outcome::finished) continue;
+    ++finished;
+    test::in_search_run(record, [&](const StepRecord&) { ++steps; });
   }
-  EXPECT_GE(solved, 195);
-  EXPECT_NEAR(steps / solved, 628, 25);
+  EXPECT_GE(finished, 195);
+  EXPECT_NEAR(steps / finished, 628, 25);
 }
 
 }  // namespace

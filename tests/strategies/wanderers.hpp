@@ -9,12 +9,12 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse::test {
 
 /// A run with some parameters set.
-inline RunRecord wander(const RosterEntry& mouse, const Maze& maze, std::uint64_t seed,
+inline RunRecord wander(const BuiltinMouse& mouse, const Maze& maze, std::uint64_t seed,
                         std::initializer_list<std::pair<std::string_view, std::string_view>> set = {},
                         int budget = 20'000) {
   Settings settings(mouse.parameters);
@@ -28,11 +28,11 @@ inline Maze wandering_ground(std::uint64_t seed = 1) { return prim_generator.mak
 
 inline constexpr Sighting dead_end{0, 0, 0};
 
-/// Hands each step of the exploration to check(step), its reset among them.
+/// Hands each step of the search run to check(step), its reset among them.
 template <class Check>
-void in_exploration(const RunRecord& record, Check check) {
+void in_search_run(const RunRecord& record, Check check) {
   for (const StepRecord& step : record.steps)
-    if (step.run == Run::exploration) check(step);
+    if (step.run == Run::search_run) check(step);
 }
 
 /// A mouse that marks where it stands outside of dead ends resets with the first decision at which a goal and the share
@@ -40,7 +40,7 @@ void in_exploration(const RunRecord& record, Check check) {
 inline void expect_reset_at_coverage(const Maze& maze, const RunRecord& record, double coverage) {
   CellSet marked;
   bool goal = false;
-  in_exploration(record, [&](const StepRecord& step) {
+  in_search_run(record, [&](const StepRecord& step) {
     if (step.sighting != dead_end) {
       marked.insert(step.pose.cell);
       goal |= maze.is_goal(step.pose.cell);
@@ -50,12 +50,12 @@ inline void expect_reset_at_coverage(const Maze& maze, const RunRecord& record, 
   });
 }
 
-/// The speed run goes only through walls that the exploration went through, but for the one that the reset prevented.
+/// The speed run goes only through walls that the search run went through, but for the one that the reset prevented.
 /// The cells that it goes: none where the map has no way (WalkedPassages::slip).
 inline int expect_speed_run_where_it_walked(const RunRecord& record) {
   WallSet walked;
   Pose last;
-  in_exploration(record, [&](const StepRecord& step) {
+  in_search_run(record, [&](const StepRecord& step) {
     last = step.pose;
     if (step.action.movement > 0)
       walked.insert(wall_at(step.pose.cell, rotated(step.pose.heading, step.action.rotation)));
@@ -77,7 +77,7 @@ inline int expect_speed_run_where_it_walked(const RunRecord& record) {
 }
 
 /// The same in twenty mazes, of which nearly all have a way.
-inline void expect_speed_runs_where_it_walked(const RosterEntry& mouse) {
+inline void expect_speed_runs_where_it_walked(const BuiltinMouse& mouse) {
   int with_way = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
     with_way += expect_speed_run_where_it_walked(wander(mouse, wandering_ground(seed), seed)) > 0;

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/reports/report_records.hpp"
 #include "labmouse/lab/reports/report_results.hpp"
@@ -63,8 +63,8 @@ TEST(ToyWorld, LeavesContestsWithoutAScoreOutOfAllMeans) {
   const Race race = toy_race();
   for (const Standing& standing : standings_of(race)) {
     EXPECT_EQ(standing.runs, 3 * runs);
-    EXPECT_LT(standing.solved, standing.runs);
-    EXPECT_EQ(standing.mean_all, standing.mean_solved);
+    EXPECT_LT(standing.finished, standing.runs);
+    EXPECT_EQ(standing.mean_all, standing.mean_finished);
   }
   EXPECT_FALSE(standings_of(toy_race("100")).front().mean_all.has_value());
 }
@@ -119,7 +119,7 @@ TEST(ToyWorld, HasAReportThatThePageShows) {
   RaceHooks hooks;
   hooks.keep = RaceFolder::keep;
   std::string record;
-  hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
+  hooks.finished = [&](const Race& race, const ContestResult& contest, const ContestOutput& held) {
     record = held.record;
     EXPECT_EQ(RaceFolder(folder, race).save(contest, held), "");
   };

@@ -10,7 +10,7 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
@@ -33,14 +33,14 @@ constexpr std::array<ContestField, 4> csv_fields = {{{"mouse", fields::mouse_nam
                                                      {"score", fields::score},
                                                      {"stumbles", fields::figure<Figure::stumbles>}}};
 constexpr std::array<MouseField, 5> mouse_fields = {{{"name", fields::name},
-                                                     {"solved", fields::solved},
+                                                     {"finished", fields::finished},
                                                      {"runs", fields::runs},
                                                      {"mean_score", fields::mean_all},
                                                      {"interval", fields::interval}}};
 constexpr std::array<MazeField, 4> maze_fields = {
     {{"name", fields::name}, {"width", fields::width}, {"height", fields::height}, {"bound", fields::bound}}};
 constexpr std::array<Column, 3> columns_of_table = {
-    {{"", "finished", 9, columns::solved},
+    {{"", "finished", 9, columns::finished},
      {"mean", "score", 7, columns::mean_all},
      {"stumbles", "a contest", 9, [](const Race& race, const Standing& standing) {
         return columns::number(mean_of_all(race, standing, "stumbles"), 2);
@@ -59,20 +59,20 @@ class ToyWorld final : public World {
   std::string refuse(const Contestant& mouse) const override {
     return mouse.walks() ? "" : fmt::format("mouse '{}' cannot walk", mouse.name);
   }
-  bool throws_dice() const override { return true; }
+  bool is_stochastic() const override { return true; }
   double limit_score() const override { return Rules().failure_score; }
   MazeFacts facts(const Maze& maze) const override { return {bound_of(maze, Rules()).score, {}, {}}; }
 
-  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {
+  ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {
     Dice dice(result.seed);
     const Maze& maze = race.mazes[result.maze].maze;
-    Held held;
+    ContestOutput held;
     std::int64_t stumbles = 0;
     for (std::uint64_t run = 0; run < 3; ++run) {
       const bool stumbled = dice.below(100) < percent_;
       if (stumbled && ++stumbles > 0) continue;
-      const auto mind = race.mice[result.mouse].strategy(maze, brief(maze, {}, result.seed + run));
-      const RunRecord record = labmouse::run(maze, Rules(), *mind);
+      const auto strategy = race.mice[result.mouse].strategy(maze, brief(maze, {}, result.seed + run));
+      const RunRecord record = labmouse::run(maze, Rules(), *strategy);
       const auto value = score(record, Rules()).value;
       if (!value || (result.score && *value >= *result.score)) continue;
       result.score = value;

@@ -46,7 +46,7 @@ class Mouse(Protocol):
 
 #: What makes the mouse of a contest: a class, or a function. It is called with the briefing if it takes an argument.
 MouseMaker = Union[Callable[[], Mouse], Callable[[Briefing], Mouse]]
-#: A mouse of a race: a SPEC as on the command line ('flood:stride=1', 'guest:python3 mouse.py'), or what makes one.
+#: A mouse of a race: a SPEC as on the command line ('flood:stride=1', 'program:python3 mouse.py'), or what makes one.
 AnyMouse = Union[str, MouseMaker]
 #: Mice of a race: one, several, or several under names of their own.
 Mice = Union[AnyMouse, Iterable[AnyMouse], Mapping[str, AnyMouse]]

@@ -198,7 +198,7 @@ def race(
         earlier race left there is replaced with `overwrite`, and an error without.
     progress: whether to show a bar; None for where standard error is a terminal, and in notebooks.
     store: a file that keeps all contests; those that are there are not held again. Others may use it at the same time.
-    label: in the store, stands for the files of guests, and for what mice in Python read from elsewhere: give another one when
+    label: in the store, stands for the files of external mice, and for what mice in Python read from elsewhere: give another one when
         that changes.
 
     Raises Error. Ctrl-C stops the race and raises Interrupted, a KeyboardInterrupt that has what is done as `partial`.

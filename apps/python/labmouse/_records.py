@@ -83,12 +83,12 @@ class Record:
 
     @property
     def outcome(self) -> str:
-        """How it ended: 'solved', 'out of steps', 'forfeit: died' and so on."""
+        """How it ended: 'finished', 'out of steps', 'forfeit: died' and so on."""
         return self._held.outcome
 
     @property
     def score(self) -> "float | None":
-        """Steps, seconds or points, as the world has it; lower is better. None where the contest was not solved."""
+        """Steps, seconds or points, as the world has it; lower is better. None where the contest was not finished."""
         return self._held.score
 
     @property
@@ -110,7 +110,7 @@ class Record:
     def steps(self) -> "numpy.typing.NDArray[numpy.void]":
         """One element a step, a structured array that cannot be written to; of the world of steps alone.
 
-        step: count of the clock from 1. run: 0 exploration, 1 speed run. x, y, heading: the pose before the step,
+        step: count of the clock from 1. run: 0 search, 1 speed run. x, y, heading: the pose before the step,
         headings being 0 north, 1 east, 2 south, 3 west. left, ahead, right: open cells that the mouse saw.
         kind: 0 step, 1 reset, 2 forfeit. rotation: degrees clockwise, and movement: cells, as the mouse asked for
         them. blocked: whether a wall ended the movement early. Raises Error in other worlds.

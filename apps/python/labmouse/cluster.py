@@ -236,7 +236,7 @@ class _Spread:
             if future.status == "error":  # of the task itself
                 raise
             if isinstance(error, asyncio.TimeoutError):
-                # Its worker died with it, and it is held again; or the way is slow.
+                # Its worker died with it, and it is run again; or the way is slow.
                 self._await(future, picked)
             else:  # the scheduler was restarted
                 self.waiting.extendleft(reversed(picked))
@@ -276,7 +276,7 @@ class _Spread:
 
 def _other_contests(store: str) -> Error:
     return Error(f"{store}: the workers held contests of other mice than were asked for; "
-                 "give all machines the same labmouse, the same Python and the same files of guests")
+                 "give all machines the same labmouse, the same Python and the same files of external mice")
 
 
 def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
@@ -332,7 +332,7 @@ def race(
         killed goes on where it was when it is started again.
     patience: so many seconds it waits for workers where the cluster has none; then it raises Error.
 
-    The other arguments are those of `labmouse.race`. All machines need the same labmouse, and the files of guests,
+    The other arguments are those of `labmouse.race`. All machines need the same labmouse, and the files of external mice,
     robots and rules under the same paths. Raises Error. Ctrl-C raises Interrupted, which has what is done as `partial`.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})

@@ -8,7 +8,7 @@
 #include "labmouse/lab/bench/plain_distance.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/distance.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -70,10 +70,10 @@ Speed measure_speed() {
   speed.distance_ns = measure_distances();
   const std::vector<Maze> mazes = mazes_of(16);
   const Rules rules;
-  for (const RosterEntry* mouse : roster()) {
+  for (const BuiltinMouse* mouse : builtin_mice()) {
     const double ns = median_ns(mazes.size(), 5, [&](std::size_t i) {
-      const auto mind = mouse->make(brief(mazes[i], rules, 1), Settings(mouse->parameters));
-      run(mazes[i], rules, *mind);
+      const auto strategy = mouse->make(brief(mazes[i], rules, 1), Settings(mouse->parameters));
+      run(mazes[i], rules, *strategy);
     });
     speed.contests_per_second[std::string(mouse->name)] = 1e9 / ns;
   }

@@ -1,4 +1,4 @@
-// Includes nothing that a microcontroller lacks: the portable checks compile this file with the rooms below the lab.
+// Includes nothing that a microcontroller lacks: the portable checks compile this file with the modules below the lab.
 #include "labmouse/lab/bench/signature.hpp"
 
 #include "labmouse/contest/drive.hpp"
@@ -8,7 +8,7 @@
 #include "labmouse/functions/bits.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -32,10 +32,10 @@ class Hash {
   std::uint64_t hash_ = 0xCBF29CE484222325U;
 };
 
-void add_contest(const Maze& maze, const RosterEntry& mouse, Hash& hash) {
+void add_contest(const Maze& maze, const BuiltinMouse& mouse, Hash& hash) {
   const Rules rules;
-  const auto mind = mouse.make(brief(maze, rules, 1), Settings(mouse.parameters));
-  const RunRecord record = run(maze, rules, *mind);
+  const auto strategy = mouse.make(brief(maze, rules, 1), Settings(mouse.parameters));
+  const RunRecord record = run(maze, rules, *strategy);
   for (const StepRecord& step : record.steps) {
     hash.add(static_cast<int>(step.action.kind));
     hash.add(step.action.rotation);
@@ -84,10 +84,10 @@ void add_drives(const Maze& maze, const DriveModel& model, Hash& hash) {
     DriveRules rules;
     rules.time_limit = 600'000'000;
     rules.maze_time_divisor = divisor;
-    for (const RosterEntry* mouse : roster()) {
+    for (const BuiltinMouse* mouse : builtin_mice()) {
       if (!mouse->drives()) continue;
-      const auto mind = mouse->drive(brief(maze, rules, model, 1), Settings(mouse->parameters));
-      const DriveRecord record = drive(maze, rules, model, *mind);
+      const auto strategy = mouse->drive(brief(maze, rules, model, 1), Settings(mouse->parameters));
+      const DriveRecord record = drive(maze, rules, model, *strategy);
       for (const DriveRun& run : record.runs) add_run(run, hash);
       hash.add(static_cast<int>(record.outcome));
     }
@@ -142,7 +142,7 @@ Hardware hardware() {
 void add_known_drive(const KnownDrive& drive, Hash& hash) {
   hash.add(drive.crashed ? 1 : 0);
   hash.add_long(drive.ticks);
-  for (const WayErrors* errors : {&drive.truth, &drive.belief})
+  for (const WayErrors* errors : {&drive.truth, &drive.estimate})
     for (const double sum : {errors->along, errors->aside, errors->direction}) hash.add_number(sum);
   for (const WallReadings* readings : {&drive.side, &drive.front}) hash.add_long(readings->wrong);
 }
@@ -150,15 +150,15 @@ void add_known_drive(const KnownDrive& drive, Hash& hash) {
 void add_physical_contest(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, Hash& hash) {
   DriveRules rules;
   rules.time_limit = 60'000'000;
-  const RosterEntry& mouse = *find_mouse("flood-return");
+  const BuiltinMouse& mouse = *find_mouse("flood-return");
   Briefing briefing = brief(maze, rules, model, 1);
   briefing.sight = 1;
-  const auto mind = mouse.drive(briefing, Settings(mouse.parameters));
-  const PhysicalRecord record = drive_physically(maze, rules, model, conditions, 1, *mind);
+  const auto strategy = mouse.drive(briefing, Settings(mouse.parameters));
+  const PhysicalRecord record = drive_physically(maze, rules, model, conditions, 1, *strategy);
   for (const DriveRun& run : record.drive.runs) add_run(run, hash);
   for (const RunEnd end : record.ends) hash.add(static_cast<int>(end));
   for (const TracePoint& point : record.trace)
-    for (const BodyPose& pose : {point.truth, point.belief.value_or(point.truth)})
+    for (const BodyPose& pose : {point.truth, point.estimate.value_or(point.truth)})
       for (const double number : {pose.position.x, pose.position.y, pose.angle}) hash.add_number(number);
 }
 
@@ -178,7 +178,7 @@ std::uint64_t behaviour_signature() {
       const GeneratorOrder order{size, 1, 100};
       if (!generator->refuses(order).empty()) continue;
       const Maze maze = generator->make(order);
-      for (const RosterEntry* mouse : roster()) add_contest(maze, *mouse, hash);
+      for (const BuiltinMouse* mouse : builtin_mice()) add_contest(maze, *mouse, hash);
     }
   return hash.value();
 }

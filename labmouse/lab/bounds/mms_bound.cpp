@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "labmouse/guests/mms/half_pose.hpp"
+#include "labmouse/external/mms/half_pose.hpp"
 
 namespace labmouse {
 namespace {

@@ -34,9 +34,9 @@ std::string description_of(const Scene& scene) {
   if (scene.heat.peak() > 0) text += fmt::format(" Most visits to a cell: {}.", scene.heat.peak());
   if (const auto& unknown = scene.layers.unknown)
     text += fmt::format(" Not known: {}.", counted(unknown->count(), "wall", "walls"));
-  if (const auto& exploration = scene.layers.exploration) {
-    text += fmt::format(" Exploration: {}", to_goal_words(*exploration));
-    text += exploration->onwards.empty() ? "." : fmt::format(", {}.", onwards_words(*exploration));
+  if (const auto& search_run = scene.layers.search_run) {
+    text += fmt::format(" Search: {}", to_goal_words(*search_run));
+    text += search_run->onwards.empty() ? "." : fmt::format(", {}.", onwards_words(*search_run));
   }
   if (scene.layers.wrong) text += fmt::format(" {}.", wrong_words(*scene.layers.wrong));
   if (const auto& explored = scene.layers.explored)
@@ -54,7 +54,7 @@ Legend legend_below(const Scene& scene) {
 /// The tones that only these layers need.
 std::vector<Tone> tones_of(const DrawingLayers& layers) {
   std::vector<Tone> tones;
-  if (layers.exploration) tones.insert(tones.end(), {to_goal, onwards});
+  if (layers.search_run) tones.insert(tones.end(), {to_goal, onwards});
   if (layers.wrong) tones.push_back(wrong);
   if (layers.candidates) tones.push_back(candidate);
   if (layers.explored) tones.insert(tones.end(), {discovered, visited});
@@ -70,7 +70,7 @@ std::string draw_svg(const Maze& maze, const DrawingLayers& layers) {
   const Sheet sheet = {width_of(scene), legend.bottom() + sheet_margin / 2,
                        layers.title.empty() ? "Maze" : layers.title, description_of(scene), tones_of(layers)};
   return sheet.with(heading_svg({scene.frame.origin.x, sheet_margin + 14}, right, layers.title) + floor_svg(scene) +
-                    walls_svg(scene) + exploration_svg(scene) + labels_svg(scene) + route_svg(scene) +
+                    walls_svg(scene) + search_run_svg(scene) + labels_svg(scene) + route_svg(scene) +
                     candidates_svg(scene) + mouse_svg(scene) + coordinates_svg(scene) + legend.svg());
 }
 

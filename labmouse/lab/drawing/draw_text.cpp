@@ -56,7 +56,7 @@ class TextDrawing {
     draw_heat();
     draw_paint();
     for_each_wall(maze_.size(), [&](Wall wall) { draw_wall(wall); });
-    draw_exploration();
+    draw_search_run();
     const auto legs = legs_of(maze_, layers_.route);
     for (const Leg& leg : legs) draw_trail(leg);
     for (std::size_t step = 0; step < legs.size(); ++step) write(legs[step].to, std::to_string(step + 1), Ink::route);
@@ -105,11 +105,11 @@ class TextDrawing {
     if (!north) canvas_.put(column(wall.cell) + 2, post_row + 1, signs.east, signs.ink);
   }
 
-  /// Signs in the cells that a leg of the exploration passes and in the gaps between them.
-  void draw_exploration() {
-    if (!layers_.exploration) return;
-    const auto first = places_of(layers_.exploration->to_goal);
-    const auto second = places_of(layers_.exploration->onwards);
+  /// Signs in the cells that a leg of the search run passes and in the gaps between them.
+  void draw_search_run() {
+    if (!layers_.search_run) return;
+    const auto first = places_of(layers_.search_run->to_goal);
+    const auto second = places_of(layers_.search_run->onwards);
     for (const auto& [row, column] : first) canvas_.put(column, row, U"+", Ink::to_goal);
     for (const auto& [row, column] : second) {
       const bool both = first.count({row, column}) > 0;
@@ -133,9 +133,9 @@ class TextDrawing {
   /// What the signs mean that only some drawings have, and the shares of the cells: a line each.
   std::string key() const {
     std::string lines;
-    if (const auto& exploration = layers_.exploration) {
-      lines += "+ " + to_goal_words(*exploration);
-      if (exploration->onwards.size() > 1) lines += ", x " + onwards_words(*exploration) + ", * both";
+    if (const auto& search_run = layers_.search_run) {
+      lines += "+ " + to_goal_words(*search_run);
+      if (search_run->onwards.size() > 1) lines += ", x " + onwards_words(*search_run) + ", * both";
       lines += '\n';
     }
     if (layers_.wrong) lines += "# " + wrong_words(*layers_.wrong) + '\n';

@@ -12,8 +12,8 @@
 
 namespace labmouse {
 
-/// The walk of an exploration in its two legs, as poses from first to last, one a step.
-struct ExplorationLegs {
+/// The walk of a search run in its two legs, as poses from first to last, one a step.
+struct SearchLegs {
   /// From the start to the first step that ends in a goal; all of the walk where none does.
   std::vector<Pose> to_goal;
   /// From there to the reset, or to the end of the record; empty where no goal was entered.
@@ -38,9 +38,9 @@ struct DrawingLayers {
   std::optional<WallSet> unknown;
   /// Walls that the mouse takes for open and that are closed: drawn in a colour of their own.
   std::optional<WallSet> wrong;
-  /// The exploration as two lines beside each other, in two colours.
-  std::optional<ExplorationLegs> exploration;
-  /// The cells that an exploration visited and those that it discovered, shaded in two tones (in text only the shares).
+  /// The search run as two lines beside each other, in two colours.
+  std::optional<SearchLegs> search_run;
+  /// The cells that a search run visited and those that it discovered, shaded in two tones (in text only the shares).
   std::optional<ExploredCells> explored;
   /// The candidates of a choice: dashes along the walls with the costs of their runs in steps, the chosen one stronger,
   /// those that were not worth the way weaker (not in text).
@@ -54,9 +54,9 @@ struct DrawingLayers {
 std::string draw_svg(const Maze& maze, const DrawingLayers& layers);
 
 /// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, wrong guesses `###` and `#`, the route
-/// as dots with the number of each step where it ends, the exploration as `+` to the goal, `x` from there on and `*`
+/// as dots with the number of each step where it ends, the search run as `+` to the goal, `x` from there on and `*`
 /// where both went, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels end in `~`. Below stand
-/// the meanings of the signs for wrong guesses and the exploration, and the shares of the explored cells. ASCII but for
+/// the meanings of the signs for wrong guesses and the search run, and the shares of the explored cells. ASCII but for
 /// what labels and title bring; with ANSI colours only where asked for.
 std::string draw_text(const Maze& maze, const DrawingLayers& layers, bool colours);
 

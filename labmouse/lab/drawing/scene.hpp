@@ -23,7 +23,7 @@ struct Scene {
   /// How many rims the plates of start and goal leave for the colours below them.
   int rims() const { return (layers.explored ? 1 : 0) + (heat.peak() > 0 ? 1 : 0); }
   /// Whether lines pass the middles of the cells, so that labels move to a corner.
-  bool lined() const { return !legs.empty() || layers.exploration; }
+  bool lined() const { return !legs.empty() || layers.search_run; }
   /// Whether the middles of the cells belong to lines or to labels, so that letters move to a corner.
   bool crowded() const { return lined() || layers.label != nullptr; }
 };
@@ -34,8 +34,8 @@ struct Scene {
 std::string floor_svg(const Scene& scene);
 /// Posts, unknown walls, walls and wrong guesses, the latter two as one path each with one segment a wall.
 std::string walls_svg(const Scene& scene);
-/// The two legs of the exploration as lines; the second one broken, so that not only its colour tells it.
-std::string exploration_svg(const Scene& scene);
+/// The two legs of the search run as lines; the second one broken, so that not only its colour tells it.
+std::string search_run_svg(const Scene& scene);
 /// The letters S and G, and the labels.
 std::string labels_svg(const Scene& scene);
 /// The numbers of columns and rows, outside of the maze.
@@ -64,7 +64,7 @@ std::string mouse_svg(Point at, Heading heading);
 std::string unknown_svg(const std::string& path);
 /// A line of the thickness of walls.
 std::string wall_svg(const Tone& tone, const std::string& path);
-/// A line of a leg of the exploration.
+/// A line of a leg of the search run.
 std::string leg_svg(const Tone& tone, const std::string& path);
 
 }  // namespace labmouse::drawing

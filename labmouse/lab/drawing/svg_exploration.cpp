@@ -1,4 +1,4 @@
-// The layer of an SVG picture that shows the way of the exploration.
+// The layer of an SVG picture that shows the way of the search run.
 #include <fmt/format.h>
 
 #include "labmouse/lab/drawing/route_line.hpp"
@@ -27,10 +27,10 @@ std::string leg_svg(const Tone& tone, const std::string& path) {
                      path);
 }
 
-std::string exploration_svg(const Scene& scene) {
-  if (!scene.layers.exploration) return "";
-  return line_svg(scene, onwards, scene.layers.exploration->onwards, onwards_lane) +
-         line_svg(scene, to_goal, scene.layers.exploration->to_goal, to_goal_lane);
+std::string search_run_svg(const Scene& scene) {
+  if (!scene.layers.search_run) return "";
+  return line_svg(scene, onwards, scene.layers.search_run->onwards, onwards_lane) +
+         line_svg(scene, to_goal, scene.layers.search_run->to_goal, to_goal_lane);
 }
 
 }  // namespace labmouse::drawing

@@ -40,9 +40,9 @@ std::string discovered_swatch() {
       fill(visited), fill(discovered));
 }
 
-void add_exploration(Legend& legend, const ExplorationLegs& exploration) {
-  legend.add(28, leg_svg(to_goal, "M0 0h28"), to_goal_words(exploration));
-  if (exploration.onwards.size() > 1) legend.add(28, leg_svg(onwards, "M0 0h28"), onwards_words(exploration));
+void add_search_run(Legend& legend, const SearchLegs& search_run) {
+  legend.add(28, leg_svg(to_goal, "M0 0h28"), to_goal_words(search_run));
+  if (search_run.onwards.size() > 1) legend.add(28, leg_svg(onwards, "M0 0h28"), onwards_words(search_run));
 }
 
 void add_explored(Legend& legend, const ExploredCells& explored) {
@@ -63,7 +63,7 @@ Legend legend_of(const Scene& scene, Point begin, int right) {
   legend.add(18, swatch(start, 'S'), "start");
   legend.add(18, swatch(goal, 'G'), "goal");
   if (!scene.legs.empty()) legend.add(32, route_sample(), route_words(scene.legs));
-  if (scene.layers.exploration) add_exploration(legend, *scene.layers.exploration);
+  if (scene.layers.search_run) add_search_run(legend, *scene.layers.search_run);
   if (scene.heat.peak() > 0) add_heat(legend, scene.heat);
   if (scene.layers.explored) add_explored(legend, *scene.layers.explored);
   if (scene.layers.wrong) legend.add(28, wall_svg(wrong, "M0 0h28"), wrong_words(*scene.layers.wrong));

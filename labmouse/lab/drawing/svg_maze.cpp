@@ -20,7 +20,7 @@ std::string posts(const Frame& frame) {
 
 /// The attributes of letters and labels: with a rim of paper where lines run below them.
 std::string writing(const Scene& scene) {
-  if (!scene.layers.exploration) return fill(ink);
+  if (!scene.layers.search_run) return fill(ink);
   return fill_and_stroke(ink, paper) + " stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
 }
 

@@ -24,11 +24,11 @@ std::string route_words(const std::vector<Leg>& legs) {
   return counted(static_cast<int>(legs.size()), "step", "steps") + ", " + counted(length_of(legs), "cell", "cells");
 }
 
-std::string to_goal_words(const ExplorationLegs& exploration) {
-  return steps(exploration.to_goal) + (exploration.onwards.empty() ? ", no goal entered" : " to the goal");
+std::string to_goal_words(const SearchLegs& search_run) {
+  return steps(search_run.to_goal) + (search_run.onwards.empty() ? ", no goal entered" : " to the goal");
 }
 
-std::string onwards_words(const ExplorationLegs& exploration) { return steps(exploration.onwards) + " from there on"; }
+std::string onwards_words(const SearchLegs& search_run) { return steps(search_run.onwards) + " from there on"; }
 
 std::string visited_words(const ExploredCells& explored) {
   return share_words(explored.visited, explored.reachable, "visited");

@@ -12,8 +12,8 @@ namespace labmouse::drawing {
 /// "17 steps, 45 cells".
 std::string route_words(const std::vector<Leg>& legs);
 /// "12 steps to the goal", and "9 steps from there on"; without the reset, which goes nowhere.
-std::string to_goal_words(const ExplorationLegs& exploration);
-std::string onwards_words(const ExplorationLegs& exploration);
+std::string to_goal_words(const SearchLegs& search_run);
+std::string onwards_words(const SearchLegs& search_run);
 /// "66 of 144 cells visited (45.8 %)", and the same for those discovered.
 std::string visited_words(const ExploredCells& explored);
 std::string discovered_words(const ExploredCells& explored);

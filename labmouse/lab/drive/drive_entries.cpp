@@ -10,21 +10,22 @@
 #include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/drive/drive_worlds.hpp"
-#include "labmouse/lab/hazards/builtin_hazards.hpp"
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/failure_rates/builtin_failure_rates.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/physical_lines.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
 
-constexpr std::array map_kinds = {name_of(MapKind::first), name_of(MapKind::belief), name_of(MapKind::learned)};
+constexpr std::array map_kinds = {name_of(MapKind::first), name_of(MapKind::log_odds), name_of(MapKind::learned)};
 
 constexpr WorldSetting robot_setting(std::string_view usual) {
   return {.name = "robot",
@@ -52,7 +53,7 @@ constexpr WorldSetting map_setting = {
     .placeholder = "KIND",
     .meaning =
         "How contradicting wall readings are handled: the first one stays (first), or a log-odds map weighs them "
-        "(belief), with a prior learned from other mazes (learned)",
+        "(log-odds), with a prior learned from other mazes (log-odds-prior)",
     .default_value = "first",
     .choices = map_kinds};
 
@@ -62,10 +63,10 @@ constexpr std::array physical_settings = {
     robot_setting("kerise"),
     rules_setting,
     noise_setting,
-    WorldSetting{.name = "spread",
+    WorldSetting{.name = "variation",
                  .placeholder = "FACTOR",
                  .meaning = "Scale of the variation between mice (1 = as measured)",
-                 .default_value = "4.25"},  // field_spread
+                 .default_value = "4.25"},  // field_variation
     WorldSetting{.name = "search-speed",
                  .placeholder = "SPEED",
                  .meaning = "Speed of the search run in mm/s; 0: the robot's own",
@@ -73,9 +74,9 @@ constexpr std::array physical_settings = {
     pace_setting,
     map_setting};
 
-std::vector<std::string> hazards_brought() {
+std::vector<std::string> rates_brought() {
   std::vector<std::string> names;
-  for (const BuiltinHazards& brought : builtin_hazards()) names.emplace_back(brought.name);
+  for (const BuiltinRates& brought : builtin_failure_rates()) names.emplace_back(brought.name);
   return names;
 }
 
@@ -85,12 +86,12 @@ constexpr std::array failures_settings = {
     noise_setting,
     pace_setting,
     map_setting,
-    WorldSetting{.name = "hazards",
-                 .placeholder = "HAZARDS",
+    WorldSetting{.name = "failure-rates",
+                 .placeholder = "RATES",
                  .meaning = "Failure rates: built-in, or a file whose name contains a slash or ends in .json, which "
-                            "`labmouse hazards --save` writes",
+                            "`labmouse failure-rates --save` writes",
                  .default_value = "kerise",
-                 .brought = hazards_brought}};
+                 .brought = rates_brought}};
 
 /// The number of a setting, or nothing, with what is wrong in the error.
 std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& chosen, std::string_view name, double low,
@@ -141,12 +142,12 @@ Parts parts_with_errors(const WorldEntry& entry, const WorldSettings& chosen) {
     return parts;
   }
   parts.conditions.noise.all = number_in(entry, chosen, "noise", 0.0, most_noise, parts.error).value_or(0.0);
-  parts.conditions.pilot.pace = number_in(entry, chosen, "pace", least_pace, 1.0, parts.error).value_or(1.0);
+  parts.conditions.controller.pace = number_in(entry, chosen, "pace", least_pace, 1.0, parts.error).value_or(1.0);
   const std::string map = value_of(entry, chosen, "map");
-  if (const std::optional<MapKind> kind = map_kind_of(map))
+  if (const std::optional<MapKind> kind = map_kind_of(today_value(map)))
     parts.conditions.map = *kind;
   else if (parts.error.empty())
-    parts.error = fmt::format("error: --map: '{}' is none of first, belief and learned", shown(map));
+    parts.error = fmt::format("error: --map: '{}' is none of first, log-odds and log-odds-prior", shown(map));
   return parts;
 }
 
@@ -154,31 +155,31 @@ WorldResult make_physical(const WorldSettings& chosen) {
   Parts parts = parts_with_errors(physical_entry, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
   PhysicalConditions& conditions = parts.conditions;
-  conditions.noise.spread = number_in(physical_entry, chosen, "spread", 0.0, most_spread, parts.error).value_or(0.0);
-  conditions.pilot.search_speed =
+  conditions.noise.variation = number_in(physical_entry, chosen, "variation", 0.0, most_variation, parts.error).value_or(0.0);
+  conditions.controller.search_speed =
       number_in(physical_entry, chosen, "search-speed", 0.0, most_search_speed, parts.error).value_or(0.0);
-  if (parts.error.empty() && conditions.pilot.search_speed > 0.0 && conditions.pilot.search_speed < least_search_speed)
+  if (parts.error.empty() && conditions.controller.search_speed > 0.0 && conditions.controller.search_speed < least_search_speed)
     parts.error = fmt::format("error: --search-speed: {:g} is less than {:g}: it is in mm/s",
-                              conditions.pilot.search_speed, least_search_speed);
+                              conditions.controller.search_speed, least_search_speed);
   if (!parts.error.empty()) return {nullptr, parts.error};
   return {physical_world(parts.rules, parts.model, conditions), "", std::move(parts.remarks)};
 }
 
 std::shared_ptr<const World> failures_world_of(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
-                                               PhysicalConditions conditions, const HazardFile& hazards) {
-  conditions.noise.spread = hazards.spread;
-  conditions.pilot.search_speed = 0.0;
-  return failure_world(rules, std::move(model), conditions, hazards);
+                                               PhysicalConditions conditions, const FailureFile& failure_rates) {
+  conditions.noise.variation = failure_rates.variation;
+  conditions.controller.search_speed = 0.0;
+  return failure_world(rules, std::move(model), conditions, failure_rates);
 }
 
 WorldResult make_failures(const WorldSettings& chosen) {
   Parts parts = parts_with_errors(failures_entry, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
-  const FoundHazards hazards = find_hazards(value_of(failures_entry, chosen, "hazards"));
-  if (!hazards.file) return {nullptr, hazards.error};
-  if (const std::string why = why_not_failures(*parts.model, parts.conditions.noise.all, *hazards.file); !why.empty())
+  const FoundRates failure_rates = find_rates(value_of(failures_entry, chosen, "failure-rates"));
+  if (!failure_rates.file) return {nullptr, failure_rates.error};
+  if (const std::string why = why_not_failures(*parts.model, parts.conditions.noise.all, *failure_rates.file); !why.empty())
     return {nullptr, why};
-  return {failures_world_of(parts.rules, parts.model, parts.conditions, *hazards.file), "", std::move(parts.remarks)};
+  return {failures_world_of(parts.rules, parts.model, parts.conditions, *failure_rates.file), "", std::move(parts.remarks)};
 }
 
 /// Robot and rules that a world was made of; nothing where the conditions are none.
@@ -212,44 +213,44 @@ std::shared_ptr<const World> restore_physical(const ReadJson& json) {
   return parts ? physical_world(parts->rules, parts->model, parts->conditions) : nullptr;
 }
 
-/// Hazards of a file are restored where the program brings the same.
+/// Failure rates of a file are restored where the program brings the same.
 std::shared_ptr<const World> restore_failures(const ReadJson& json) {
   const std::optional<Parts> parts = restored_with_errors(json);
-  if (!parts || !json.contains("hazards") || !json["hazards"].is_string()) return nullptr;
-  if (!json.contains("hazards_hash") || !json["hazards_hash"].is_string()) return nullptr;
-  const auto hazards = brought_hazards(json["hazards"].get<std::string>(), json["hazards_hash"].get<std::string>());
-  if (!hazards || !why_not_failures(*parts->model, parts->conditions.noise.all, *hazards).empty()) return nullptr;
-  return failures_world_of(parts->rules, parts->model, parts->conditions, *hazards);
+  if (!parts || !json.contains("failure_rates") || !json["failure_rates"].is_string()) return nullptr;
+  if (!json.contains("failure_rates_hash") || !json["failure_rates_hash"].is_string()) return nullptr;
+  const auto failure_rates = builtin_rates_of(json["failure_rates"].get<std::string>(), json["failure_rates_hash"].get<std::string>());
+  if (!failure_rates || !why_not_failures(*parts->model, parts->conditions.noise.all, *failure_rates).empty()) return nullptr;
+  return failures_world_of(parts->rules, parts->model, parts->conditions, *failure_rates);
 }
 
 }  // namespace
 
 /// The most noise that was counted at every pace.
-double most_noise_of(const HazardFile& hazards) {
-  double most = hazards.tallies.back().noise;
-  for (std::size_t i = 0; i + 1 < hazards.tallies.size(); ++i)
-    if (hazards.tallies[i].pace != hazards.tallies[i + 1].pace) most = std::min(most, hazards.tallies[i].noise);
+double most_noise_of(const FailureFile& failure_rates) {
+  double most = failure_rates.tallies.back().noise;
+  for (std::size_t i = 0; i + 1 < failure_rates.tallies.size(); ++i)
+    if (failure_rates.tallies[i].pace != failure_rates.tallies[i + 1].pace) most = std::min(most, failure_rates.tallies[i].noise);
   return most;
 }
 
-std::string why_not_failures(const DriveModel& model, double noise, const HazardFile& hazards) {
-  if (hazards.tables != hash_text(model.tables.hash))
+std::string why_not_failures(const DriveModel& model, double noise, const FailureFile& failure_rates) {
+  if (failure_rates.tables != hash_text(model.tables.hash))
     return fmt::format(
-        "--hazards: {} were counted of the robot {}, which is not that of --robot, {}; count those of yours with "
-        "`labmouse hazards --robot {} --save FILE`",
-        shown(hazards.name), shown(hazards.robot), shown(model.robot.name), shown(model.robot.name));
-  if (hazards.search_speed != 0.0)
+        "--failure-rates: {} were counted of the robot {}, which is not that of --robot, {}; count those of yours with "
+        "`labmouse failure-rates --robot {} --save FILE`",
+        shown(failure_rates.name), shown(failure_rates.robot), shown(model.robot.name), shown(model.robot.name));
+  if (failure_rates.search_speed != 0.0)
     return fmt::format(
-        "error: --hazards: {} were counted at a speed of its own, {:g} mm/s; count them with --search-speed 0",
-        shown(hazards.name), hazards.search_speed);
-  if (hazards.edition != physical_edition)
+        "error: --failure-rates: {} were counted at a speed of its own, {:g} mm/s; count them with --search-speed 0",
+        shown(failure_rates.name), failure_rates.search_speed);
+  if (failure_rates.edition != physical_edition)
     return fmt::format(
-        "--hazards: {} were counted in edition {} of the physical world, which is edition {} now; count "
-        "them again with `labmouse hazards --save FILE`",
-        shown(hazards.name), hazards.edition, physical_edition);
-  if (const double most = most_noise_of(hazards); noise > most)
+        "--failure-rates: {} were counted in edition {} of the physical world, which is edition {} now; count "
+        "them again with `labmouse failure-rates --save FILE`",
+        shown(failure_rates.name), failure_rates.edition, physical_edition);
+  if (const double most = most_noise_of(failure_rates); noise > most)
     return fmt::format("error: --noise: {:g} is more than {:g}, the most under which {} were counted", noise, most,
-                       shown(hazards.name));
+                       shown(failure_rates.name));
   return "";
 }
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "labmouse/lab/hazards/hazard_file.hpp"
+#include "labmouse/lab/failure_rates/failure_file.hpp"
 #include "labmouse/lab/races/world_entry.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 
@@ -13,7 +13,7 @@ extern const WorldEntry seconds_entry;
 extern const WorldEntry physical_entry;
 extern const WorldEntry failures_entry;
 
-/// Why such hazards say nothing of a robot under that noise, naming the options that chose them; empty where they do.
-std::string why_not_failures(const DriveModel& model, double noise, const HazardFile& hazards);
+/// Why such failure rates say nothing of a robot under that noise, naming the options that chose them; empty where they do.
+std::string why_not_failures(const DriveModel& model, double noise, const FailureFile& failure_rates);
 
 }  // namespace labmouse

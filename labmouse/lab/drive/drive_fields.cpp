@@ -67,7 +67,7 @@ constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
 template <auto Figure>
 std::optional<double> mean_seconds(const Race& race, const Standing& standing) {
   std::vector<double> values;
-  for_each_solved(race, standing, [&](const ContestResult& contest) {
+  for_each_finished(race, standing, [&](const ContestResult& contest) {
     if (const auto time = number_of(figure<Figure>(race, contest))) values.push_back(*time / 1e6);
   });
   return mean_if_any(values);
@@ -100,21 +100,21 @@ std::string count_text(const Race& race, const Standing& standing) {
 }
 
 constexpr std::array<MouseField, 4> mouse_fields = {
-    {{"name", fields::name}, {"parameters", fields::parameters}, {"scored", fields::solved}, {"runs", fields::runs}}};
+    {{"name", fields::name}, {"parameters", fields::parameters}, {"finished", fields::finished}, {"runs", fields::runs}}};
 constexpr std::array<MouseField, 3> score_means = {
     {{"mean_score", fields::mean_all}, {"interval", fields::interval}, {"mean_ratio", fields::mean_ratio}}};
 template <class F>
 constexpr std::array<MouseField, 3> time_means = {
     {{"mean_search", mean_time<F::search>},
      {"mean_best", mean_time<F::best>},
-     {"mean_excess", [](const Race& r, const Standing& s) { return or_none(mean_solved(r, s, "excess")); }}}};
+     {"mean_excess", [](const Race& r, const Standing& s) { return or_none(mean_finished(r, s, "excess")); }}}};
 constexpr std::array<MouseField, 2> share_means = {
     {{"mean_discovered_share",
       [](const Race& r, const Standing& s) { return or_none(mean_of_all(r, s, discovered_share)); }},
      {"mean_visited_share",
       [](const Race& r, const Standing& s) { return or_none(mean_of_all(r, s, visited_share)); }}}};
 
-constexpr Column scored_column = {"", "finished", 8, columns::solved};
+constexpr Column scored_column = {"", "finished", 8, columns::finished};
 constexpr Column score_column = {"score,",
                                  "s",
                                  7,
@@ -137,7 +137,7 @@ constexpr std::array<Column, 2> time_columns = {
 /// Contests whose best run is a fastest possible one.
 std::int64_t optimal(const Race& race, const Standing& standing) {
   std::int64_t count = 0;
-  for_each_solved(race, standing, [&](const ContestResult& contest) {
+  for_each_finished(race, standing, [&](const ContestResult& contest) {
     const auto fastest = number_of(fields::of_maze<M::fastest>(race, contest));
     const auto best = number_of(figure<S::best>(race, contest));
     if (fastest && best && *best <= *fastest) ++count;
@@ -148,14 +148,14 @@ std::int64_t optimal(const Race& race, const Standing& standing) {
 /// Contests in which the mouse knew that no faster route could exist.
 std::int64_t proven(const Race& race, const Standing& standing) {
   std::int64_t count = 0;
-  for_each_solved(race, standing, [&](const ContestResult& contest) {
+  for_each_finished(race, standing, [&](const ContestResult& contest) {
     if (number_of(figure<S::proven>(race, contest)) == 1.0) ++count;
   });
   return count;
 }
 
 std::string above_best(const Race& race, const Standing& standing) {
-  const auto excess = mean_solved(race, standing, "excess");
+  const auto excess = mean_finished(race, standing, "excess");
   return columns::number(excess ? std::optional(100.0 * *excess) : std::nullopt, 2);
 }
 
@@ -168,7 +168,7 @@ constexpr auto seconds_csv = joined(time_fields<S>, std::array<ContestField, 3>{
 constexpr auto seconds_mouse =
     joined(mouse_fields, score_means, time_means<S>,
            std::array<MouseField, 5>{
-               {{"mean_starts", [](const Race& r, const Standing& s) { return or_none(mean_solved(r, s, "starts")); }},
+               {{"mean_starts", [](const Race& r, const Standing& s) { return or_none(mean_finished(r, s, "starts")); }},
                 {"optimal", [](const Race& r, const Standing& s) -> Value { return optimal(r, s); }},
                 {"proven", [](const Race& r, const Standing& s) -> Value { return proven(r, s); }},
                 {"decisions", count<S::decisions>},
@@ -190,61 +190,61 @@ constexpr auto seconds_table = joined(
          rarely({"", "proven", 6, [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); },
                  "proven", "proven", "Contests in which the mouse knew that no route could be faster.", 0, true}),
          {"runs per", "contest", 8,
-          [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "starts"), 1); },
+          [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "starts"), 1); },
           "mean_starts", "runs", "Mean number of starts in a contest.", 1}}});
 constexpr std::array<ComparedFigure, 2> seconds_compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
 
 // Those in which things go wrong.
 
-std::optional<double> penalised(const Race& race, const Standing& standing) {
-  const auto all = sum<P::penalised>(race, standing);
+std::optional<double> mean_par1(const Race& race, const Standing& standing) {
+  const auto all = sum<P::par1>(race, standing);
   return standing.runs == 0 || !all ? std::nullopt : std::optional(*all / standing.runs);
 }
 
-Value finished(const Race&, const Standing& standing) {
-  return JsonText{fmt::format("[{},{}]", standing.finished.low, standing.finished.high)};
+Value finished_share(const Race&, const Standing& standing) {
+  return JsonText{fmt::format("[{},{}]", standing.finished_share.low, standing.finished_share.high)};
 }
 
 std::string finished_text(const Race&, const Standing& standing) {
-  const Interval& interval = standing.finished;
+  const Interval& interval = standing.finished_share;
   return standing.runs == 0 ? "-" : fmt::format("{:.0f}-{:.0f}", 100.0 * interval.low, 100.0 * interval.high);
 }
 
 constexpr std::array<ContestField, 8> run_fields = {{{"starts", figure<P::starts>},
                                                      {"done", figure<P::done>},
                                                      {"slid", figure<P::slid>},
-                                                     {"strayed", figure<P::strayed>},
-                                                     {"misread", figure<P::misread>},
-                                                     {"walled_in", figure<P::walled_in>},
+                                                     {"position_lost", figure<P::position_lost>},
+                                                     {"wall_error", figure<P::wall_error>},
+                                                     {"no_route_left", figure<P::no_route_left>},
                                                      {"late", figure<P::late>},
                                                      {"carried", figure<P::carried>}}};
 constexpr auto physical_contest = joined(
     result_fields<P>, run_fields,
     std::array<ContestField, 5>{{{"grazes", figure<P::grazes>},
-                                 {"misreads", figure<P::misreads>},
+                                 {"wrong_walls", figure<P::wrong_walls>},
                                  {"contradictions", figure<P::contradictions>},
-                                 {"frailty", figure<P::frailty>},
-                                 {"penalised", figure<P::penalised>}}},
+                                 {"severity", figure<P::severity>},
+                                 {"par1", figure<P::par1>}}},
     search_fields<P>, std::array<ContestField, 2>{{{"ended_by", figure<P::ended_by>}, {said_last, figure<P::words>}}});
 constexpr auto physical_csv = joined(time_fields<P>, run_fields,
-                                     std::array<ContestField, 4>{{{"misreads", figure<P::misreads>},
-                                                                  {"frailty", figure<P::frailty>},
-                                                                  {"penalised", figure<P::penalised>},
+                                     std::array<ContestField, 4>{{{"wrong_walls", figure<P::wrong_walls>},
+                                                                  {"severity", figure<P::severity>},
+                                                                  {"par1", figure<P::par1>},
                                                                   {"ended_by", figure<P::ended_by>}}});
 constexpr auto physical_mouse =
-    joined(mouse_fields, std::array<MouseField, 1>{{{"finished_interval", finished}}}, score_means,
+    joined(mouse_fields, std::array<MouseField, 1>{{{"finished_interval", finished_share}}}, score_means,
            std::array<MouseField, 1>{
-               {{"penalised", [](const Race& r, const Standing& s) { return or_none(penalised(r, s)); }}}},
+               {{"mean_par1", [](const Race& r, const Standing& s) { return or_none(mean_par1(r, s)); }}}},
            time_means<P>,
            std::array<MouseField, 10>{{{"starts", count<P::starts>},
                                        {"done", count<P::done>},
                                        {"slid", count<P::slid>},
-                                       {"strayed", count<P::strayed>},
-                                       {"misread", count<P::misread>},
-                                       {"walled_in", count<P::walled_in>},
+                                       {"position_lost", count<P::position_lost>},
+                                       {"wall_error", count<P::wall_error>},
+                                       {"no_route_left", count<P::no_route_left>},
                                        {"late", count<P::late>},
                                        {"carried", count<P::carried>},
-                                       {"misreads", count<P::misreads>},
+                                       {"wrong_walls", count<P::wrong_walls>},
                                        {"contradictions", count<P::contradictions>}}},
            share_means);
 constexpr auto physical_table = joined(
@@ -254,7 +254,7 @@ constexpr auto physical_table = joined(
           "Share of the contests that ended with a score, in percent: 95 % interval over the mazes.", 0, true, 100.0},
          score_column,
          {"failures", "at limit", 8,
-          [](const Race& r, const Standing& s) { return columns::number(penalised(r, s), 3); }, "penalised",
+          [](const Race& r, const Standing& s) { return columns::number(mean_par1(r, s), 3); }, "mean_par1",
           "failures at limit, s",
           "Mean score over all contests, in seconds; one without a score counts the time limit.", 3}}},
     time_columns<P>,
@@ -263,14 +263,14 @@ constexpr auto physical_table = joined(
           "Runs that began at the start, search runs among them."},
          {"tyres", "slipped", 7, count_text<P::slid>, "slid", "tyres slipped",
           "Runs that ended in a crash because the tyres did not hold."},
-         {"lost", "position", 8, count_text<P::strayed>, "strayed", "localization errors",
+         {"lost", "position", 8, count_text<P::position_lost>, "position_lost", "localization errors",
           "Runs that ended in a crash because the mouse had lost its position."},
-         {"wall", "errors", 6, count_text<P::misread>, "misread", "wall detection errors",
+         {"wall", "errors", 6, count_text<P::wall_error>, "wall_error", "wall detection errors",
           "Runs that ended in a crash into a wall that the map had as open."},
-         {"no route", "left", 8, count_text<P::walled_in>, "walled_in", "no route left",
+         {"no route", "left", 8, count_text<P::no_route_left>, "no_route_left", "no route left",
           "Runs that ended because the map had no route left, or contradicted what the mouse saw."},
          {"time", "limit", 5, count_text<P::late>, "late", "time limit", "Runs that the time limit cut short."},
-         rarely({"wrong", "walls", 5, count_text<P::misreads>, "misreads", "walls read wrongly",
+         rarely({"wrong", "walls", 5, count_text<P::wrong_walls>, "wrong_walls", "walls read wrongly",
                  "Walls that the mouse took for closed where they are open, or for open where they are closed.", 0})}});
 
 }  // namespace

@@ -36,16 +36,16 @@ enum class PhysicalFigure : std::uint8_t {
   starts,
   done,
   slid,  ///< crashes by their causes, ways home among them
-  strayed,
-  misread,
-  walled_in,
+  position_lost,
+  wall_error,
+  no_route_left,
   late,     ///< cut short by the end of the time
   carried,  ///< how often a hand took the mouse to the start
   grazes,
-  misreads,  ///< walls that it took for what they are not
+  wrong_walls,  ///< walls that it took for what they are not
   contradictions,
-  frailty,    ///< how unlucky its draws were, in deviations
-  penalised,  ///< seconds: the score, or without one the time limit
+  severity,    ///< how unlucky its draws were, in deviations
+  par1,  ///< seconds: the score, or without one the time limit
   decisions,
   replanned,
   discovered,

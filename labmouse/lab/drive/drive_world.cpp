@@ -55,7 +55,7 @@ MazeFacts DriveWorld::facts(const Maze& maze) const {
           reachable_cells(maze)};
 }
 
-Held DriveWorld::hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const {
+ContestOutput DriveWorld::hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const {
   const Contestant& mouse = race.mice[result.mouse];
   const NamedMaze& maze = race.mazes[result.maze];
   const MazeFacts& facts = race.facts[result.maze];
@@ -77,9 +77,9 @@ double DriveWorld::limit_score() const { return in_seconds(rules_.time_limit); }
 
 ScorePlace DriveWorld::score_place() const { return {"score", "value", 1e-6, -in_seconds(rules_.untouched_bonus)}; }
 
-Held DriveWorld::kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven,
+ContestOutput DriveWorld::kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven,
                       Keep keep) const {
-  Held held;
+  ContestOutput held;
   if (keep.record || keep.picture) {
     DriveRecordFile file;
     file.maze_name = maze.name;

@@ -38,7 +38,7 @@ class DriveWorld : public World {
   Settings settings(const Contestant& mouse) const override;
   std::string_view unit() const override { return "s"; }
   MazeFacts facts(const Maze& maze) const override;
-  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override;
+  ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override;
   double limit_score() const override;
   std::string_view tie_breaker() const override { return "search_us"; }
   ScorePlace score_place() const override;
@@ -48,7 +48,7 @@ class DriveWorld : public World {
   const DriveRules& rules() const { return rules_; }
   const DriveModel& model() const { return *model_; }
 
-  /// Holds the contest. `reachable`: the cells of the maze that a mouse can reach; `traced`: whether to keep where it
+  /// Runs the contest. `reachable`: the cells of the maze that a mouse can reach; `traced`: whether to keep where it
   /// was between its moves, for a record or a picture.
   virtual DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest,
                               const CellSet& reachable, bool traced, const std::atomic<bool>* stop) const = 0;
@@ -57,7 +57,7 @@ class DriveWorld : public World {
   virtual std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& score) const = 0;
 
  private:
-  Held kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven, Keep keep) const;
+  ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven, Keep keep) const;
 
   DriveRules rules_;
   std::shared_ptr<const DriveModel> model_;

@@ -43,7 +43,7 @@ Fidelity fidelity_of(const Race& physical, const Race& failures, std::size_t mou
 
 }  // namespace
 
-std::vector<Fidelity> compare_worlds(const HazardOrder& order, const HazardFile& hazards,
+std::vector<Fidelity> compare_worlds(const FailureOrder& order, const FailureFile& failure_rates,
                                      std::span<const Contestant> mice, std::span<const NamedMaze> mazes,
                                      const std::atomic<bool>* stop) {
   std::vector<Fidelity> all;
@@ -52,7 +52,7 @@ std::vector<Fidelity> compare_worlds(const HazardOrder& order, const HazardFile&
   for (const double noise : order.noises) {
     PhysicalConditions conditions = order.conditions;
     conditions.noise.all = noise;
-    conditions.noise.spread = hazards.spread;
+    conditions.noise.variation = failure_rates.variation;
     const auto race_in = [&](std::shared_ptr<const World> world) {
       RaceOrder race;
       race.world = std::move(world);
@@ -62,7 +62,7 @@ std::vector<Fidelity> compare_worlds(const HazardOrder& order, const HazardFile&
       return hold_race({mice.begin(), mice.end()}, {mazes.begin(), mazes.end()}, race, hooks);
     };
     const Race physical = race_in(physical_world(order.rules, order.model, conditions));
-    const Race failures = race_in(failure_world(order.rules, order.model, conditions, hazards));
+    const Race failures = race_in(failure_world(order.rules, order.model, conditions, failure_rates));
     if (physical.stopped || failures.stopped) return all;
     for (std::size_t mouse = 0; mouse < physical.mice.size(); ++mouse)
       all.push_back(fidelity_of(physical, failures, mouse, noise));

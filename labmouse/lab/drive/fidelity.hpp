@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/hazards/hazard_file.hpp"
-#include "labmouse/lab/hazards/hazards.hpp"
+#include "labmouse/lab/failure_rates/failure_file.hpp"
+#include "labmouse/lab/failure_rates/failure_rates.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
 
 namespace labmouse {
@@ -31,7 +31,7 @@ struct FidelityBars {
 };
 
 /// Holds all contests of an order in both worlds: for each mouse and noise what came of it.
-std::vector<Fidelity> compare_worlds(const HazardOrder& order, const HazardFile& hazards,
+std::vector<Fidelity> compare_worlds(const FailureOrder& order, const FailureFile& failure_rates,
                                      std::span<const Contestant> mice, std::span<const NamedMaze> mazes,
                                      const std::atomic<bool>* stop = nullptr);
 

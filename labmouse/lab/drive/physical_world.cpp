@@ -38,7 +38,7 @@ std::int64_t done_runs(const DriveRecord& record, const PhysicalNotes& notes) {
 /// What ended a contest without a score.
 RunEnd end_of(const DriveRecord& record, const PhysicalNotes& notes) {
   if (record.outcome == DriveOutcome::forfeit)
-    return record.reason == ForfeitReason::no_way ? RunEnd::walled_in : RunEnd::given_up;
+    return record.reason == ForfeitReason::no_way ? RunEnd::no_route_left : RunEnd::given_up;
   for (auto end = notes.ends.rbegin(); end != notes.ends.rend(); ++end)
     if (*end != RunEnd::done) return *end;
   return RunEnd::out_of_time;
@@ -55,9 +55,9 @@ class PhysicalWorld : public DriveWorld {
             {"robot", JsonText{robot_json(model().robot, RobotParts::with_body).dump()}},
             {"tables", hash_text(model().tables.hash)},
             {"noise", conditions_.noise.all},
-            {"spread", conditions_.noise.spread},
-            {"search_speed", conditions_.pilot.search_speed},
-            {"pace", conditions_.pilot.pace},
+            {"variation", conditions_.noise.variation},
+            {"search_speed", conditions_.controller.search_speed},
+            {"pace", conditions_.controller.pace},
             {"map", std::string(name_of(conditions_.map))}};
   }
   int edition() const override { return physical_edition; }
@@ -69,7 +69,7 @@ class PhysicalWorld : public DriveWorld {
   }
   using DriveWorld::refuse;
 
-  bool throws_dice() const override { return true; }
+  bool is_stochastic() const override { return true; }
   const WorldFields& fields() const override { return physical_fields(); }
 
   std::string notes(const Race& race) const override {
@@ -94,7 +94,7 @@ class PhysicalWorld : public DriveWorld {
  private:
   /// "noise 1 was measured" holds of one mouse; how far mice are apart is a guess that belongs beside it.
   std::string noise_text() const {
-    return fmt::format("noise {:g}, spread {:g}", conditions_.noise.all, conditions_.noise.spread);
+    return fmt::format("noise {:g}, spread {:g}", conditions_.noise.all, conditions_.noise.variation);
   }
 
   DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
@@ -105,7 +105,7 @@ class PhysicalWorld : public DriveWorld {
       return drive_itself(*program, maze, conditions, contest);
     Briefing briefing = brief(maze, rules(), model(), contest.seed);
     briefing.sight = 1;
-    briefing.drive.pace = conditions.pilot.pace;
+    briefing.drive.pace = conditions.controller.pace;
     const auto strategy = mouse.driving_strategy(maze, briefing);
     conditions.map = strategy->map_kind().value_or(conditions.map);
     StoppableDriver stoppable(*strategy, stop);
@@ -120,7 +120,7 @@ class PhysicalWorld : public DriveWorld {
   /// That of a mouse whose whole program is somebody else's.
   DrivenContest drive_itself(const ControllerProgram& program, const Maze& maze, const PhysicalConditions& conditions,
                              const ContestResult& contest) const {
-    const auto code = program(pilot_briefing(maze, rules(), model(), conditions, contest.told));
+    const auto code = program(controller_briefing(maze, rules(), model(), conditions, contest.told));
     DrivenContest driven =
         driven_of(drive_by_code(maze, rules(), model(), conditions, contest.seed, *code), conditions);
     driven.words = code->last_words();
@@ -147,15 +147,15 @@ class PhysicalWorld : public DriveWorld {
     return {std::int64_t{starts_of(record)},
             done_runs(record, notes),
             ends_of(notes, RunEnd::slid),
-            ends_of(notes, RunEnd::strayed),
-            if_told(ends_of(notes, RunEnd::misread)),
-            if_told(ends_of(notes, RunEnd::walled_in)),
+            ends_of(notes, RunEnd::position_lost),
+            if_told(ends_of(notes, RunEnd::wall_error)),
+            if_told(ends_of(notes, RunEnd::no_route_left)),
             ends_of(notes, RunEnd::out_of_time),
             std::int64_t{notes.carried},
             std::int64_t{grazes},
-            if_told(notes.misreads),
+            if_told(notes.wrong_walls),
             if_told(notes.contradictions),
-            notes.frailty,
+            notes.severity,
             in_seconds(score.value().value_or(rules().time_limit)),
             std::int64_t{record.decisions},
             std::int64_t{record.replanned},
@@ -171,17 +171,17 @@ class PhysicalWorld : public DriveWorld {
 class FailureWorld final : public PhysicalWorld {
  public:
   FailureWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions,
-               const HazardFile& hazards)
+               const FailureFile& failure_rates)
       : PhysicalWorld(rules, std::move(model), conditions),
-        hazards_name_(hazards.name),
-        hazards_hash_(hazards.hash),
-        hazards_(hazards_of(hazards)) {}
+        rates_name_(failure_rates.name),
+        rates_hash_(failure_rates.hash),
+        rates_(rates_of(failure_rates)) {}
 
   std::string_view name() const override { return "failures"; }
   std::vector<Condition> conditions() const override {
     std::vector<Condition> all = PhysicalWorld::conditions();
-    all.push_back({"hazards", hazards_name_});
-    all.push_back({"hazards_hash", hazards_hash_});
+    all.push_back({"failure_rates", rates_name_});
+    all.push_back({"failure_rates_hash", rates_hash_});
     return all;
   }
   int edition() const override { return failures_edition; }
@@ -193,23 +193,23 @@ class FailureWorld final : public PhysicalWorld {
  private:
   PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
                             DrivingStrategy& mouse) const override {
-    return drive_with_failures(maze, rules(), model(), conditions, hazards_, seed, mouse);
+    return drive_with_failures(maze, rules(), model(), conditions, rates_, seed, mouse);
   }
 
   void complete(PhysicalPart& part) const override {
-    part.hazards = hazards_name_;
-    part.hazards_hash = hazards_hash_;
+    part.failure_rates = rates_name_;
+    part.rates_hash = rates_hash_;
   }
 
-  std::string hazards_name_, hazards_hash_;
-  Hazards hazards_;
+  std::string rates_name_, rates_hash_;
+  FailureRates rates_;
 };
 
 }  // namespace
 
 std::shared_ptr<const World> failure_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
-                                           const PhysicalConditions& conditions, const HazardFile& hazards) {
-  return std::make_shared<FailureWorld>(rules, std::move(model), conditions, hazards);
+                                           const PhysicalConditions& conditions, const FailureFile& failure_rates) {
+  return std::make_shared<FailureWorld>(rules, std::move(model), conditions, failure_rates);
 }
 
 std::shared_ptr<const World> physical_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,

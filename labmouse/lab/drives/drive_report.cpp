@@ -36,7 +36,7 @@ Json readings_json(const WallReadings& readings) {
 }  // namespace
 
 std::string table_of(std::span<const DriveTally> tallies, const DriveOrder& order) {
-  std::string text = fmt::format("Robot {}, spread {:g}\n\n", shown(order.model->robot.name), tallies.front().spread);
+  std::string text = fmt::format("Robot {}, spread {:g}\n\n", shown(order.model->robot.name), tallies.front().variation);
   text += fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>6} {:>6} {:>6} {:>11} {:>9} {:>9} {:>8}\n", "", "",
                       "crashed", "95 %", "without", "worst", "aside", "along", "turned", "most aside", "side", "front",
                       "cells a");
@@ -65,7 +65,7 @@ std::string json_of(std::span<const DriveTally> tallies, const DriveOrder& order
   for (const DriveTally& tally : tallies) {
     const Interval& interval = tally.interval;
     list.push_back({{"name", tally.name},
-                    {"spread", tally.spread},
+                    {"variation", tally.variation},
                     {"stopped", tally.stopped},
                     {"mazes", tally.mazes},
                     {"mazes_without_crash", tally.mazes_without_crash},
@@ -78,7 +78,7 @@ std::string json_of(std::span<const DriveTally> tallies, const DriveOrder& order
                     {"seconds", static_cast<double>(tally.ticks) * tick_seconds},
                     {"grazes", tally.grazes},
                     {"truth", errors_json(tally.truth, tally.ticks)},
-                    {"belief", errors_json(tally.belief, tally.ticks)},
+                    {"belief", errors_json(tally.estimate, tally.ticks)},
                     {"most_aside_mm", {quantile(tally.most_aside, 0.5), quantile(tally.most_aside, 0.95)}},
                     {"side_readings", readings_json(tally.side)},
                     {"front_readings", readings_json(tally.front)}});

@@ -19,7 +19,7 @@ void add(DriveTally& tally, const KnownDrive& drive) {
   tally.ticks += drive.ticks;
   tally.grazes += drive.grazes;
   tally.truth += drive.truth;
-  tally.belief += drive.belief;
+  tally.estimate += drive.estimate;
   tally.side += drive.side;
   tally.front += drive.front;
   if (!drive.crashed) tally.most_aside.push_back(drive.most_aside);
@@ -67,7 +67,7 @@ std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<cons
   for (std::size_t c = 0; c < cases.size(); ++c) {
     DriveTally& tally = tallies.emplace_back();
     tally.name = cases[c].name;
-    tally.spread = cases[c].conditions.noise.spread;
+    tally.variation = cases[c].conditions.noise.variation;
     std::vector<MazeSum> crashes;
     for (std::size_t m = 0; m < mazes.size(); ++m) {
       const auto& [here, stopped] = drives[c * mazes.size() + m];
@@ -109,7 +109,7 @@ std::vector<DriveCase> cases_by_correction(const PhysicalConditions& conditions)
   std::vector<DriveCase> cases;
   const auto add_case = [&](const char* name, const CorrectionChoice& choice) {
     cases.push_back({name, conditions});
-    cases.back().conditions.pilot.corrections = choice;
+    cases.back().conditions.controller.corrections = choice;
   };
   add_case("all", {true, true, true});
   add_case("sides", {true, false, false});

@@ -1,4 +1,4 @@
-// Many drives along known ways: how often a pilot crashes and misreads, under which noise and with which corrections.
+// Many drives along known ways: how often a controller crashes and wrong walls, under which noise and with which corrections.
 #pragma once
 
 #include <atomic>
@@ -33,7 +33,7 @@ struct DriveOrder {
 /// All drives of a case, in mazes in which there is a way.
 struct DriveTally {
   std::string name;
-  double spread = 0.0;   ///< by which what a contest draws of the mouse is multiplied
+  double variation = 0.0;   ///< by which what a contest draws of the mouse is multiplied
   bool stopped = false;  ///< before all of its drives were done
   int mazes = 0;
   int mazes_without_crash = 0;
@@ -43,7 +43,7 @@ struct DriveTally {
   int crashed = 0;
   Interval interval;  ///< of the share of these, over mazes
   std::int64_t cells = 0, ticks = 0, grazes = 0;
-  WayErrors truth, belief;
+  WayErrors truth, estimate;
   WallReadings side, front;
   std::vector<double> most_aside;  ///< of the drives that did not crash, in order
 };

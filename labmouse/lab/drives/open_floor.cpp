@@ -8,10 +8,10 @@ OpenFloor::OpenFloor(const Hardware& hardware, double cell, double stronger)
     : hardware_(hardware),
       maze_(MazeDraft({1, 1}, MazeDraft::Inside::open)),
       field_(maze_, cell),
-      specimen_(hardware, {0.0}, maze_.size(), 0),
-      plant_(field_, hardware, specimen_, 0),
+      robot_sample_(hardware, {0.0}, maze_.size(), 0),
+      plant_(field_, hardware, robot_sample_, 0),
       control_(gains_for(hardware, cell), hardware.motors) {
-  specimen_.motor = {1.0 - stronger / 2.0, 1.0 + stronger / 2.0};
+  robot_sample_.motor = {1.0 - stronger / 2.0, 1.0 + stronger / 2.0};
   plant_.put({cell / 2.0, cell / 2.0}, 0.0);
   note();
 }

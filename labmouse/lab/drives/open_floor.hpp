@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "labmouse/body/plant.hpp"
-#include "labmouse/pilot/axis_control.hpp"
+#include "labmouse/controller/axis_control.hpp"
 
 namespace labmouse {
 
@@ -29,7 +29,7 @@ class OpenFloor {
   const Hardware& hardware_;
   Maze maze_;
   Field field_;
-  Specimen specimen_;
+  RobotSample robot_sample_;
   Plant plant_;
   AxisControl control_;
   std::vector<double> ways_, angles_;

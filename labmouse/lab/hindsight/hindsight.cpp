@@ -14,12 +14,12 @@
 #include "labmouse/lab/studies/parameter_range.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "labmouse/mouse/knowledge.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
 
-/// Whether step i of the exploration ended in a goal.
+/// Whether step i of the search run ended in a goal.
 bool ends_in_goal(const RunRecord& record, std::size_t i, const Maze& maze) {
   if (record.steps[i].action.kind != Action::Kind::step) return false;
   return maze.is_goal(i + 1 < record.steps.size() ? record.steps[i + 1].pose.cell : record.end.cell);
@@ -36,7 +36,7 @@ Setting shifted(const Parameter& parameter, double value, Dice& dice) {
 
 /// The parameters of a mouse; none for the oracle.
 std::span<const Parameter> parameters_of(const Contestant& mouse) {
-  const RosterEntry* entry = entry_of(mouse);
+  const BuiltinMouse* entry = entry_of(mouse);
   return entry == nullptr ? std::span<const Parameter>() : entry->parameters;
 }
 
@@ -82,7 +82,7 @@ class Collector {
   std::vector<double> stops_;  ///< of the mouse's own contests, by run
 };
 
-/// The mouse and, where it throws no dice, its perturbed variants.
+/// The mouse and, where it is deterministic, its perturbed variants.
 std::vector<Contestant> all_mice(const Contestant& mouse, const HindsightOrder& order) {
   std::vector<Contestant> mice = {mouse};
   if (mouse.uses_chance || order.others == 0) return mice;
@@ -113,7 +113,7 @@ void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, cons
     Collector collector(hindsight, maze->maze);
     RaceHooks race_hooks;
     race_hooks.stop = hooks.stop;
-    race_hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
+    race_hooks.finished = [&](const Race& race, const ContestResult& contest, const ContestOutput& held) {
       collector.note_stop(race, contest, *held.run);
       if (hooks.finished) hooks.finished(all);
     };
@@ -133,14 +133,14 @@ double best_stop(const RunRecord& record, const Maze& maze, const Rules& rules) 
   DistanceField to_goal(maze.size(), strides(rules.stride));
   double best = score(record, rules).value.value_or(rules.failure_score);
   bool entered = false;
-  for (std::size_t i = 0; i < record.steps.size() && record.steps[i].run == Run::exploration; ++i) {
+  for (std::size_t i = 0; i < record.steps.size() && record.steps[i].run == Run::search_run; ++i) {
     const StepRecord& step = record.steps[i];
     if (!known.learn(step.pose, step.sighting)) break;
     if (entered) {
       to_goal.fill(known.open(), maze.goals());
       // This step as the reset. Where the start is a goal, one step has to end there.
-      const int exploration = static_cast<int>(i) + 1, speed = std::max(1, to_goal.at(maze.start()));
-      if (exploration + speed <= rules.budget) best = std::min(best, score_of(exploration, speed, rules));
+      const int search_run = static_cast<int>(i) + 1, speed = std::max(1, to_goal.at(maze.start()));
+      if (search_run + speed <= rules.budget) best = std::min(best, score_of(search_run, speed, rules));
     }
     entered = entered || ends_in_goal(record, i, maze);
   }
@@ -181,7 +181,7 @@ Hindsight look_back(std::string_view spec, const std::vector<NamedMaze>& mazes, 
     return hindsight;
   }
   hindsight.mouse = mouse.name;
-  hindsight.throws_dice = mouse.uses_chance;
+  hindsight.is_stochastic = mouse.uses_chance;
   hindsight.has_others = order.others > 0 && (mouse.uses_chance || has_numbers(mouse));
   race_all(mouse, mazes, hooks, hindsight);
   return hindsight;

@@ -31,11 +31,11 @@ struct HindsightOrder {
   Rules rules;
   /// Its world is always that of steps, under these rules.
   RaceOrder race;
-  /// Perturbed variants or, for a mouse that throws dice, further seeds; 0 for none.
+  /// Perturbed variants or, for a mouse that is stochastic, further seeds; 0 for none.
   int others = 64;
 };
 
-/// One maze with a route. Means over the runs for a mouse that throws dice; a failed contest counts the failure score.
+/// One maze with a route. Means over the runs for a mouse that is stochastic; a failed contest counts the failure score.
 struct MazeHindsight {
   std::string maze;
   Bound bound;
@@ -50,7 +50,7 @@ struct MazeHindsight {
 struct Hindsight {
   HindsightOrder order;
   std::string mouse;         ///< its SPEC
-  bool throws_dice = false;  ///< then the others are further seeds
+  bool is_stochastic = false;  ///< then the others are further seeds
   bool has_others = false;   ///< dice or numbers to perturb, and asked for
   std::vector<MazeHindsight> mazes;
   std::vector<std::string> routeless;  ///< mazes whose goal cannot be reached

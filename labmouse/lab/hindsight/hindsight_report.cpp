@@ -25,7 +25,7 @@ std::string others_text(const Hindsight& hindsight) {
   if (!hindsight.has_others)
     return fmt::format("{} has no numeric parameters to vary and throws no dice, so it has no best of several.\n",
                        hindsight.mouse);
-  if (hindsight.throws_dice)
+  if (hindsight.is_stochastic)
     return fmt::format("{}: in each maze, the lowest score of its contests and of {} more seeds.\n", best_of(hindsight),
                        hindsight.order.others);
   return fmt::format(
@@ -50,7 +50,7 @@ std::string notes_of(const Hindsight& hindsight) {
       "best stop: the mouse's own walk, reset at the best step after entering the goal,\n"
       "and the shortest route known by then; what that run would see is ignored.\n";
   notes += others_text(hindsight);
-  if (hindsight.throws_dice)
+  if (hindsight.is_stochastic)
     notes += fmt::format("score, best stop: means of {} runs in each maze.\n", hindsight.order.race.runs);
   notes += fmt::format("A failed contest counts {:g}{}.\n", rules.failure_score,
                        has_high_bound(hindsight) ? ", which in some of these mazes is less than the bound" : "");
@@ -109,10 +109,10 @@ std::string json_of(const Hindsight& hindsight) {
   Json json;
   json["labmouse"] = version();
   json["mouse"] = hindsight.mouse;
-  json["throws_dice"] = hindsight.throws_dice;
+  json["is_stochastic"] = hindsight.is_stochastic;
   json["seed"] = hindsight.order.race.seed;
   json["budget"] = hindsight.order.rules.budget;
-  json["runs"] = hindsight.throws_dice ? hindsight.order.race.runs : 1;
+  json["runs"] = hindsight.is_stochastic ? hindsight.order.race.runs : 1;
   json["others"] = hindsight.has_others ? hindsight.order.others : 0;
   json["stopped"] = hindsight.stopped;
   json["bounds"] = {"bound"};

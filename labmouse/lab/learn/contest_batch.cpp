@@ -41,14 +41,14 @@ Size largest_of(std::span<const Maze> mazes) {
 
 }  // namespace
 
-double exploration_reward(const Rules& rules) {
+double search_reward(const Rules& rules) {
   constexpr double grain = 1LL << 40;
-  return -std::round(grain / rules.exploration_factor) / grain;
+  return -std::round(grain / rules.search_factor) / grain;
 }
 
 ContestBatch::ContestBatch(int count, Size size, std::size_t slots, MazeOrder order, const Rules& rules)
     : rules_(rules),
-      exploration_reward_(exploration_reward(rules)),
+      search_reward_(search_reward(rules)),
       size_(size),
       order_(order),
       contests_(static_cast<std::size_t>(count)) {
@@ -222,7 +222,7 @@ void ContestBatch::settle(std::size_t contest, int choice, bool in_speed_run) {
   const bool at_goal = choice != reset_choice && is_goal(corridors(settled));
   ContestState state = ContestState::running;
   if (at_goal && in_speed_run)
-    state = ContestState::solved;
+    state = ContestState::finished;
   else if (settled.clock == rules_.budget)
     state = settled.speed_run                 ? ContestState::speed_run_unfinished
             : settled.goal_entered || at_goal ? ContestState::never_reset
@@ -230,8 +230,8 @@ void ContestBatch::settle(std::size_t contest, int choice, bool in_speed_run) {
   settled.goal_entered = settled.goal_entered || at_goal;
   settled.ended = state != ContestState::running;
   double& sum = memory_.returns[contest];
-  double reward = in_speed_run ? -1.0 : exploration_reward_;
-  if (state == ContestState::solved)
+  double reward = in_speed_run ? -1.0 : search_reward_;
+  if (state == ContestState::finished)
     reward = -score_of(settled.explored, settled.clock - settled.explored, rules_) - sum;
   else if (settled.ended)
     reward = -rules_.failure_score - sum;

@@ -1,12 +1,12 @@
-// Many contests of the capstone world, stepped together, for minds that learn by playing.
+// Many contests of the capstone world, stepped together, for strategies that learn by playing.
 //
 // Each contest is that of contest/simulator, step for step: the same rules, readings, outcomes and scores. Choices go
 // in by their numbers (choices.hpp); what a learner observes comes out, into memory of the caller. A step takes no
 // memory of its own, except that a contest in a maze that is made for it takes what the generator does.
 //
-// Rewards: -1 / exploration_factor for each step of the exploration (the reset's is one), -1 for each of the speed run.
+// Rewards: -1 / search_factor for each step of the search run (the reset's is one), -1 for each of the speed run.
 // The last reward of a contest makes their sum, added in order as doubles, minus the score to the last bit, or minus
-// failure_score where the contest failed; that of a solved contest is -1 but for 1e-9. A contest fails when its steps
+// failure_score where the contest failed; that of a finished contest is -1 but for 1e-9. A contest fails when its steps
 // are used up, which belongs to the rules: so it ends, and is never cut off.
 //
 // Contests restart by themselves: the step after the last of a contest ignores the choice, begins the next contest,
@@ -35,8 +35,8 @@ enum class RowColumn : std::uint8_t {
   x,             ///< the mouse's cell
   y,             ///< counts northwards
   heading,       ///< 0 north, 1 east, 2 south, 3 west
-  speed_run,     ///< 1 in the speed run, 0 in the exploration
-  goal_entered,  ///< 1 once a step of the exploration ended in a goal
+  speed_run,     ///< 1 in the speed run, 0 in the search run
+  goal_entered,  ///< 1 once a step of the search run ended in a goal
   steps_left,    ///< steps that are left over both runs
   blocked,       ///< 1 where a wall ended the last movement early
   width,         ///< of the maze
@@ -48,8 +48,8 @@ enum class RowColumn : std::uint8_t {
 };
 inline constexpr int row_columns = 16;
 
-/// How a contest of a batch stands. From `solved` on it has ended; the names are those of Outcome.
-enum class ContestState : std::uint8_t { running, solved, out_of_steps, never_reset, speed_run_unfinished };
+/// How a contest of a batch stands. From `finished` on it has ended; the names are those of Outcome.
+enum class ContestState : std::uint8_t { running, finished, out_of_steps, never_reset, speed_run_unfinished };
 
 /// Where a batch of n contests writes. What is empty is not written; at most one of words and bytes has memory. The
 /// belief is kept nowhere else, and the rows are changed in place: nobody but the batch may write there.
@@ -108,7 +108,7 @@ class ContestBatch {
     std::uint64_t played = 0;  // contests begun
     std::uint32_t slot = 0;    // its maze's table
     std::int16_t clock = 0;
-    std::int16_t explored = 0;  // steps of the exploration
+    std::int16_t explored = 0;  // steps of the search run
     std::uint8_t x = 0, y = 0, heading = 0;
     std::uint8_t moved = 0, direction = 0;  // by the last step
     bool blocked = false, speed_run = false, goal_entered = false;
@@ -149,7 +149,7 @@ class ContestBatch {
   Corridors corridors(const Contest& contest) const { return tables_[contest.slot * area() + place(contest)]; }
 
   Rules rules_;
-  double exploration_reward_;
+  double search_reward_;
   Size size_;
   MazeOrder order_;
   std::uint64_t maze_count_ = 0;  // 0: endless
@@ -161,8 +161,8 @@ class ContestBatch {
   BatchMemory memory_;
 };
 
-/// What a step of the exploration pays: -1 / exploration_factor, rounded to a multiple of 2^-40. So no sum of a contest
+/// What a step of the search run pays: -1 / search_factor, rounded to a multiple of 2^-40. So no sum of a contest
 /// is rounded, and the last reward can make it the score to the last bit.
-double exploration_reward(const Rules& rules);
+double search_reward(const Rules& rules);
 
 }  // namespace labmouse

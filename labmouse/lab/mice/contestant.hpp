@@ -1,4 +1,4 @@
-// A mouse that takes part in races, and how guests are started.
+// A mouse that takes part in races, and how external mice are started.
 #pragma once
 
 #include <atomic>
@@ -14,11 +14,11 @@
 #include <variant>
 #include <vector>
 
-#include "labmouse/contest/pilot_code.hpp"
+#include "labmouse/contest/controller_code.hpp"
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
-#include "labmouse/guests/hidden_files.hpp"
-#include "labmouse/guests/launch.hpp"
+#include "labmouse/external/hidden_files.hpp"
+#include "labmouse/external/launch.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/driving_strategy.hpp"
@@ -26,7 +26,7 @@
 
 namespace labmouse {
 
-/// What runs a guest's program.
+/// What runs an external mouse's program.
 struct Interpreter {
   std::string path;
   std::string version;  ///< of a Python: "3.11.2"; empty for others
@@ -53,7 +53,7 @@ struct PlayedContest {
 using PlayedContests = std::map<std::pair<std::string, std::uint64_t>, PlayedContest>;
 
 /// A program that drives a mouse in the physical world itself: what starts it.
-using ControllerProgram = std::function<std::unique_ptr<PilotCode>(const PilotBriefing&)>;
+using ControllerProgram = std::function<std::unique_ptr<ControllerCode>(const ControllerBriefing&)>;
 
 /// A program that talks to mms: how to start it.
 using MmsProgram = Launch;
@@ -65,31 +65,31 @@ struct Contestant {
   std::string name;
   /// Its SPEC, where the name is another.
   std::string spec;
-  /// What a lineup says of it: its author, a link.
+  /// What a mice file says of it: its author, a link.
   std::string note;
-  /// Of a capstone robot, and of others where a lineup names one.
+  /// Of a capstone robot, and of others where a mice file names one.
   std::optional<Interpreter> interpreter;
-  /// The file of the lineup that it stands in, maybe among mice of other worlds: where it cannot race, the others do
+  /// The file of the mice file that it stands in, maybe among mice of other worlds: where it cannot race, the others do
   /// without it. Empty for all others.
-  std::string lineup;
+  std::string mice_file;
   Settings settings;
   bool uses_chance = false;
-  /// Contests in each maze; 0: as many as the race holds of a mouse that throws dice, or one.
+  /// Contests in each maze; 0: as many as the race holds of a mouse that is stochastic, or one.
   int runs = 0;
   /// Takes part as a measure and not as a contestant (the oracle).
   bool reference = false;
   std::variant<Decider, PlayedContests, ControllerProgram, MmsProgram> kind;
   /// A program that is not ours. In all mazes of a run it is told the same seed.
   bool external = false;
-  /// Of a guest whether it lives in a sandbox; nothing for all others.
+  /// Of an external mouse whether it lives in a sandbox; nothing for all others.
   std::optional<bool> sandboxed;
   std::string why_no_sandbox;  ///< where the system has none
-  bool keeps_folder = false;   ///< of a guest: it writes to its folder itself, and may remember earlier contests
-  bool reads_only = false;     ///< of a guest: its folder is read-only, because the system has no overlays
-  /// The files that a guest does not see, a list to add to; null for all others.
+  bool keeps_folder = false;   ///< of an external mouse: it writes to its folder itself, and may remember earlier contests
+  bool reads_only = false;     ///< of an external mouse: its folder is read-only, because the system has no overlays
+  /// The files that an external mouse does not see, a list to add to; null for all others.
   std::shared_ptr<HiddenFiles> hidden;
   /// What it is, as a text that is another one where it may play otherwise: for stores of contests. Empty for mice of
-  /// ours, whose names and parameters say it; of a guest it reads files.
+  /// ours, whose names and parameters say it; of an external mouse it reads files.
   std::function<std::string()> identity;
   /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place
   /// of what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
@@ -111,7 +111,7 @@ struct Contestant {
 /// The SPEC of a mouse, whatever it is called.
 inline const std::string& spec_of(const Contestant& mouse) { return mouse.spec.empty() ? mouse.name : mouse.spec; }
 
-/// What guests without a sandbox could do to the machine that they ran on and to the race, and what those with one
+/// What external mice without a sandbox could do to the machine that they ran on and to the race, and what those with one
 /// could remember, in lines; nothing where there is nothing to say.
 std::string freedom_note(const std::vector<Contestant>& mice);
 
@@ -122,37 +122,37 @@ void rename(Contestant& mouse, const std::string& name);
 struct SpecResult {
   std::vector<Contestant> contestants;
   std::string error;
-  /// Where a lineup is wrong all that is, a line each with its place; the error is the first of them.
+  /// Where a mice file is wrong all that is, a line each with its place; the error is the first of them.
   std::vector<std::string> problems = {};
 };
 
-/// Whether guests live in sandboxes.
+/// Whether external mice live in sandboxes.
 enum class SandboxUse { where_possible, always, never };
 
-/// What is installed for the Pythons of guests: found out once for all guests of a race, since that starts each Python.
+/// What is installed for the Pythons of external mice: found out once for all external mice of a race, since that starts each Python.
 struct InstalledPackages {
   std::mutex mutex;
   std::map<std::vector<std::string>, std::string> known;  ///< by the program and what its environment has besides ours
 };
 
-/// How guests are started.
-struct GuestOptions {
+/// How external mice are started.
+struct ExternalOptions {
   std::string python;          ///< for capstone robots; empty: the python3 of PATH
   std::string label;           ///< stands for the content of their files in stores of contests; empty: what they hold
   std::string directory;       ///< where commands run; empty: here
   bool owns_directory = true;  ///< whether that, where it is named, is the folder of the mouse
-  /// What a lineup says of one guest: what is put before the words of its command and behind them, and variables of its
+  /// What a mice file says of one guest: what is put before the words of its command and behind them, and variables of its
   /// environment as NAME=VALUE.
   std::string interpreter;
   std::vector<std::string> arguments, environment;
-  GuestLimits limits;
+  ExternalLimits limits;
   SandboxUse sandbox = SandboxUse::where_possible;
   bool keep_folder = false;  ///< as of Launch
   /// What they do not see: a list that copies of these options share. The mazes of a race are added by the race.
   std::shared_ptr<HiddenFiles> hidden = std::make_shared<HiddenFiles>();
   std::shared_ptr<InstalledPackages> packages = std::make_shared<InstalledPackages>();  ///< as of the list before
-  int runs = 1;                             ///< contests of each guest in each maze
-  const std::atomic<bool>* stop = nullptr;  ///< once true, guests are ended; may be null
+  int runs = 1;                             ///< contests of each external mouse in each maze
+  const std::atomic<bool>* stop = nullptr;  ///< once true, external mice are ended; may be null
 };
 
 }  // namespace labmouse

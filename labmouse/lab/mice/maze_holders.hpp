@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "labmouse/guests/hidden_files.hpp"
+#include "labmouse/external/hidden_files.hpp"
 
 namespace labmouse {
 

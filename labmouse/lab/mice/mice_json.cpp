@@ -1,6 +1,6 @@
 #include "labmouse/lab/mice/mice_json.hpp"
 
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -35,13 +35,13 @@ Json parameter_json(const Parameter& parameter, bool plays_in_both) {
 
 Json mice_json() {
   Json mice = Json::array();
-  for (const RosterEntry* mouse : all_mice()) {
+  for (const BuiltinMouse* mouse : all_mice()) {
     Json parameters = Json::array();
     for (const Parameter& parameter : mouse->parameters)
       parameters.push_back(parameter_json(parameter, mouse->walks() && mouse->drives()));
     mice.push_back({{"name", mouse->name},
                     {"summary", mouse->summary},
-                    {"throws_dice", mouse->uses_chance(Settings(mouse->parameters))},
+                    {"is_stochastic", mouse->uses_chance(Settings(mouse->parameters))},
                     {"walks", mouse->walks()},
                     {"drives", mouse->drives()},
                     {"parameters", std::move(parameters)},

@@ -1,11 +1,11 @@
-// The roster as JSON: what each mouse does, and its parameters with defaults and ranges.
+// The list of built-in mice as JSON: what each mouse does, and its parameters with defaults and ranges.
 #pragma once
 
 #include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
-/// A list of `name`, `summary`, `throws_dice` and `parameters`, the simplest mouse first. A parameter has `name`,
+/// A list of `name`, `summary`, `is_stochastic` and `parameters`, the simplest mouse first. A parameter has `name`,
 /// `type`, `default`, `meaning`, and `low` and `high`, or `choices`.
 Json mice_json();
 

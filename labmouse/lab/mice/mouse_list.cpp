@@ -6,7 +6,7 @@
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/mouse/tie_order.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -34,13 +34,13 @@ std::string value_line(const Parameter& parameter) {
 
 /// Above parameters that count in the same worlds; those of a mouse that races in one kind of world alone need not say
 /// which.
-std::string_view heading_of(const Parameter& parameter, const RosterEntry& mouse) {
-  if (parameter.scope == ParameterScope::errors) return "Parameters, only in the physical world and the failure model";
+std::string_view heading_of(const Parameter& parameter, const BuiltinMouse& mouse) {
+  if (parameter.scope == ParameterScope::errors) return "Parameters, only in worlds with errors";
   if (!mouse.walks() || !mouse.drives() || parameter.scope == ParameterScope::both) return "Parameters";
   return parameter.scope == ParameterScope::seconds ? "Parameters, only in seconds" : "Parameters, only in steps";
 }
 
-std::string summary_of(const RosterEntry& mouse) {
+std::string summary_of(const BuiltinMouse& mouse) {
   return fmt::format("{}{}", mouse.summary, mouse.uses_chance(Settings(mouse.parameters)) ? " (stochastic)" : "");
 }
 
@@ -58,7 +58,7 @@ std::string in_lines(std::string_view text, std::string_view indent) {
 }
 
 /// Each with its meaning, in groups by where they count.
-std::string explained_parameters(const RosterEntry& mouse) {
+std::string explained_parameters(const BuiltinMouse& mouse) {
   std::string text;
   std::string_view heading;
   for (const Parameter& parameter : mouse.parameters) {
@@ -75,9 +75,9 @@ std::string explained_parameters(const RosterEntry& mouse) {
 
 std::string mouse_list() {
   std::size_t width = 0;
-  for (const RosterEntry* mouse : all_mice()) width = std::max(width, mouse->name.size());
+  for (const BuiltinMouse* mouse : all_mice()) width = std::max(width, mouse->name.size());
   std::string text;
-  for (const RosterEntry* mouse : all_mice()) {
+  for (const BuiltinMouse* mouse : all_mice()) {
     text += fmt::format("{:<{}}  {}\n", mouse->name, width, summary_of(*mouse));
     for (const Parameter& parameter : mouse->parameters) text += value_line(parameter);
   }
@@ -87,7 +87,7 @@ std::string mouse_list() {
 
 NamedText mouse_sheet(const std::string& name) {
   if (name == "oracle") return {fmt::format("oracle: {}\n", oracle_summary), ""};
-  const RosterEntry* mouse = find_mouse(name);
+  const BuiltinMouse* mouse = find_mouse(name);
   if (mouse == nullptr) return {"", "error: " + unknown_mouse(name)};
   return {fmt::format("{}: {}\n\nMethod\n{}\n{}\nSource\n{}", mouse->name, summary_of(*mouse),
                       in_lines(mouse->method, "    "), explained_parameters(*mouse), in_lines(mouse->source, "    ")) +

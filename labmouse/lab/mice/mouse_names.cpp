@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "labmouse/lab/mice/guest_specs.hpp"
+#include "labmouse/lab/mice/external_specs.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -16,7 +16,7 @@ std::string_view without_world(std::string_view spec) {
 
 std::string short_name(const std::string& spec, std::size_t most) {
   const std::u32string letters = printable(without_world(spec));
-  if (!is_guest_spec(spec) || letters.size() <= most) return utf8(letters);
+  if (!is_external_spec(spec) || letters.size() <= most) return utf8(letters);
   return "..." + utf8(letters.substr(letters.size() - most + 3));
 }
 

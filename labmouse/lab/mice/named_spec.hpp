@@ -11,14 +11,14 @@ struct NamedSpec {
 };
 
 /// Takes a SPEC apart from the name before it. Its `=` comes before whatever else a SPEC begins with: before the colon
-/// of a parameter or a guest, the comma before another mouse, and the path or the words of a command.
+/// of a parameter or an external mouse, the comma before another mouse, and the path or the words of a command.
 constexpr NamedSpec named_spec(std::string_view text) {
   const auto end = text.find_first_of("=:,/ ");
   if (end == std::string_view::npos || end == 0 || text[end] != '=') return {{}, text};
   return {text.substr(0, end), text.substr(end + 1)};
 }
 
-/// Whether a SPEC is that of a lineup, `lineup:FILE` or `lineup:FILE:NAME`. It reaches to the end of the text.
-constexpr bool is_lineup_spec(std::string_view spec) { return spec.starts_with("lineup:"); }
+/// Whether a SPEC is that of a mice file, `mice-file:FILE` or `mice-file:FILE:NAME`. It reaches to the end of the text.
+constexpr bool is_mice_file_spec(std::string_view spec) { return spec.starts_with("mice-file:") || spec.starts_with("lineup:"); }
 
 }  // namespace labmouse

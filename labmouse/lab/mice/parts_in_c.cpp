@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "labmouse/lab/mice/told_in_c.hpp"
+#include "labmouse/lab/mice/in_c.hpp"
 
 namespace labmouse {
 namespace {
@@ -37,7 +37,7 @@ PoseEstimate estimate_of(const labmouse_estimate& said) {
 /// All three parts, of which those are used that the table has.
 class TableOfParts final : public PartsInC, EstimatorPart, ReaderPart, TrackerPart {
  public:
-  TableOfParts(const struct labmouse_parts& table, const PilotBriefing& briefing)
+  TableOfParts(const struct labmouse_parts& table, const ControllerBriefing& briefing)
       : table_(table), told_(briefing_in_c(briefing)), memory_(table.begin ? table.begin(&told_) : nullptr) {}
   TableOfParts(const TableOfParts&) = delete;
   TableOfParts& operator=(const TableOfParts&) = delete;
@@ -45,8 +45,8 @@ class TableOfParts final : public PartsInC, EstimatorPart, ReaderPart, TrackerPa
     if (table_.end) table_.end(memory_);
   }
 
-  PilotParts parts() override {
-    PilotParts parts;
+  ControllerParts parts() override {
+    ControllerParts parts;
     if (table_.estimate) parts.estimator = this;
     if (table_.evidence) parts.reader = this;
     if (table_.follow) parts.tracker = this;
@@ -87,8 +87,8 @@ class TableOfParts final : public PartsInC, EstimatorPart, ReaderPart, TrackerPa
     const labmouse_estimate at = estimate_in_c(estimate);
     const labmouse_duties said = table_.follow(memory_, &read, &should, &at);
     const auto duty = [](std::int32_t number) {
-      return static_cast<float>(std::clamp<std::int32_t>(number, -PilotTick::full, PilotTick::full)) /
-             static_cast<float>(PilotTick::full);
+      return static_cast<float>(std::clamp<std::int32_t>(number, -ControllerTick::full, ControllerTick::full)) /
+             static_cast<float>(ControllerTick::full);
     };
     return {duty(said.left), duty(said.right)};
   }
@@ -101,7 +101,7 @@ class TableOfParts final : public PartsInC, EstimatorPart, ReaderPart, TrackerPa
 
 }  // namespace
 
-std::unique_ptr<PartsInC> parts_in_c(const struct labmouse_parts& table, const PilotBriefing& briefing) {
+std::unique_ptr<PartsInC> parts_in_c(const struct labmouse_parts& table, const ControllerBriefing& briefing) {
   return std::make_unique<TableOfParts>(table, briefing);
 }
 

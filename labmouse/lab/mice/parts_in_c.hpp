@@ -1,11 +1,11 @@
-// Parts of our pilot that are somebody else's, in C and linked in, by their table of functions.
+// Parts of our controller that are somebody else's, in C and linked in, by their table of functions.
 #pragma once
 
 #include <memory>
 
-#include "labmouse/contest/pilot_code.hpp"
-#include "labmouse/hardware/labmouse_pilot.h"
-#include "labmouse/pilot/parts.hpp"
+#include "labmouse/contest/controller_code.hpp"
+#include "labmouse/hardware/labmouse_controller.h"
+#include "labmouse/controller/parts.hpp"
 
 namespace labmouse {
 
@@ -14,10 +14,10 @@ class PartsInC {
  public:
   virtual ~PartsInC() = default;
   /// For drive_physically(); they live as long as this.
-  virtual PilotParts parts() = 0;
+  virtual ControllerParts parts() = 0;
 };
 
 /// The table must outlive it; its functions may be called from several threads at once, each for contests of its own.
-std::unique_ptr<PartsInC> parts_in_c(const struct labmouse_parts& table, const PilotBriefing& briefing);
+std::unique_ptr<PartsInC> parts_in_c(const struct labmouse_parts& table, const ControllerBriefing& briefing);
 
 }  // namespace labmouse

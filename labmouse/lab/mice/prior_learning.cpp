@@ -6,7 +6,7 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/mouse/knowledge.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 /// Contexts whose two parallel walls are unknown: the digits of those are the highest.
 constexpr int contexts_of_six = 729;
 
-/// Follows an exploration and counts the unseen walls whose surroundings have changed: at first all of them.
+/// Follows a search run and counts the unseen walls whose surroundings have changed: at first all of them.
 class Follower {
  public:
   Follower(const Maze& maze, PriorCounts& counts)
@@ -147,8 +147,8 @@ void PriorCounts::add(const Maze& maze, const RunRecord& record) {
 }
 
 void PriorCounts::explore(const Maze& maze, const Rules& rules) {
-  const auto mind = ariadne_mouse.make(brief(maze, rules, 1), indifferent());
-  add(maze, run(maze, rules, *mind));
+  const auto strategy = ariadne_mouse.make(brief(maze, rules, 1), indifferent());
+  add(maze, run(maze, rules, *strategy));
 }
 
 WallPrior prior_of(const PriorCounts& counts) {

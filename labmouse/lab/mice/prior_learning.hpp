@@ -27,7 +27,7 @@ struct PriorCounts {
   std::array<WallCount, wall_contexts> walls{};  ///< by folded_context
   std::array<WallCount, rim_contexts> rim{};     ///< of the rim of a goal room of 2×2 cells, by rim_context
 
-  /// Counts along the exploration of a maze; the speed run that may follow it does not count.
+  /// Counts along the search run of a maze; the speed run that may follow it does not count.
   void add(const Maze& maze, const RunRecord& record);
   /// Explores a maze as the mouse does to which every unseen wall is equally dear, and counts. Where the goal cannot be
   /// reached, that counts too, as far as the mouse comes.

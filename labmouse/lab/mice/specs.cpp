@@ -6,14 +6,15 @@
 #include <iterator>
 
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/mice/guest_specs.hpp"
-#include "labmouse/lab/mice/lineup_specs.hpp"
+#include "labmouse/lab/mice/external_specs.hpp"
+#include "labmouse/lab/mice/mice_file_specs.hpp"
 #include "labmouse/lab/mice/named_spec.hpp"
 #include "labmouse/lab/mice/prior_file.hpp"
 #include "labmouse/lab/mice/prior_learning.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -32,13 +33,13 @@ Contestant oracle() {
 }
 
 /// Whether the mouse brings a prior along that mazes could take the place of.
-bool can_learn(const RosterEntry& entry, const Settings& settings) {
+bool can_learn(const BuiltinMouse& entry, const Settings& settings) {
   return std::any_of(entry.parameters.begin(), entry.parameters.end(), [&](const Parameter& parameter) {
     return parameter.type == ParameterType::prior && settings.choice(parameter.name) == parameter.default_value;
   });
 }
 
-Contestant contestant_of(const RosterEntry& entry, Settings settings) {
+Contestant contestant_of(const BuiltinMouse& entry, Settings settings) {
   Contestant contestant;
   contestant.name = entry.name;
   for (std::size_t i = 0; i < entry.parameters.size(); ++i)
@@ -69,7 +70,7 @@ bool looks_like_a_program(std::string_view name) {
   return name.find_first_of("/ ~") != std::string_view::npos || name.ends_with(".py") || name.ends_with(".js");
 }
 
-std::string unknown_parameter(const RosterEntry& entry, std::string_view key) {
+std::string unknown_parameter(const BuiltinMouse& entry, std::string_view key) {
   if (entry.parameters.empty())
     return fmt::format("mouse '{}' has no parameters, so '{}' cannot be set", entry.name, key);
   std::vector<std::string_view> names;
@@ -111,14 +112,18 @@ std::string attach_prior(const Parameter& parameter, const std::string& value, R
 }
 
 /// Applies one `key=value`; returns what is wrong with it, or nothing.
-std::string apply(const RosterEntry& entry, std::string_view assignment, ReadFile read, Settings& settings) {
+std::string apply(const BuiltinMouse& entry, std::string_view assignment, ReadFile read, Settings& settings) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos)
     return fmt::format("'{}' of mouse '{}' is not of the form key=value", assignment, entry.name);
-  const auto key = assignment.substr(0, equals), value = assignment.substr(equals + 1);
-  const auto parameter =
-      std::find_if(entry.parameters.begin(), entry.parameters.end(), [&](const Parameter& p) { return p.name == key; });
-  if (parameter == entry.parameters.end()) return unknown_parameter(entry, key);
+  std::string_view key = assignment.substr(0, equals), value = assignment.substr(equals + 1);
+  const auto named = [&](std::string_view name) {
+    return std::find_if(entry.parameters.begin(), entry.parameters.end(), [&](const auto& p) { return p.name == name; });
+  };
+  auto parameter = named(key);
+  if (parameter == entry.parameters.end()) parameter = named(key = today_key(key));
+  if (parameter == entry.parameters.end()) return unknown_parameter(entry, assignment.substr(0, equals));
+  if (parameter->name == "map") value = today_value(value);
   if (const auto reason = check_value(*parameter, value); !reason.empty())
     return fmt::format("value '{}' of parameter '{}' of mouse '{}' {}", value, key, entry.name, reason);
   settings.set(key, canonical_value(*parameter, value));
@@ -135,7 +140,7 @@ std::string read_spec(std::string_view spec, ReadFile read, std::vector<Contesta
     contestants.push_back(oracle());
     return "";
   }
-  const RosterEntry* entry = find_mouse(name);
+  const BuiltinMouse* entry = find_mouse(name);
   if (entry == nullptr) return unknown_mouse(name);
   Settings settings(entry->parameters);
   std::vector<std::string_view> keys;
@@ -164,7 +169,7 @@ void drop_repetitions(std::vector<Contestant>& mice) {
 
 SpecResult refused(std::string error) { return {{}, std::move(error)}; }
 
-SpecResult read_guest_variant(std::string_view spec, const Setting& setting, const GuestOptions& options) {
+SpecResult read_external_variant(std::string_view spec, const Setting& setting, const ExternalOptions& options) {
   const std::string place = "{" + setting.name + "}";
   std::string text(spec);
   if (text.find(place) == std::string::npos)
@@ -175,7 +180,7 @@ SpecResult read_guest_variant(std::string_view spec, const Setting& setting, con
   return read_specs(text, options);
 }
 
-/// As a lineup needs it.
+/// As a mice file needs it.
 std::string read_own(std::string_view spec, const Setting* value, std::vector<Contestant>& mice) {
   if (auto error = read_spec(spec, read_file, mice); !error.empty() || value == nullptr) return error;
   SpecResult variant = read_variant(mice.back(), {value, 1});
@@ -183,13 +188,13 @@ std::string read_own(std::string_view spec, const Setting* value, std::vector<Co
   return variant.error;
 }
 
-/// Which SPECs are read: those that start programs or open lineups, too, or only mice of the roster.
+/// Which SPECs are read: those that start programs or open mice files, too, or only mice of the list of built-in mice.
 enum class Origin { of_the_user, of_a_file };
 
 std::string_view without_blanks_behind(std::string_view text) { return text.substr(0, text.find_last_not_of(' ') + 1); }
 
 /// Reads the mice of one text into the result; on failure sets its error.
-void read_into(std::string_view text, Origin origin, const GuestOptions& options, SpecResult& result) {
+void read_into(std::string_view text, Origin origin, const ExternalOptions& options, SpecResult& result) {
   for (bool more = true; more && result.error.empty();) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     const auto [name, spec] = named_spec(text);
@@ -197,18 +202,18 @@ void read_into(std::string_view text, Origin origin, const GuestOptions& options
       result.error = fmt::format("the name '{}' contains unprintable characters", shown(name));
       return;
     }
-    if (origin == Origin::of_a_file && (is_guest_spec(spec) || is_lineup_spec(spec))) {
+    if (origin == Origin::of_a_file && (is_external_spec(spec) || is_mice_file_spec(spec))) {
       result.error = fmt::format("'{}' is no built-in mouse; a SPEC in a file starts no program", shown(spec));
       return;
     }
-    if (is_lineup_spec(spec) && !name.empty()) {
-      result.error = fmt::format("a lineup cannot be named '{}'; its mice have their own names", name);
+    if (is_mice_file_spec(spec) && !name.empty()) {
+      result.error = fmt::format("a mice file cannot be named '{}'; its mice have their own names", name);
       return;
     }
-    if (is_lineup_spec(spec)) return read_lineup_spec(spec, options, nullptr, read_own, result);
-    const auto comma = is_guest_spec(spec) ? std::string_view::npos : spec.find(',');
-    if (is_guest_spec(spec))
-      read_guest_spec(spec, options, result);
+    if (is_mice_file_spec(spec)) return read_mice_file_spec(spec, options, nullptr, read_own, result);
+    const auto comma = is_external_spec(spec) ? std::string_view::npos : spec.find(',');
+    if (is_external_spec(spec))
+      read_external_spec(spec, options, result);
     else
       result.error = read_spec(without_blanks_behind(spec.substr(0, comma)),
                                origin == Origin::of_a_file ? read_found_file : read_file, result.contestants);
@@ -219,13 +224,13 @@ void read_into(std::string_view text, Origin origin, const GuestOptions& options
   }
 }
 
-/// Whether the one is the other, named once more. Mice of two lineups may have arguments or folders of their own.
+/// Whether the one is the other, named once more. Mice of two mice files may have arguments or folders of their own.
 bool is_same(const Contestant& mouse, const Contestant& other) {
-  return spec_of(mouse) == spec_of(other) && mouse.lineup == other.lineup;
+  return spec_of(mouse) == spec_of(other) && mouse.mice_file == other.mice_file;
 }
 
 std::string origin_of(const Contestant& mouse) {
-  return mouse.lineup.empty() ? spec_of(mouse) : fmt::format("{} in {}", spec_of(mouse), mouse.lineup);
+  return mouse.mice_file.empty() ? spec_of(mouse) : fmt::format("{} in {}", spec_of(mouse), mouse.mice_file);
 }
 
 /// Mice that stand twice count once. Returns what is wrong where two have one name.
@@ -240,11 +245,11 @@ std::string drop_repetitions_or_refuse(std::vector<Contestant>& mice) {
 }
 
 /// The one mouse of a SPEC with that value of a parameter.
-SpecResult read_with_value(std::string_view spec, const Setting& value, const GuestOptions& options) {
-  if (is_guest_spec(spec)) return read_guest_variant(spec, value, options);
-  if (!is_lineup_spec(spec)) return read_variant(spec, {&value, 1});
+SpecResult read_with_value(std::string_view spec, const Setting& value, const ExternalOptions& options) {
+  if (is_external_spec(spec)) return read_external_variant(spec, value, options);
+  if (!is_mice_file_spec(spec)) return read_variant(spec, {&value, 1});
   SpecResult result;
-  read_lineup_spec(spec, options, &value, read_own, result);
+  read_mice_file_spec(spec, options, &value, read_own, result);
   if (!result.error.empty()) return {{}, result.error, result.problems};
   if (result.contestants.size() != 1)
     return refused(
@@ -254,7 +259,7 @@ SpecResult read_with_value(std::string_view spec, const Setting& value, const Gu
 
 }  // namespace
 
-const RosterEntry* entry_of(const Contestant& mouse) {
+const BuiltinMouse* entry_of(const Contestant& mouse) {
   const std::string_view spec = spec_of(mouse);
   return find_mouse(spec.substr(0, spec.find(':')));
 }
@@ -266,21 +271,21 @@ std::string unknown_mouse(std::string_view name) {
                        name.substr(0, equals));
   if (looks_like_a_program(name))
     return fmt::format(
-        "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'guest:COMMAND', 'pilot:COMMAND' or "
+        "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'program:COMMAND', 'controller:COMMAND' or "
         "'mms:COMMAND', in quotes",
         name);
-  std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "pilot", "mms"};
-  for (const RosterEntry* entry : all_mice()) names.push_back(entry->name);
+  std::vector<std::string_view> names = {oracle_name, "capstone", "program", "controller", "mms"};
+  for (const BuiltinMouse* entry : all_mice()) names.push_back(entry->name);
   std::string near(nearest_name(name, names));
   if (near == "capstone") near += ":FILE";
-  if (near == "guest" || near == "pilot" || near == "mms") near += ":COMMAND";
+  if (near == "program" || near == "controller" || near == "mms") near += ":COMMAND";
   const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);
   return fmt::format("unknown mouse '{}'; {}`labmouse mice` lists all mice", name, hint);
 }
 
 namespace {
 
-SpecResult read_texts(std::span<const std::string> texts, Origin origin, const GuestOptions& options) {
+SpecResult read_texts(std::span<const std::string> texts, Origin origin, const ExternalOptions& options) {
   SpecResult result;
   for (const std::string& text : texts)
     if (result.error.empty()) read_into(text, origin, options, result);
@@ -291,22 +296,22 @@ SpecResult read_texts(std::span<const std::string> texts, Origin origin, const G
 
 }  // namespace
 
-SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options) {
+SpecResult read_specs(std::span<const std::string> texts, const ExternalOptions& options) {
   return read_texts(texts, Origin::of_the_user, options);
 }
 
-SpecResult read_roster_specs(std::string_view text) {
+SpecResult read_builtin_specs(std::string_view text) {
   const std::string whole(text);
   return read_texts({&whole, 1}, Origin::of_a_file, {});
 }
 
-SpecResult read_specs(std::string_view text, const GuestOptions& options) {
+SpecResult read_specs(std::string_view text, const ExternalOptions& options) {
   const std::string whole(text);
   return read_specs({&whole, 1}, options);
 }
 
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values,
-                         const GuestOptions& options) {
+                         const ExternalOptions& options) {
   SpecResult result;
   for (const std::string& value : values) {
     const Setting setting = {std::string(parameter), value};
@@ -327,7 +332,7 @@ SpecResult read_variant(std::string_view spec, std::span<const Setting> values) 
 }
 
 SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values) {
-  const RosterEntry* entry = entry_of(mouse);
+  const BuiltinMouse* entry = entry_of(mouse);
   if (entry == nullptr)
     return refused(mouse.reference ? "the oracle has no parameters"
                                    : fmt::format("mouse '{}' has no parameters", mouse.name));
@@ -366,7 +371,7 @@ std::string_view worlds_of(ParameterScope scope) {
 
 /// Why a mouse has a parameter that says nothing in a world; empty without one.
 std::string refuse_idle_settings(const Contestant& mouse, Counts counts, std::string_view where) {
-  const RosterEntry* entry = entry_of(mouse);
+  const BuiltinMouse* entry = entry_of(mouse);
   for (std::size_t i = 0; entry != nullptr && i < entry->parameters.size(); ++i) {
     const Parameter& parameter = entry->parameters[i];
     if (counts(parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
@@ -378,7 +383,7 @@ std::string refuse_idle_settings(const Contestant& mouse, Counts counts, std::st
 
 /// Those of its settings for whose parameters something holds.
 template <class Holds>
-Settings settings_where(const Contestant& mouse, const RosterEntry& entry, Holds holds) {
+Settings settings_where(const Contestant& mouse, const BuiltinMouse& entry, Holds holds) {
   std::vector<Parameter> parameters;
   std::copy_if(entry.parameters.begin(), entry.parameters.end(), std::back_inserter(parameters), holds);
   Settings settings(parameters);
@@ -402,7 +407,7 @@ std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
   if (std::holds_alternative<ControllerProgram>(stays->kind))
     return fmt::format("'{}' controls motors, so it drives in the world physical only", stays->name);
   std::vector<std::string_view> drivers;
-  for (const RosterEntry* entry : all_mice())
+  for (const BuiltinMouse* entry : all_mice())
     if (entry->drives()) drivers.push_back(entry->name);
   return fmt::format("mouse '{}' cannot drive in seconds; mice that can are {}", stays->name, fmt::join(drivers, ", "));
 }
@@ -417,7 +422,7 @@ std::string refuse_to_walk(const Contestant& mouse) {
 }
 
 Settings settings_in_seconds(const Contestant& mouse) {
-  const RosterEntry* entry = entry_of(mouse);
+  const BuiltinMouse* entry = entry_of(mouse);
   if (entry == nullptr) return {};
   if (!entry->walks()) return mouse.settings;
   return settings_where(mouse, *entry, [&](const Parameter& parameter) {
@@ -428,14 +433,14 @@ Settings settings_in_seconds(const Contestant& mouse) {
 }
 
 Settings settings_in_steps(const Contestant& mouse) {
-  const RosterEntry* entry = entry_of(mouse);
+  const BuiltinMouse* entry = entry_of(mouse);
   if (entry == nullptr) return mouse.settings;
   return settings_where(mouse, *entry, counts_in_steps);
 }
 
 std::vector<Contestant> all_contestants() {
   std::vector<Contestant> contestants;
-  for (const RosterEntry* entry : all_mice()) contestants.push_back(contestant_of(*entry, Settings(entry->parameters)));
+  for (const BuiltinMouse* entry : all_mice()) contestants.push_back(contestant_of(*entry, Settings(entry->parameters)));
   return contestants;
 }
 

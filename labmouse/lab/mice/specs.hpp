@@ -8,33 +8,33 @@
 #include <vector>
 
 #include "labmouse/lab/mice/contestant.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 
 /// Reads one or more mice; a name that stands twice with equal parameters counts once. Reads the files of their priors
-/// and lineups. The SPEC of a guest or a lineup reaches to the end of the text.
-SpecResult read_specs(std::string_view text, const GuestOptions& options = {});
+/// and mice files. The SPEC of an external mouse or a mice file reaches to the end of the text.
+SpecResult read_specs(std::string_view text, const ExternalOptions& options = {});
 
 /// The same of several texts.
-SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options = {});
+SpecResult read_specs(std::span<const std::string> texts, const ExternalOptions& options = {});
 
-/// Reads a SPEC that comes from a file, which somebody else may have written: only mice of the roster. External mice
-/// and lineups are refused before anything is looked up or started, and priors are read from regular files alone.
-SpecResult read_roster_specs(std::string_view text);
+/// Reads a SPEC that comes from a file, which somebody else may have written: only mice of the list of built-in mice. External mice
+/// and mice files are refused before anything is looked up or started, and priors are read from regular files alone.
+SpecResult read_builtin_specs(std::string_view text);
 
-/// The line of a mouse on the roster; null for a guest and for the oracle.
-const RosterEntry* entry_of(const Contestant& mouse);
+/// The line of a mouse on the list of built-in mice; null for an external mouse and for the oracle.
+const BuiltinMouse* entry_of(const Contestant& mouse);
 
 /// Why there is no mouse of that name, with the one that may have been meant.
 std::string unknown_mouse(std::string_view name);
 
 /// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of
-/// that parameter is overridden. Values that are spelled differently and are equal count once. A guest has the
-/// parameters that its SPEC leaves room for: each `{parameter}` there, and in a lineup in its arguments and variables,
+/// that parameter is overridden. Values that are spelled differently and are equal count once. An external mouse has the
+/// parameters that its SPEC leaves room for: each `{parameter}` there, and in a mice file in its arguments and variables,
 /// becomes the value as it is spelled. Variants do not keep the name that a user gave the mouse.
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values,
-                         const GuestOptions& options = {});
+                         const ExternalOptions& options = {});
 
 /// The one mouse of a SPEC with values for some of its parameters; what the SPEC says of those is overridden.
 SpecResult read_variant(std::string_view spec, std::span<const Setting> values);
@@ -58,7 +58,7 @@ Settings settings_in_seconds(const Contestant& mouse);
 /// Those that count in steps.
 Settings settings_in_steps(const Contestant& mouse);
 
-/// Every mouse of the roster with its defaults.
+/// Every mouse of the list of built-in mice with its defaults.
 std::vector<Contestant> all_contestants();
 
 }  // namespace labmouse

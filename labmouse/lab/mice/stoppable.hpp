@@ -34,7 +34,7 @@ class StoppableDriver final : public ForwardingDriver {
   Action decide(const Sighting& seen) override {
     return is_set(stop_) ? Action::forfeit(ForfeitReason::interrupted) : mouse().decide(seen);
   }
-  Action consider(const Belief& map, const SearchPlace& place, std::int64_t time) override {
+  Action consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t time) override {
     return is_set(stop_) ? Action::forfeit(ForfeitReason::interrupted) : mouse().consider(map, place, time);
   }
 

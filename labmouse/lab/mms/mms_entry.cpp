@@ -3,7 +3,7 @@
 #include <array>
 
 #include "labmouse/lab/mms/mms_world.hpp"
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 
 namespace labmouse {
 namespace {

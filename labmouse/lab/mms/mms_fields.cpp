@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "labmouse/guests/mms/run.hpp"
+#include "labmouse/external/mms/run.hpp"
 #include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
@@ -20,7 +20,7 @@ using fields::figure;
 constexpr std::array<ContestField, 18> contest_fields = {{{"maze", fields::maze_name},
                                                           {"outcome", figure<F::outcome>},
                                                           {"end", figure<F::end>},
-                                                          {"solved", figure<F::solved>},
+                                                          {"finished", figure<F::finished>},
                                                           {"score", figure<F::score>},
                                                           {"possible_score", fields::of_maze<M::score>},
                                                           {"ratio", fields::ratio},
@@ -52,7 +52,7 @@ constexpr std::array<ContestField, 22> csv_fields = {{{"mouse", fields::mouse_na
                                                       {"maze", fields::maze_name},
                                                       {"outcome", figure<F::outcome>},
                                                       {"end", figure<F::end>},
-                                                      {"solved", figure<F::solved>},
+                                                      {"finished", figure<F::finished>},
                                                       {"best_run", figure<F::best_run>},
                                                       {"possible_run", fields::of_maze<M::run>},
                                                       {"possible_score", fields::of_maze<M::score>},
@@ -108,16 +108,16 @@ Value outcomes(const Race& race, const Standing& standing) {
 
 constexpr std::array<MouseField, 15> mouse_fields = {
     {{"name", fields::name},
-     {"solved", fields::solved},
+     {"finished", fields::finished},
      {"runs", fields::runs},
      {"mean_score", fields::mean_all},
      {"interval", fields::interval},
-     {"mean_solved_score", fields::mean_solved},
+     {"mean_finished_score", fields::mean_finished},
      {"mean_ratio", fields::mean_ratio},
      {"mean_best_run",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_solved(r, s, "best_run")); }},
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_finished(r, s, "best_run")); }},
      {"mean_run_ratio",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_solved(r, s, "run_ratio")); }},
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_finished(r, s, "run_ratio")); }},
      {"mean_total", [](const Race& r, const Standing& s) -> Value { return or_none(mean_total(r, s)); }},
      {"mean_seconds", [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, "seconds")); }},
      {"lines", sum<F::lines>},
@@ -132,19 +132,19 @@ std::string interval(const Race&, const Standing& standing) {
 }
 
 constexpr std::array<Column, 9> table = {
-    {{"", "finished", 8, columns::solved},
+    {{"", "finished", 8, columns::finished},
      {"mean", "score", 6, [](const Race&, const Standing& s) { return columns::number(s.mean_all, 1); }, "mean_score",
       "mean score", "Mean score of mms over all runs; an unfinished one counts 2000, as in mms.", 3},
      {"95 %", "interval", 11, interval},
      rarely({"score of", "finished", 8,
-             [](const Race&, const Standing& s) { return columns::number(s.mean_solved, 1); }, "mean_solved_score",
+             [](const Race&, const Standing& s) { return columns::number(s.mean_finished, 1); }, "mean_finished_score",
              "score of finished", "Mean score of mms over the finished runs.", 1}),
      {"score /", "best", 7, [](const Race&, const Standing& s) { return columns::number(s.mean_ratio, 2); }},
      {"best", "run", 6,
-      [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "best_run"), 1); },
+      [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "best_run"), 1); },
       "mean_best_run", "best run", "Mean of the best runs from start to goal, in steps of mms.", 1},
      {"run /", "best", 6,
-      [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "run_ratio"), 2); },
+      [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "run_ratio"), 2); },
       "mean_run_ratio", "run / best",
       "Mean over the finished runs of the best run divided by the best possible one in that maze.", 2},
      rarely({"", "total", 6, [](const Race& r, const Standing& s) { return columns::number(mean_total(r, s), 0); },

@@ -12,9 +12,9 @@ namespace labmouse {
 enum class MmsFigure : std::uint8_t {
   outcome,
   end,
-  solved,
+  finished,
   score,
-  best_run,  ///< effective distance + turns; null while unsolved
+  best_run,  ///< effective distance + turns; null while unfinished
   run_ratio,
   statistics,  ///< an object of all values of `getStat`
   total,       ///< effective distance + turns of all that was done

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "labmouse/guests/mms/run.hpp"
+#include "labmouse/external/mms/run.hpp"
 #include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/standings/mouse_column.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -28,7 +28,7 @@ bool ended_badly(const Race& race, const ContestResult& contest) {
   return counts(race, contest) && text_at(contest, F::outcome) != name_of(MmsOutcome::complete);
 }
 
-bool never_ended_and_solved(const ContestResult& contest) {
+bool never_ended_and_finished(const ContestResult& contest) {
   return contest.done && contest.score && text_at(contest, F::outcome) == name_of(MmsOutcome::never_ended);
 }
 
@@ -65,7 +65,7 @@ std::string ends_of(const Race& race, const MouseColumn& names) {
     for (const std::string& line : lines_at(*first, F::errors)) text += "    | " + shown(line) + "\n";
   }
   if (text.empty()) return "";
-  const bool any_never_ended = std::any_of(race.results.begin(), race.results.end(), never_ended_and_solved);
+  const bool any_never_ended = std::any_of(race.results.begin(), race.results.end(), never_ended_and_finished);
   return (any_never_ended ? "A run that never ended has the score that it had when its best run was finished.\n" : "") +
          ("Runs that did not end with exit code 0:\n" + text);
 }

@@ -10,8 +10,8 @@
 #include "labmouse/lab/mms/mms_fields.hpp"
 #include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/mms/mms_notes.hpp"
-#include "labmouse/lab/plays/mms_drawing.hpp"
-#include "labmouse/lab/plays/mms_walk.hpp"
+#include "labmouse/lab/replays/mms_drawing.hpp"
+#include "labmouse/lab/replays/mms_walk.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
@@ -42,7 +42,7 @@ double visited_share_of(CellSet visited, const CellSet& reachable) {
 }
 
 Value list_of(const std::vector<std::string>& lines) {
-  return JsonText{Json(lines).dump(-1, ' ', false, Json::error_handler_t::replace)};
+  return JsonText{one_line(Json(lines))};
 }
 
 /// In the order of MmsFigure.
@@ -97,7 +97,7 @@ class MmsWorld final : public World {
     return {bound.score, {or_none(bound.run), or_none(bound.score)}, reachable_cells(as_in_mms(maze))};
   }
 
-  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
+  ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
     const NamedMaze& maze = race.mazes[result.maze];
     const Contestant& mouse = race.mice[result.mouse];
     Launch launch = std::get<MmsProgram>(mouse.kind);
@@ -109,7 +109,7 @@ class MmsWorld final : public World {
       walk.add(event);
       if (recorder) recorder->add(event);
     });
-    Held held;
+    ContestOutput held;
     if (recorder) held.record = recorder->finish(run);
     if (keep.picture) held.picture = draw_mms_run(mouse.name, maze, run, walk);
     sum_up(run, walk.visited(), race.facts[result.maze], result);
@@ -134,9 +134,9 @@ class MmsWorld final : public World {
 void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, ContestResult& result) {
   const MmsStatistics& statistics = run.statistics;
   const bool scored = is_scored(run);
-  result.outcome = scored              ? "solved"
-                   : statistics.solved ? std::string(name_of(run.outcome))
-                                       : fmt::format("unsolved: {}", name_of(run.outcome));
+  result.outcome = scored              ? "finished"
+                   : statistics.finished ? std::string(name_of(run.outcome))
+                                       : fmt::format("unfinished: {}", name_of(run.outcome));
   if (run.outcome != MmsOutcome::complete && run.outcome != MmsOutcome::interrupted && run.lines == 0)
     result.never_started = run.end.empty() ? std::string(name_of(run.outcome)) : run.end;
   result.counted = decimal(scored ? statistics.score : MmsStatistics().score);

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "labmouse/guests/mms/run.hpp"
+#include "labmouse/external/mms/run.hpp"
 #include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/races/race.hpp"
 
@@ -12,7 +12,7 @@ namespace labmouse {
 /// How mms scores, as a formula over the names of `getStat`.
 inline constexpr const char* mms_formula =
     "best-run-effective-distance + best-run-turns + 0.1 * (total-effective-distance + total-turns); 2000 while "
-    "unsolved";
+    "unfinished";
 
 /// Hosts each program once in each maze. Of log and errors the figures have the ends only: many runs have to fit into
 /// memory.

@@ -16,7 +16,7 @@
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 #include "labmouse/maze/generators/generator.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -28,7 +28,7 @@ Json named(const Things& things) {
   return list;
 }
 
-/// The roster, with types of parameters in one word each.
+/// The list of built-in mice, with types of parameters in one word each.
 Json mice() {
   const std::map<std::string, std::string> types = {{"whole number", "whole"}, {"number", "real"}, {"yes/no", "flag"}};
   Json list = mice_json();
@@ -79,7 +79,7 @@ Json setting_json(const WorldSetting& setting) {
   return json;
 }
 
-/// The worlds in which mice of the roster race.
+/// The worlds in which mice of the list of built-in mice race.
 Json worlds() {
   Json list = Json::array();
   for (const WorldEntry* entry : all_worlds()) {
@@ -92,7 +92,7 @@ Json worlds() {
                     {"summary", entry->summary},
                     {"in_steps", world->rules_in_steps().has_value()},
                     {"plays", entry->records != nullptr},
-                    {"throws_dice", world->throws_dice()},
+                    {"is_stochastic", world->is_stochastic()},
                     {"usual_runs", entry->usual_runs},
                     {"settings", std::move(settings)},
                     {"mice", std::move(mice)}});
@@ -113,7 +113,7 @@ Json parting() {
 Json rules_of_capstone() {
   const Rules rules;
   return {{"budget", rules.budget},
-          {"exploration_factor", rules.exploration_factor},
+          {"search_factor", rules.search_factor},
           {"stride", rules.stride},
           {"failure_score", rules.failure_score}};
 }

@@ -48,8 +48,8 @@ PageReply answer_compare(const ReadJson& request, std::string_view bytes);
 PageReply answer_losses(const ReadJson& request, std::string_view bytes);
 PageReply answer_beliefs(const ReadJson& request, std::string_view bytes);
 PageReply answer_picture(const ReadJson& request, std::string_view bytes);
-PageReply answer_guest_begin(const ReadJson& request, std::string_view bytes);
-PageReply answer_guest_hear(const ReadJson& request, std::string_view bytes);
-PageReply answer_guest_end(const ReadJson& request, std::string_view bytes);
+PageReply answer_external_begin(const ReadJson& request, std::string_view bytes);
+PageReply answer_external_hear(const ReadJson& request, std::string_view bytes);
+PageReply answer_external_end(const ReadJson& request, std::string_view bytes);
 
 }  // namespace labmouse

@@ -38,9 +38,9 @@ constexpr std::array calls = {
     Call{"losses", answer_losses},
     Call{"beliefs", answer_beliefs},
     Call{"picture", answer_picture},
-    Call{"guest_begin", answer_guest_begin},
-    Call{"guest_hear", answer_guest_hear},
-    Call{"guest_end", answer_guest_end},
+    Call{"program_begin", answer_external_begin},
+    Call{"program_hear", answer_external_hear},
+    Call{"program_end", answer_external_end},
 };
 
 constexpr auto call_names = [] {
@@ -54,7 +54,7 @@ PageAnswer failure(const PageFailure& failure) {
   for (const Problem& problem : failure.problems)
     problems.push_back({{"line", problem.line}, {"column", problem.column}, {"reason", problem.reason}});
   const Json json = {{"failure", {{"error", failure.error}, {"problems", std::move(problems)}}}};
-  return {json.dump(-1, ' ', false, Json::error_handler_t::replace), ""};
+  return {one_line(json), ""};
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ PageAnswer answer_page(std::string_view call, std::string_view request, std::str
   if (!json.is_object()) return failure({"the request is not a JSON object", {}});
   PageReply reply = found->answer(json, bytes);
   if (!reply.failure.error.empty()) return failure(reply.failure);
-  const std::string answer = reply.answer.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string answer = one_line(reply.answer);
   return {"{\"answer\":" + answer + "}", std::move(reply.bytes)};
 }
 

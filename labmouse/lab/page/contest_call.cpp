@@ -41,7 +41,7 @@ PageReply answer_contest(const ReadJson& json, std::string_view) {
   race.mazes.push_back(std::move(maze));
   ContestResult result;
   result.seed = seed;
-  Held held = world->hold(race, result, {.record = true, .reasons = true}, nullptr);
+  ContestOutput held = world->hold(race, result, {.record = true, .reasons = true}, nullptr);
   const OpenedRecord opened = find_world(world->name())->records->open(held.record, nullptr);
   if (!opened.replay) return failed(fmt::format("the page plays no single contests in the world {}", world->name()));
   Json play = opened.replay->play();

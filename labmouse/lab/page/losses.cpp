@@ -9,7 +9,7 @@
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/plays/lost_steps.hpp"
+#include "labmouse/lab/replays/lost_steps.hpp"
 
 namespace labmouse {
 namespace {
@@ -63,28 +63,28 @@ PageReply answer_losses(const ReadJson& json, std::string_view) {
   const LossMeter meter(maze.maze, rules);
   const auto cells = static_cast<std::size_t>(maze.maze.size().area());
   LostSteps sum = {std::vector<int>(cells), std::vector<int>(cells)};
-  int solved = 0;
+  int finished = 0;
   double score_sum = 0;
   for (const Entrant& entrant : entrants) {
     const auto strategy = entrant.mouse.strategy(maze.maze, brief(maze.maze, rules, entrant.seed));
     const RunRecord record = run(maze.maze, rules, *strategy);
     const std::optional<LostSteps> lost = meter.lost(record);
     if (!lost) continue;
-    ++solved;
+    ++finished;
     score_sum += *score(record, rules).value;
-    add(sum.exploration, lost->exploration);
+    add(sum.search_run, lost->search_run);
     add(sum.speed, lost->speed);
   }
   // The mean loss of a contest in points of its score, by cell.
   Json points = Json::array();
   for (std::size_t i = 0; i < cells; ++i)
-    points.push_back(solved == 0 ? 0.0 : score_of(sum.exploration[i], sum.speed[i], rules) / solved);
+    points.push_back(finished == 0 ? 0.0 : score_of(sum.search_run[i], sum.speed[i], rules) / finished);
   const std::optional<double> bound = bound_of(maze.maze, rules).score;
   return answered({{"contests", entrants.size()},
-                   {"solved", solved},
+                   {"finished", finished},
                    {"bound", bound ? Json(*bound) : Json()},
-                   {"mean_score", solved == 0 ? Json() : Json(score_sum / solved)},
-                   {"exploration", sum.exploration},
+                   {"mean_score", finished == 0 ? Json() : Json(score_sum / finished)},
+                   {"search", sum.search_run},
                    {"speed", sum.speed},
                    {"points", std::move(points)}});
 }

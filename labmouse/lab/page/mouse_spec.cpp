@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "labmouse/lab/mice/guest_specs.hpp"
+#include "labmouse/lab/mice/external_specs.hpp"
 #include "labmouse/lab/mice/named_spec.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -20,7 +20,7 @@ std::string_view next_piece(std::string_view& text, char separator) {
 }
 
 /// Why `key=value` of a mouse needs a file; empty where it does not.
-std::string needs_file(const RosterEntry& mouse, std::string_view assignment) {
+std::string needs_file(const BuiltinMouse& mouse, std::string_view assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos) return "";
   const auto key = assignment.substr(0, equals), value = assignment.substr(equals + 1);
@@ -37,12 +37,12 @@ std::string needs_file(const RosterEntry& mouse, std::string_view assignment) {
 std::string refused(std::string_view text) {
   while (!text.empty()) {
     const std::string_view spec = named_spec(text).spec;
-    if (is_lineup_spec(spec)) return fmt::format("lineup '{}' is a file, which the page cannot read", spec);
-    if (is_guest_spec(spec))
+    if (is_mice_file_spec(spec)) return fmt::format("mice file '{}' is a file, which the page cannot read", spec);
+    if (is_external_spec(spec))
       return fmt::format("mouse '{}' is a program, which the page cannot start; use `labmouse race`", spec);
     text = spec;
     std::string_view mouse = next_piece(text, ',');
-    const RosterEntry* entry = find_mouse(next_piece(mouse, ':'));
+    const BuiltinMouse* entry = find_mouse(next_piece(mouse, ':'));
     while (entry != nullptr && !mouse.empty())
       if (auto reason = needs_file(*entry, next_piece(mouse, ':')); !reason.empty()) return reason;
   }

@@ -1,4 +1,4 @@
-// Mice that a page can race: those of the roster and the oracle, without files.
+// Mice that a page can race: those of the list of built-in mice and the oracle, without files.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-/// Reads SPECs as read_specs does. Refused are guests, since a page starts no programs, and lineups and priors of
+/// Reads SPECs as read_specs does. Refused are external mice, since a page starts no programs, and mice files and priors of
 /// files, since it reads none.
 SpecResult read_page_mice(std::span<const std::string> specs);
 

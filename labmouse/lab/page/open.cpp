@@ -9,7 +9,7 @@
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/results.hpp"
-#include "labmouse/lab/plays/maze_data.hpp"
+#include "labmouse/lab/replays/maze_data.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/encoding.hpp"

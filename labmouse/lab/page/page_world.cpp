@@ -2,16 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/races/value_json.hpp"
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {
 namespace {
 
 /// What the request says of a setting, as text.
-std::string setting_in(PageRequest& request, const WorldSetting& setting) {
-  const std::string key(setting.name);
+std::string setting_in(PageRequest& request, const WorldSetting& setting, const std::string& key) {
   if (setting.kind == WorldSetting::Kind::flag) return request.flag(key.c_str()) ? "true" : "false";
   if (setting.kind == WorldSetting::Kind::whole) {
     const auto most = std::min<std::int64_t>(setting.high, most_page_steps);
@@ -22,6 +24,13 @@ std::string setting_in(PageRequest& request, const WorldSetting& setting) {
   if (!has_text && (text.find('/') != std::string::npos || text.ends_with(".toml") || text == "-"))
     request.reject(fmt::format("'{}' is a file, which the page cannot read", key));
   return text;
+}
+
+/// The name that a setting had in links of earlier versions.
+std::string former_setting(std::string_view name) {
+  std::string key(name);
+  std::replace(key.begin(), key.end(), '-', '_');
+  return std::string(former_key(key));
 }
 
 }  // namespace
@@ -35,8 +44,8 @@ std::shared_ptr<const World> read_page_world(PageRequest& request) {
   }
   WorldSettings settings;
   for (const WorldSetting& setting : entry->settings)
-    if (request.has(std::string(setting.name).c_str()))
-      settings[std::string(setting.name)] = setting_in(request, setting);
+    for (const std::string& key : {std::string(setting.name), former_setting(setting.name)})
+      if (request.has(key.c_str())) settings[std::string(setting.name)] = setting_in(request, setting, key);
   if (!request.error().empty()) return nullptr;
   WorldResult made = entry->make(settings);
   if (!made.error.empty()) request.reject(made.error);

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/races/world.hpp"
 
 namespace labmouse {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "labmouse/lab/page/answers.hpp"
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 
 namespace labmouse {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "labmouse/lab/page/answers.hpp"
-#include "labmouse/lab/page/guest.hpp"
+#include "labmouse/lab/page/external.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/request.hpp"

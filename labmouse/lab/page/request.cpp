@@ -1,6 +1,6 @@
 #include "labmouse/lab/page/request.hpp"
 
-#include "labmouse/lab/plays/maze_data.hpp"
+#include "labmouse/lab/replays/maze_data.hpp"
 #include "labmouse/mouse/motion.hpp"
 
 namespace labmouse {
@@ -27,7 +27,7 @@ std::uint64_t PageRequest::seed() {
 Rules PageRequest::rules() {
   Rules rules;
   if (has("budget")) rules.budget = whole("budget", 1, most_page_steps);
-  if (has("exploration_factor")) rules.exploration_factor = whole("exploration_factor", 1, most_page_steps);
+  if (has("search_factor")) rules.search_factor = whole("search_factor", 1, most_page_steps);
   if (has("stride")) rules.stride = whole("stride", 1, Motion::max_longest);
   return rules;
 }

@@ -27,7 +27,7 @@ class PageRequest : public JsonFields {
   NamedMaze maze_at(const ReadJson& json, const std::string& path);
   /// `seed`: 0 to 2^64 - 1.
   std::uint64_t seed();
-  /// The rules of the capstone, with `budget`, `exploration_factor` and `stride` where they are given.
+  /// The rules of the capstone, with `budget`, `search_factor` and `stride` where they are given.
   Rules rules();
 
  private:

@@ -10,7 +10,7 @@
 #include "labmouse/lab/page/drive_choices.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/robot_request.hpp"
-#include "labmouse/lab/plays/play_seconds.hpp"
+#include "labmouse/lab/replays/play_seconds.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/robots/robot_remarks.hpp"

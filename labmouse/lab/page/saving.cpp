@@ -4,7 +4,7 @@
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/plays/maze_data.hpp"
+#include "labmouse/lab/replays/maze_data.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 
 namespace labmouse {

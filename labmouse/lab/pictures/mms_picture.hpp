@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "labmouse/guests/mms/canvas.hpp"
-#include "labmouse/guests/mms/half_pose.hpp"
+#include "labmouse/external/mms/canvas.hpp"
+#include "labmouse/external/mms/half_pose.hpp"
 #include "labmouse/lab/drawing/drawing.hpp"
 
 namespace labmouse {

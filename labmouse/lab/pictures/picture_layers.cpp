@@ -21,10 +21,10 @@ struct LayerLine {
 };
 
 constexpr std::array<LayerLine, 10> lines = {{
-    {"heat", "how often the exploration entered each cell", true},
+    {"heat", "how often the search run entered each cell", true},
     {"path", "the speed run with its steps numbered; for a maze alone, a shortest run", false},
-    {"exploration", "the path of the exploration: to the goal, and from there to the reset", true},
-    {"known", "walls still unknown at the end of the exploration, drawn faintly", true},
+    {"search", "the path of the search run: to the goal, and from there to the reset", true},
+    {"known", "walls still unknown at the end of the search run, drawn faintly", true},
     {"wrong", "those of them that are closed, though an optimist assumes they are open", true},
     {"shares", "the cells visited and discovered, and their shares", true},
     {"distances", "steps from each cell to the goal", false},
@@ -82,9 +82,9 @@ std::vector<Pose> shortest_route(const Maze& maze, const Rules& rules) {
   return poses;
 }
 
-ExplorationLegs exploration_of(const Maze& maze, const RunRecord& record) {
-  ExplorationLegs legs;
-  for (std::size_t i = 0; i < record.steps.size() && record.steps[i].run == Run::exploration; ++i) {
+SearchLegs search_run_of(const Maze& maze, const RunRecord& record) {
+  SearchLegs legs;
+  for (std::size_t i = 0; i < record.steps.size() && record.steps[i].run == Run::search_run; ++i) {
     const StepRecord& step = record.steps[i];
     if (i == 0) legs.to_goal.push_back(step.pose);
     if (step.action.kind != Action::Kind::step) continue;
@@ -96,11 +96,11 @@ ExplorationLegs exploration_of(const Maze& maze, const RunRecord& record) {
   return legs;
 }
 
-/// The walls that no reading of the exploration has shown.
+/// The walls that no reading of the search run has shown.
 WallSet unknown_walls(const Maze& maze, const RunRecord& record) {
   Knowledge knowledge(maze.size());
   for (const StepRecord& step : record.steps) {
-    if (step.run != Run::exploration) break;
+    if (step.run != Run::search_run) break;
     // A record that agrees with its maze has no reading that contradicts.
     [[maybe_unused]] const bool learned = knowledge.learn(step.pose, step.sighting);
   }
@@ -113,7 +113,7 @@ std::string_view name_of(Layer layer) { return line_of(layer).name; }
 std::string_view meaning_of(Layer layer) { return line_of(layer).meaning; }
 
 const LayerSet& all_layers() {
-  static const LayerSet all = {Layer::heat,        Layer::path,      Layer::exploration, Layer::known,
+  static const LayerSet all = {Layer::heat,        Layer::path,      Layer::search_run, Layer::known,
                                Layer::wrong,       Layer::shares,    Layer::distances,   Layer::cells,
                                Layer::coordinates, Layer::candidates};
   return all;
@@ -151,7 +151,7 @@ DrawingLayers layers_of(const RecordFile& file, const LayerSet& chosen) {
   DrawingLayers layers = ground_of(maze, file.rules, chosen);
   if (chosen.contains(Layer::heat)) layers.visits = visits_of(maze.size(), file.run);
   if (chosen.contains(Layer::path)) layers.route = speed_run(file.run);
-  if (chosen.contains(Layer::exploration)) layers.exploration = exploration_of(maze, file.run);
+  if (chosen.contains(Layer::search_run)) layers.search_run = search_run_of(maze, file.run);
   if (chosen.contains(Layer::known)) layers.unknown = unknown_walls(maze, file.run);
   if (chosen.contains(Layer::wrong)) {
     layers.wrong = unknown_walls(maze, file.run);

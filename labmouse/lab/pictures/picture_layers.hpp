@@ -11,10 +11,10 @@
 namespace labmouse {
 
 enum class Layer : std::uint8_t {
-  heat,         ///< how often the exploration came into each cell
+  heat,         ///< how often the search run came into each cell
   path,         ///< the speed run, step by step; of a maze alone a shortest run
-  exploration,  ///< the way of the exploration: to the goal, and from there to the reset
-  known,        ///< walls that the mouse did not know at the end of the exploration, faint
+  search_run,  ///< the way of the search run: to the goal, and from there to the reset
+  known,        ///< walls that the mouse did not know at the end of the search run, faint
   wrong,        ///< closed walls among them: an optimist takes them for open
   shares,       ///< the cells visited and discovered, and their shares of all that can be reached
   distances,    ///< steps to the goal in each cell
@@ -46,14 +46,14 @@ LayersResult read_layers(std::string_view names);
 DrawingLayers layers_of(const Maze& maze, const Rules& rules, const LayerSet& chosen);
 
 /// The layers of a record that has a maze and agrees with it. A record that was cut, or whose mouse never went back to
-/// the start, is drawn as far as it goes: up to there it counts as the exploration.
+/// the start, is drawn as far as it goes: up to there it counts as the search run.
 DrawingLayers layers_of(const RecordFile& file, const LayerSet& chosen);
 
 /// The record as it was after that step (1 or more): cut there, so that the layers show what was known and chosen by
 /// then.
 RecordFile as_of(RecordFile file, int step);
 
-/// The layers of the picture that every contest leaves: the speed run over the visits of the exploration.
+/// The layers of the picture that every contest leaves: the speed run over the visits of the search run.
 const LayerSet& contest_layers();
 
 }  // namespace labmouse

@@ -65,7 +65,7 @@ std::vector<DrivePathPoint> true_path(const DriveRecordFile& file, std::size_t r
 }
 
 std::vector<DrivePathPoint> believed_path(const DriveRecordFile& file, std::size_t run) {
-  return path_of(file, run, [](const TracePoint& point) { return point.belief; });
+  return path_of(file, run, [](const TracePoint& point) { return point.estimate; });
 }
 
 DrivePathPoint touched_at(const DriveRecordFile& file, const WallTouch& touch) {

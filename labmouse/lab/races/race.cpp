@@ -13,7 +13,7 @@ namespace {
 
 int runs_of(const Contestant& mouse, const RaceOrder& order) {
   if (mouse.runs > 0) return mouse.runs;
-  return mouse.uses_chance || order.world->throws_dice() ? order.runs : 1;
+  return mouse.uses_chance || order.world->is_stochastic() ? order.runs : 1;
 }
 
 bool is_stopped(const RaceHooks& hooks) { return hooks.stop != nullptr && hooks.stop->load(); }
@@ -41,9 +41,9 @@ void list_contests(Race& race) {
         contest.mouse = mouse;
         contest.maze = maze;
         contest.run = run;
-        contest.told = told_seed(race.order.seed, run);
+        contest.told = seed_of_program(race.order.seed, run);
         // A world that draws something itself draws it anew in each maze.
-        contest.seed = race.mice[mouse].external && !race.world().throws_dice()
+        contest.seed = race.mice[mouse].external && !race.world().is_stochastic()
                            ? contest.told
                            : contest_seed(race.order.seed, race.mazes[maze].name, run);
       }
@@ -79,7 +79,7 @@ std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int r
   return seed_for(seed, maze_name.substr(maze_name.rfind('/') + 1), static_cast<std::uint64_t>(run)) >> 11U;
 }
 
-std::uint64_t told_seed(std::uint64_t seed, int run) { return contest_seed(seed, "external mouse", run); }
+std::uint64_t seed_of_program(std::uint64_t seed, int run) { return contest_seed(seed, "external mouse", run); }
 
 void leave_unjudged(ContestResult& result) {
   result.judged = false;
@@ -113,7 +113,7 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
     if (is_stopped(hooks)) return;
     ContestResult& result = race.results[i];
     if (result.done || (order.store && order.store->failed())) return;
-    const Held held = race.world().hold(race, result, hooks.keep ? hooks.keep(result) : Keep(), hooks.stop);
+    const ContestOutput held = race.world().hold(race, result, hooks.keep ? hooks.keep(result) : Keep(), hooks.stop);
     if (result.done && result.judged && order.store) order.store->keep(race, result);
     if (!hooks.finished || !result.done) return;
     const std::lock_guard lock(telling);

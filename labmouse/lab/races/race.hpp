@@ -20,12 +20,12 @@ struct Shard {
 
 struct RaceOrder {
   std::shared_ptr<const World> world;
-  /// Contests in each maze where the mouse or the world throws dice; others need one.
+  /// Contests in each maze where the mouse or the world is stochastic; others need one.
   int runs = 20;
   std::uint64_t seed = 1;
   /// Threads; 0 takes as many as there are processors. Results do not depend on it.
   int jobs = 0;
-  /// Only these contests are held, and listed.
+  /// Only these contests are run, and listed.
   Shard shard = {};
   /// Where contests are taken from and kept; may be null.
   std::shared_ptr<ContestStore> store = nullptr;
@@ -44,7 +44,7 @@ struct ContestResult {
   /// False where the machine was too busy to judge an external mouse: the contest counts nowhere and is not kept.
   bool judged = true;
   std::string outcome;  ///< "solved", "forfeit: hit a wall"
-  /// Why a guest's program did not get as far as its first word; empty where it did, and for all other mice.
+  /// Why an external mouse's program did not get as far as its first word; empty where it did, and for all other mice.
   std::string never_started;
   int outcome_order = 0;  ///< in which lists of outcomes have it
   /// In the world's own unit; lower is better. Nothing where the contest has none.
@@ -73,7 +73,7 @@ struct RaceHooks {
   std::function<Keep(const ContestResult&)> keep;
   /// Called after each contest, from any thread but never from two at once. Of one that the store had, nothing is held
   /// again and the last argument is empty.
-  std::function<void(const Race&, const ContestResult&, const Held&)> finished;
+  std::function<void(const Race&, const ContestResult&, const ContestOutput&)> finished;
   /// Asked before each contest and each decision; once it is true no other begins.
   const std::atomic<bool>* stop = nullptr;
 };
@@ -90,7 +90,7 @@ std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int r
 
 /// The seed that an external mouse is told: from the race's seed and the number of the run alone, so that it says
 /// nothing of the maze.
-std::uint64_t told_seed(std::uint64_t seed, int run);
+std::uint64_t seed_of_program(std::uint64_t seed, int run);
 
 /// Takes everything from a result that would count.
 void leave_unjudged(ContestResult& result);

@@ -8,10 +8,10 @@ namespace labmouse {
 Json json_of(const Value& value) {
   return std::visit(
       [](const auto& held) -> Json {
-        using Held = std::decay_t<decltype(held)>;
-        if constexpr (std::is_same_v<Held, std::monostate>)
+        using ContestOutput = std::decay_t<decltype(held)>;
+        if constexpr (std::is_same_v<ContestOutput, std::monostate>)
           return nullptr;
-        else if constexpr (std::is_same_v<Held, JsonText>)
+        else if constexpr (std::is_same_v<ContestOutput, JsonText>)
           return Json::parse(held.text);
         else
           return held;

@@ -51,7 +51,7 @@ struct Keep {
 };
 
 /// A contest that was held, for those who look closer than its result.
-struct Held {
+struct ContestOutput {
   std::optional<RunRecord> run;  ///< step by step, in worlds of steps
   std::string record;            ///< the text of its file, where it was to be kept
   std::string picture;           ///< SVG, where it was to be kept
@@ -143,7 +143,7 @@ class World {
   virtual std::string formula() const = 0;
   virtual std::vector<Condition> conditions() const = 0;
   /// To be raised where the same contest comes to another result, or its figures are others: what stores have of
-  /// earlier editions is then held again.
+  /// earlier editions is then run again.
   virtual int edition() const { return 1; }
   /// Figures that differ from race to race: stores keep them apart from results.
   virtual std::span<const Timing> timings() const { return {}; }
@@ -167,11 +167,11 @@ class World {
   virtual std::string_view unit() const = 0;
 
   virtual MazeFacts facts(const Maze& maze) const = 0;
-  /// Holds the contest of `result.mouse` in `result.maze` with `result.seed`, and fills in what is left of the result.
+  /// Runs the contest of `result.mouse` in `result.maze` with `result.seed`, and fills in what is left of the result.
   /// It is not done where `stop`, which may be null, ended it. Called from several threads at once.
-  virtual Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const = 0;
-  /// Whether contests differ by their seeds for mice, too, that throw no dice themselves.
-  virtual bool throws_dice() const { return false; }
+  virtual ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const = 0;
+  /// Whether contests differ by their seeds for mice, too, that are deterministic themselves.
+  virtual bool is_stochastic() const { return false; }
   /// Whether a mouse may have several contests in a maze; then their files are numbered.
   virtual bool numbers_runs() const { return true; }
   /// What a contest without a score counts in means over all; nothing where it has no place there.
@@ -179,7 +179,7 @@ class World {
   /// What a contest without a score counts where mice are compared, where it always has to count: the score at the time
   /// limit (PAR-1), or the failure score.
   virtual double limit_score() const = 0;
-  /// The figure of a contest whose mean over the solved ones tells mice with equal means apart; empty without one.
+  /// The figure of a contest whose mean over the finished ones tells mice with equal means apart; empty without one.
   virtual std::string_view tie_breaker() const { return ""; }
   virtual ScorePlace score_place() const { return {}; }
 

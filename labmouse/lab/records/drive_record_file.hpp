@@ -22,8 +22,8 @@ struct PhysicalPart {
   PhysicalConditions conditions;
   PhysicalNotes notes;
   int edition = physical_edition;  ///< of its world, in which it was driven
-  std::string hazards;             ///< by whose dice it was held; empty in the physical world
-  std::string hazards_hash;
+  std::string failure_rates;             ///< by whose dice it was held; empty in the physical world
+  std::string rates_hash;
 };
 
 /// A record with all that is needed to understand it years later.
@@ -46,7 +46,7 @@ struct DriveRecordFile {
 
 /// The part of the robot's usual pace at which a run of it was driven.
 inline double pace_of(const DriveRecordFile& file, const DriveRun& run) {
-  return file.physical ? file.physical->conditions.pilot.pace * run.pace : 1.0;
+  return file.physical ? file.physical->conditions.controller.pace * run.pace : 1.0;
 }
 /// Whether it says where the mouse was between its moves.
 inline bool has_trace(const DriveRecordFile& file) { return file.physical && !file.physical->notes.trace.empty(); }

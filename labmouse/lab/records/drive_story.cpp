@@ -52,7 +52,7 @@ class Story {
     return std::nullopt;
   }
 
-  bool did_not_end_well(std::size_t run) const { return is_crash(end_of(run)) || end_of(run) == RunEnd::walled_in; }
+  bool did_not_end_well(std::size_t run) const { return is_crash(end_of(run)) || end_of(run) == RunEnd::no_route_left; }
 
   /// A search that led nowhere but to the goal, over walls that it took for open before, since no fast run had ended
   /// well.
@@ -88,7 +88,7 @@ class Story {
 
   void set_out(std::size_t i) {
     const DriveRun& run = record_.runs[i];
-    const bool stayed = i > 0 && record_.runs[i - 1].kind == Kind::fast && end_of(i - 1) == RunEnd::walled_in;
+    const bool stayed = i > 0 && record_.runs[i - 1].kind == Kind::fast && end_of(i - 1) == RunEnd::no_route_left;
     if (i > 0 && did_not_end_well(i - 1) && run.touched && !stayed) add(run.begin, "was carried to the start");
     const std::string pace = pace_words(i);
     switch (run.kind) {
@@ -140,11 +140,11 @@ class Story {
         return add(run.end, "gives up");
       case RunEnd::slid:
         return add(run.end, "crashes: its tyres did not hold");
-      case RunEnd::strayed:
+      case RunEnd::position_lost:
         return add(run.end, "crashes: it is not where it believes to be, or not where it should be");
-      case RunEnd::misread:
+      case RunEnd::wall_error:
         return add(run.end, "crashes into a wall that it took for a gap");
-      case RunEnd::walled_in:
+      case RunEnd::no_route_left:
         return add(run.end, file_.physical->conditions.map == MapKind::learned
                                 ? "asks to be carried: its map has no way left, or does not fit what it sees"
                                 : "sees no way any more: walls on it must be misread");

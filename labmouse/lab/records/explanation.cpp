@@ -120,7 +120,7 @@ std::string reset_of(const RecordFile& file, const StepRecord& step) {
                      steps_text(why->reasons.known));
 }
 
-/// Why the exploration ended, where the mouse ended it itself.
+/// Why the search run ended, where the mouse ended it itself.
 std::string ending_of(const RecordFile& file) {
   const auto& steps = file.run.steps;
   const auto race =

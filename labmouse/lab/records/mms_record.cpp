@@ -1,6 +1,6 @@
 #include "labmouse/lab/records/mms_record.hpp"
 
-#include "labmouse/guests/mms/half_pose.hpp"
+#include "labmouse/external/mms/half_pose.hpp"
 #include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
 #include "labmouse/lab/system/version.hpp"
@@ -20,7 +20,7 @@ Json event_json(const MmsEvent& event) {
 Json end_json(const MmsRun& run) {
   return {{"outcome", name_of(run.outcome)},
           {"end", run.end},
-          {"solved", run.statistics.solved},
+          {"finished", run.statistics.finished},
           {"statistics", statistics_json(run.statistics)},
           {"lines", run.lines},
           {"invalid_lines", run.invalid_lines},

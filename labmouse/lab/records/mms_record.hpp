@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "labmouse/guests/mms/run.hpp"
+#include "labmouse/external/mms/run.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 
 namespace labmouse {

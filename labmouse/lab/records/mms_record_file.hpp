@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "labmouse/guests/mms/host.hpp"
+#include "labmouse/external/mms/host.hpp"
 #include "labmouse/maze/formats/format.hpp"
 
 namespace labmouse {

@@ -88,7 +88,7 @@ std::string read_end(const ReadJson& json, MmsRecordFile& file) {
   end.end = fields.text("end");
   if (!fields.has("statistics")) return "'statistics' is missing";
   end.statistics = read_statistics(json["statistics"], fields);
-  end.statistics.solved = fields.flag("solved");
+  end.statistics.finished = fields.flag("finished");
   end.lines = read_count(fields, json, "lines");
   end.invalid_lines = read_count(fields, json, "invalid_lines");
   for (const ReadJson& sentence : fields.list("log"))

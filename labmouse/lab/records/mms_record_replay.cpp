@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "labmouse/guests/mms/outcome.hpp"
+#include "labmouse/external/mms/outcome.hpp"
 #include "labmouse/lab/records/mms_record_file.hpp"
 
 namespace labmouse {
@@ -19,7 +19,7 @@ std::string compare(const MmsStatistics& was, const MmsStatistics& is) {
   for (const MmsStatistic& statistic : mms_statistics)
     if (const float recorded = was.*statistic.value, played = is.*statistic.value; recorded != played)
       return fmt::format("the record ends with {} {}; replayed, it is {}", statistic.name, recorded, played);
-  return was.solved == is.solved ? "" : "the record and the simulator disagree on whether the mouse was in the goal";
+  return was.finished == is.finished ? "" : "the record and the simulator disagree on whether the mouse was in the goal";
 }
 
 /// What an event did, as a record has it.
@@ -51,7 +51,7 @@ std::string replay(const MmsRecordFile& file, const std::function<void(std::size
   }
   if (!file.end || file.left_out > 0) return "";
   const bool at_best_run = file.end->outcome == name_of(MmsOutcome::never_ended);
-  return compare(file.end->statistics, at_best_run ? host.books().at_best_run() : host.statistics());
+  return compare(file.end->statistics, at_best_run ? host.ledger().at_best_run() : host.statistics());
 }
 
 }  // namespace labmouse

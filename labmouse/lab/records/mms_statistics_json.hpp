@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "labmouse/guests/mms/statistics.hpp"
+#include "labmouse/external/mms/statistics.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/numbers.hpp"
 
@@ -13,7 +13,7 @@ namespace labmouse {
 
 /// What the best run adds to the score: effective distance + turns; nothing where none was finished.
 inline std::optional<double> best_run(const MmsStatistics& statistics) {
-  if (!statistics.solved) return std::nullopt;
+  if (!statistics.finished) return std::nullopt;
   return decimal(statistics.best_run_effective_distance) + decimal(statistics.best_run_turns);
 }
 

@@ -114,7 +114,7 @@ Json pack_record(const RecordFile& file) {
   if (!file.world.empty()) json["world"] = file.world;
   if (file.rules != Rules())
     json["rules"] = {{"budget", file.rules.budget},
-                     {"exploration_factor", file.rules.exploration_factor},
+                     {"search_factor", file.rules.search_factor},
                      {"stride", file.rules.stride}};
   std::string actions;
   for (const StepRecord& step : file.run.steps) actions += text_of(step.action);

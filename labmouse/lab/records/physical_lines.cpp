@@ -81,12 +81,12 @@ void read_touch(PhysicalNotes& notes, JsonFields& fields) {
 }
 
 /// A line of the tape: as rows, and the words that are not `drive`, each with the number of its row.
-std::string tape_line(std::span<const PilotTick> ticks) {
+std::string tape_line(std::span<const ControllerTick> ticks) {
   std::vector<std::int32_t> numbers;
   Json said = Json::array();
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     numbers.insert(numbers.end(), {ticks[i].left, ticks[i].right});
-    if (ticks[i].word != PilotWord::drive) said.push_back({i, words[static_cast<std::size_t>(ticks[i].word)]});
+    if (ticks[i].word != ControllerWord::drive) said.push_back({i, words[static_cast<std::size_t>(ticks[i].word)]});
   }
   return record_line({{"tape", rows_text(numbers, 2)}, {"said", std::move(said)}});
 }
@@ -104,8 +104,8 @@ void read_tape(PhysicalNotes& notes, JsonFields& fields) {
   const std::size_t first = notes.tape.size();
   for (std::size_t i = 0; i < numbers.size(); i += 2) {
     const auto [least, most] = std::minmax(numbers[i], numbers[i + 1]);
-    if (least < -PilotTick::full || most > PilotTick::full)
-      return fields.fail(fmt::format("has duties of more than {}", PilotTick::full));
+    if (least < -ControllerTick::full || most > ControllerTick::full)
+      return fields.fail(fmt::format("has duties of more than {}", ControllerTick::full));
     notes.tape.push_back({static_cast<std::int16_t>(numbers[i]), static_cast<std::int16_t>(numbers[i + 1])});
   }
   for (const ReadJson& each : fields.list("said")) {
@@ -114,7 +114,7 @@ void read_tape(PhysicalNotes& notes, JsonFields& fields) {
     const std::size_t row = whole ? each[0].get<std::size_t>() : 0;
     if (word == words.end() || row >= numbers.size() / 2)
       return fields.fail("has a 'said' that is not a list of [row, word]");
-    notes.tape[first + row].word = static_cast<PilotWord>(word - words.begin());
+    notes.tape[first + row].word = static_cast<ControllerWord>(word - words.begin());
   }
 }
 
@@ -126,7 +126,7 @@ void read_trace(PhysicalNotes& notes, JsonFields& fields) {
   TracePoint point;
   point.time = long_at(list, 0, "trace", fields);
   point.truth = body_at(list, 1, "trace", fields);
-  if (believes) point.belief = body_at(list, 4, "trace", fields);
+  if (believes) point.estimate = body_at(list, 4, "trace", fields);
   for (std::size_t beam = 0; beam < beam_count; ++beam)
     point.infrared[beam] =
         static_cast<std::int16_t>(fields.whole(list[list.size() - beam_count + beam], "trace", 0, 32767));
@@ -142,26 +142,26 @@ Json conditions_json(const PhysicalPart& part) {
   Json groups = Json::object();
   for (std::size_t i = 0; i < noise_groups; ++i)
     groups[std::string(name_of(static_cast<NoiseGroup>(i)))] = conditions.noise.groups[i];
-  const CorrectionChoice& corrections = conditions.pilot.corrections;
+  const CorrectionChoice& corrections = conditions.controller.corrections;
   Json json = {
       {"edition", part.edition},
       {"noise", conditions.noise.all},
       {"groups", std::move(groups)},
-      {"spread", conditions.noise.spread},
+      {"variation", conditions.noise.variation},
       {"handling", conditions.handling},
-      {"search_speed", conditions.pilot.search_speed},
+      {"search_speed", conditions.controller.search_speed},
       {"map", name_of(conditions.map)},
       {"corrections", {{"sides", corrections.sides}, {"edges", corrections.edges}, {"front", corrections.front}}},
       {"trace_every", conditions.trace_every}};
-  if (conditions.pilot.pace != 1.0) json["pace"] = conditions.pilot.pace;
+  if (conditions.controller.pace != 1.0) json["pace"] = conditions.controller.pace;
   if (part.notes.foreign_parts) json["foreign_parts"] = true;
-  if (part.notes.by_dice) json["hazards"] = {{"name", part.hazards}, {"hash", part.hazards_hash}};
+  if (part.notes.by_dice) json["failure_rates"] = {{"name", part.failure_rates}, {"hash", part.rates_hash}};
   return json;
 }
 
 std::string decision_lines(const PhysicalNotes& notes) {
   std::string text;
-  for (std::span<const PilotTick> rest = notes.tape; !rest.empty();) {
+  for (std::span<const ControllerTick> rest = notes.tape; !rest.empty();) {
     const std::size_t count = std::min(rest.size(), ticks_a_line);
     text += tape_line(rest.first(count));
     rest = rest.subspan(count);
@@ -183,8 +183,8 @@ std::string physical_lines(const PhysicalNotes& notes) {
   for (const TracePoint& point : notes.trace) {
     Json list = {point.time};
     for (Json& number : body_json(point.truth)) list.push_back(std::move(number));
-    if (point.belief)
-      for (Json& number : body_json(*point.belief)) list.push_back(std::move(number));
+    if (point.estimate)
+      for (Json& number : body_json(*point.estimate)) list.push_back(std::move(number));
     for (const std::int16_t level : point.infrared) list.push_back(level);
     text += record_line({{"trace", std::move(list)}});
   }
@@ -193,9 +193,9 @@ std::string physical_lines(const PhysicalNotes& notes) {
 
 Json counts_json(const PhysicalNotes& notes) {
   return {{"carried", notes.carried},
-          {"misreads", notes.misreads},
+          {"wrong_walls", notes.wrong_walls},
           {"contradictions", notes.contradictions},
-          {"frailty", notes.frailty}};
+          {"severity", notes.severity}};
 }
 
 std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_limit) {
@@ -215,13 +215,13 @@ std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_l
 
 void read_common_conditions(JsonFields& fields, PhysicalConditions& conditions) {
   conditions.noise.all = fields.number("noise", 0.0, most_noise);
-  conditions.noise.spread = fields.number("spread", 0.0, most_spread);
-  conditions.pilot.search_speed = fields.number("search_speed", 0.0, most_search_speed);
+  conditions.noise.variation = fields.number("variation", 0.0, most_variation);
+  conditions.controller.search_speed = fields.number("search_speed", 0.0, most_search_speed);
   // Records of old have none of these.
-  if (fields.has("pace")) conditions.pilot.pace = fields.number("pace", least_pace, 1.0);
+  if (fields.has("pace")) conditions.controller.pace = fields.number("pace", least_pace, 1.0);
   if (!fields.has("map")) return;
-  const std::optional<MapKind> kind = map_kind_of(fields.text("map"));
-  if (!kind) fields.fail("has a 'map' that is none of first, belief and learned");
+  const std::optional<MapKind> kind = map_kind_of(today_value(fields.text("map")));
+  if (!kind) fields.fail("has a 'map' that is none of first, log-odds and log-odds-prior");
   conditions.map = kind.value_or(MapKind::first);
 }
 
@@ -232,12 +232,12 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
   part.conditions.handling = fields.long_whole("handling", 0, longest_time);
   part.conditions.trace_every = fields.whole("trace_every", 0, 1'000'000);
   part.notes.foreign_parts = fields.has("foreign_parts") && fields.flag("foreign_parts");
-  part.notes.by_dice = fields.has("hazards");
+  part.notes.by_dice = fields.has("failure_rates");
   if (part.notes.by_dice) {
-    JsonFields hazards(json["hazards"], "hazards");
-    part.hazards = hazards.text("name");
-    part.hazards_hash = hazards.text("hash");
-    fields.reject(hazards.error());
+    JsonFields failure_rates(json["failure_rates"], "failure_rates");
+    part.failure_rates = failure_rates.text("name");
+    part.rates_hash = failure_rates.text("hash");
+    fields.reject(failure_rates.error());
   }
   if (!fields.has("groups") || !fields.has("corrections")) fields.reject("'physical' lacks its groups or corrections");
   if (fields.error().empty()) {
@@ -245,7 +245,7 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
     for (std::size_t i = 0; i < noise_groups; ++i)
       part.conditions.noise.groups[i] =
           groups.number(std::string(name_of(static_cast<NoiseGroup>(i))).c_str(), 0.0, most_noise);
-    part.conditions.pilot.corrections = {corrections.flag("sides"), corrections.flag("edges"),
+    part.conditions.controller.corrections = {corrections.flag("sides"), corrections.flag("edges"),
                                          corrections.flag("front")};
     fields.reject(groups.error());
     fields.reject(corrections.error());
@@ -266,7 +266,7 @@ bool read_decision_line(const ReadJson& json, PhysicalNotes& notes, JsonFields& 
 RunEnd read_run_end(JsonFields& fields) {
   const std::string how = fields.text("how");
   for (const RunEnd end : all_run_ends)
-    if (how == name_of(end)) return end;
+    if (today_value(how) == name_of(end)) return end;
   fields.fail("has an end of a run that this version does not know");
   return RunEnd::done;
 }
@@ -288,9 +288,9 @@ bool read_physical_line(const ReadJson& json, Size size, PhysicalNotes& notes, J
 void read_counts(const ReadJson& json, PhysicalNotes& notes, JsonFields& outer) {
   JsonFields fields(json, "physical");
   notes.carried = fields.whole("carried", 0, 1'000'000);
-  notes.misreads = fields.whole("misreads", 0, 1'000'000);
+  notes.wrong_walls = fields.whole("wrong_walls", 0, 1'000'000);
   notes.contradictions = fields.whole("contradictions", 0, 1'000'000'000);
-  notes.frailty = fields.number("frailty", 0.0, 1e9);
+  notes.severity = fields.number("severity", 0.0, 1e9);
   outer.reject(fields.error());
 }
 

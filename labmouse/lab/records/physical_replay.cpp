@@ -10,7 +10,7 @@
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/taped_code.hpp"
-#include "labmouse/lab/hazards/hazard_file.hpp"
+#include "labmouse/lab/failure_rates/failure_file.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -57,9 +57,9 @@ void cut_like(DriveRecordFile& again, const DriveRecordFile& file) {
   cut_to(notes.touches, kept.touches);
   cut_to(notes.trace, kept.trace);
   notes.carried = kept.carried;
-  notes.misreads = kept.misreads;
+  notes.wrong_walls = kept.wrong_walls;
   notes.contradictions = kept.contradictions;
-  notes.frailty = kept.frailty;
+  notes.severity = kept.severity;
 }
 
 std::string_view next_line(std::string_view& text) {
@@ -73,8 +73,8 @@ std::string shortened(std::string_view line) {
   return line.size() <= longest ? std::string(line) : std::string(line.substr(0, longest)) + "...";
 }
 
-std::optional<HazardFile> hazards_behind(const PhysicalPart& part) {
-  return brought_hazards(part.hazards, part.hazards_hash);
+std::optional<FailureFile> rates_behind(const PhysicalPart& part) {
+  return builtin_rates_of(part.failure_rates, part.rates_hash);
 }
 
 }  // namespace
@@ -90,8 +90,8 @@ PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every) {
   for (const DriveRun& run : file.record.runs) paces.push_back(run.pace);
   Script script(file.maze->size(), file.physical->notes.actions, std::move(paces));
   if (file.physical->notes.by_dice) {
-    const Hazards hazards = hazards_of(*hazards_behind(*file.physical));
-    return drive_with_failures(*file.maze, file.rules, *file.model, conditions, hazards, file.seed, script);
+    const FailureRates failure_rates = rates_of(*rates_behind(*file.physical));
+    return drive_with_failures(*file.maze, file.rules, *file.model, conditions, failure_rates, file.seed, script);
   }
   return drive_physically(*file.maze, file.rules, *file.model, conditions, file.seed, script);
 }
@@ -103,12 +103,12 @@ std::string replay_physically(const DriveRecordFile& file) {
         "it was driven in edition {} of the {} world; this version has edition {}, so it can be "
         "shown and not driven again",
         file.physical->edition, by_dice ? "failures" : "physical", edition);
-  if (by_dice && !hazards_behind(*file.physical))
+  if (by_dice && !rates_behind(*file.physical))
     return fmt::format(
-        "it was held by the hazards {} ({}), which labmouse does not bring; it can be shown and not driven again",
-        shown(file.physical->hazards), shown(file.physical->hazards_hash));
+        "it was run with the failure rates {} ({}), which are not built in; it can be shown and not driven again",
+        shown(file.physical->failure_rates), shown(file.physical->rates_hash));
   if (file.physical->notes.foreign_parts)
-    return "parts of its pilot were somebody's own, and the record does not have what they said; it can be shown and "
+    return "parts of its controller were somebody's own, and the record lacks what they answered; it can be shown and "
            "not driven again";
   if (file.tables_hash != file.model->tables.hash)
     return fmt::format("the hash of the robot's tables is {}; recomputed, it is {}", hash_text(file.tables_hash),

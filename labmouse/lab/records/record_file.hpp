@@ -28,7 +28,7 @@ struct RecordFile {
   std::string mouse;
   std::string spec;         ///< the mouse's SPEC where its name is another
   Settings settings;        ///< written, not read back
-  std::string interpreter;  ///< with its version, of a guest that has one
+  std::string interpreter;  ///< with its version, of an external mouse that has one
   std::uint64_t seed = 0;
   Rules rules;
   std::string version;  ///< of the program that wrote it; a writer puts its own

@@ -57,6 +57,6 @@ std::optional<Maze> read_record_maze(JsonFields& fields) {
   return read.maze->with_goals(goals).with_start(start, heading);
 }
 
-std::string record_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string record_line(const Json& json) { return one_line(json) + "\n"; }
 
 }  // namespace labmouse

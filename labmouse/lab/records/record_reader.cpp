@@ -60,9 +60,10 @@ Action read_action(const ReadJson& json, JsonFields& fields) {
 }
 
 Run read_run(JsonFields& fields) {
-  const std::string run = fields.text("run");
-  if (run != "exploration" && run != "speed") fields.fail("has a run that is neither exploration nor speed");
-  return run == "speed" ? Run::speed : Run::exploration;
+  const std::string name = fields.text("run");
+  const std::string_view run = today_value(name);
+  if (run != "search" && run != "speed") fields.fail("has a run that is neither search nor speed");
+  return run == "speed" ? Run::speed : Run::search_run;
 }
 
 Sighting read_reading(JsonFields& fields) {

@@ -40,7 +40,7 @@ std::string pose_words(const Pose& pose, const GivenFields& given) {
 /// What is given of a step, in words.
 std::string step_words(const StepRecord& step, const GivenFields& given) {
   std::vector<std::string> words;
-  if (given.run) words.emplace_back(step.run == Run::speed ? "in the speed run" : "in the exploration");
+  if (given.run) words.emplace_back(step.run == Run::speed ? "in the speed run" : "in the search run");
   if (given.cell || given.heading) words.push_back(pose_words(step.pose, given));
   if (given.reading)
     words.push_back(fmt::format("reading {} {} {}", step.sighting.left, step.sighting.ahead, step.sighting.right));

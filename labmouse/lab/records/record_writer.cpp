@@ -28,7 +28,7 @@ Json header_json(const RecordFile& file) {
                  {"seed", file.seed},
                  {"rules",
                   {{"budget", file.rules.budget},
-                   {"exploration_factor", file.rules.exploration_factor},
+                   {"search_factor", file.rules.search_factor},
                    {"stride", file.rules.stride}}}};
   if (!file.world.empty()) header["world"] = file.world;
   return header;
@@ -47,7 +47,7 @@ Json action_json(const Action& action) {
 }
 
 Json step_json(const StepRecord& step) {
-  return {{"run", step.run == Run::speed ? "speed" : "exploration"},
+  return {{"run", step.run == Run::speed ? "speed" : "search"},
           {"step", step.step},
           {"cell", cell_json(step.pose.cell)},
           {"heading", name_of(step.pose.heading)},
@@ -60,7 +60,7 @@ Json end_json(const RecordFile& file) {
   const Score result = score(file.run, file.rules);
   Json end = {
       {"outcome", name_of(result.outcome)},       {"cell", cell_json(file.run.end.cell)},
-      {"heading", name_of(file.run.end.heading)}, {"exploration_steps", result.exploration_steps},
+      {"heading", name_of(file.run.end.heading)}, {"search_steps", result.search_steps},
       {"speed_steps", result.speed_steps},        {"score", result.value ? Json(*result.value) : Json(nullptr)}};
   if (!file.run.last_words.empty()) end["last_words"] = file.run.last_words;
   for (const Count& count : file.run.counts) end["counts"][count.name] = count.value;

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "labmouse/lab/mazes/maze_files.hpp"
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/parallel.hpp"

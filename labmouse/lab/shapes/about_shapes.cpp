@@ -6,7 +6,7 @@ namespace labmouse {
 std::vector<Declaration> about_shapes() {
   using namespace shapes;
   return {
-      {"Rules", "", object({field("budget", number), field("exploration_factor", number), field("stride", number)})},
+      {"Rules", "", object({field("budget", number), field("search_factor", number), field("stride", number)})},
       {"ParameterType", "", words({"whole", "real", "flag", "choice", "list", "prior", "text"})},
       {"Parameter", "",
        object(
@@ -18,7 +18,7 @@ std::vector<Declaration> about_shapes() {
             maybe("listed", flag,
                   "Whether a race may have several values, separated by commas: it is then run once for each.")})},
       {"Mouse", "",
-       object({field("name", text), field("summary", text), field("throws_dice", flag),
+       object({field("name", text), field("summary", text), field("is_stochastic", flag),
                maybe("walks", flag, "Whether it plays in steps."),
                maybe("drives", flag, "Whether it drives in the worlds in seconds."),
                field("parameters", list(named("Parameter"))), maybe("method", text, "How it does that, in sentences."),
@@ -29,7 +29,7 @@ std::vector<Declaration> about_shapes() {
            {field("name", text), field("summary", text),
             field("in_steps", flag, "Whether the user's own mice run there, and `losses` knows where steps are lost."),
             field("plays", flag, "Whether `contest` runs a contest there with its play."),
-            field("throws_dice", flag, "Whether contests differ for mice, too, that throw no dice themselves."),
+            field("is_stochastic", flag, "Whether contests differ for mice, too, that throw no dice themselves."),
             field("usual_runs", number, "Contests in each maze of a mouse that meets dice, where nobody says."),
             field("settings", list(named("Parameter")), "What a race there is asked besides."),
             field("mice", list(text))})},

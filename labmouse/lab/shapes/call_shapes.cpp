@@ -59,7 +59,7 @@ std::vector<CallShape> call_shapes() {
        object({field("differences", list(number)), maybe("seed", number)}), named("PairedDifference")},
       {"losses",
        "Where contests in steps in one maze lose their steps; labmouse/lab/plays/lost_steps.hpp says what that means. "
-       "Lists run over cells; those that were not solved are left out of all but `contests`. `points` is what the mean "
+       "Lists run over cells; those that were not finished are left out of all but `contests`. `points` is what the mean "
        "contest loses of its score in that cell; they add up to `mean_score` - `bound`.",
        object({field("maze", named("MazeData")),
                field("contests", list(object({field("mouse", text), field("seed", number)}))),
@@ -74,18 +74,18 @@ std::vector<CallShape> call_shapes() {
       {"picture", "A picture (SVG) of a maze, or of a record's text in `bytes`.",
        either({object({field("maze", named("MazeData"))}), object({})}), object({field("svg", text)}),
        CallBytes::optional},
-      {"guest_begin",
+      {"program_begin",
        "Begins a contest in steps of a program that the page runs. `name` may be empty; `spec` is the program for the "
        "command line. With `races` the seed is that of a race, from which the contest has its own.",
        object({field("name", text), field("spec", text), field("maze", named("MazeData")), field("seed", number),
                maybe("races", flag), maybe("budget", number)}),
        named("GuestLines")},
-      {"guest_hear",
+      {"program_hear",
        "What the program wrote, to its standard output and to its standard error, with all line ends; or how it ended.",
        object(
            {field("contest", number), maybe("output", text), maybe("printed", text), maybe("end", named("GuestEnd"))}),
        named("GuestLines")},
-      {"guest_end", "Ends a contest, which counts as interrupted where it was not over.",
+      {"program_end", "Ends a contest, which counts as interrupted where it was not over.",
        object({field("contest", number)}),
        object({field("play", named("Play")), field("record", text), field("packed", named("PackedRecord")),
                field("started", flag), field("microseconds", number)})},

@@ -24,7 +24,7 @@ std::vector<Declaration> drive_shapes() {
                      "null for none."),
                field("hoped", or_null(number)),
                field("ended", or_null(text),
-                     "How it ended, in the words of the record: \"done\", \"slid\", \"walled in\"; null in a world in "
+                     "How it ended, in the words of the record: \"done\", \"slid\", \"no route left\"; null in a world in "
                      "which nothing goes wrong."),
                field("crash", or_null(object({field("time", number), field("cell", named("Cell"))})),
                      "Where the mouse crashed, which ended the run; null where it did not."),

@@ -50,13 +50,13 @@ std::vector<Declaration> play_shapes() {
             field("rules", or_null(named("Rules")), "As in the record; only of a contest in steps."),
             field("seed", or_null(number)),
             field("outcome", text, "In words, with the reason of a forfeit."),
-            field("solved", flag),
+            field("finished", flag),
             field("score", or_null(number)),
             field("bound", or_null(number),
                   "The best possible score and speed run here (in seconds: from rest to the centre); null where there "
                   "is no way."),
             field("optimum", or_null(number)),
-            field("exploration_steps", number),
+            field("search_steps", number),
             field("speed_steps", number),
             field("discovered", or_null(number), "Shares, 0 to 1, of the cells that can be reached; null in mms."),
             field("visited", or_null(number)),
@@ -102,10 +102,10 @@ std::vector<Declaration> play_shapes() {
             field("reasons", list(named("Reasons"))),
             field("events", list(named("MmsEvent"))),
             field("loses", list(number),
-                  "What each step falls behind a shortest way, in steps; after the goal each step of the exploration "
+                  "What each step falls behind a shortest way, in steps; after the goal each step of the search run "
                   "does. Empty where a step has no such measure."),
             field("scores", list(or_null(number)),
-                  "What had been scored by each frame, whether or not it was solved in the end; in seconds null before "
+                  "What had been scored by each frame, whether or not it was finished in the end; in seconds null before "
                   "the first run."),
             maybe("drive", named("Drive"), "Only in seconds."),
             maybe("again",

@@ -25,7 +25,7 @@ std::vector<Declaration> play_shapes();
 std::vector<Declaration> drive_shapes();
 std::vector<Declaration> robot_shapes();
 std::vector<Declaration> race_shapes();
-std::vector<Declaration> guest_shapes();
+std::vector<Declaration> external_shapes();
 std::vector<CallShape> call_shapes();
 
 /// All named shapes.

@@ -19,10 +19,10 @@ Value parameters(const Race& race, const Standing& standing) {
   return JsonText{settings_json(race.world().settings(race.mice[standing.mouse])).dump()};
 }
 Value contestant(const Race& race, const Standing& standing) { return !race.mice[standing.mouse].reference; }
-Value solved(const Race&, const Standing& standing) { return std::int64_t{standing.solved}; }
+Value finished(const Race&, const Standing& standing) { return std::int64_t{standing.finished}; }
 Value runs(const Race&, const Standing& standing) { return std::int64_t{standing.runs}; }
 Value mean_all(const Race&, const Standing& standing) { return or_none(standing.mean_all); }
-Value mean_solved(const Race&, const Standing& standing) { return or_none(standing.mean_solved); }
+Value mean_finished(const Race&, const Standing& standing) { return or_none(standing.mean_finished); }
 Value interval(const Race&, const Standing& standing) {
   if (!standing.mean_all) return nullptr;
   return JsonText{ReadJson{standing.interval.low, standing.interval.high}.dump()};
@@ -42,11 +42,11 @@ std::string number(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "-";
 }
 
-std::string solved(const Race&, const Standing& standing) {
-  return fmt::format("{}/{}", standing.solved, standing.runs);
+std::string finished(const Race&, const Standing& standing) {
+  return fmt::format("{}/{}", standing.finished, standing.runs);
 }
 std::string mean_all(const Race&, const Standing& standing) { return number(standing.mean_all, 3); }
-std::string mean_solved(const Race&, const Standing& standing) { return number(standing.mean_solved, 3); }
+std::string mean_finished(const Race&, const Standing& standing) { return number(standing.mean_finished, 3); }
 std::string mean_ratio(const Race&, const Standing& standing) { return number(standing.mean_ratio, 3); }
 
 std::string interval(const Standing& standing, int digits) {

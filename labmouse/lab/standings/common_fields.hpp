@@ -31,10 +31,10 @@ Value of_maze(const Race& race, const ContestResult& contest) {
 Value name(const Race& race, const Standing& standing);
 Value parameters(const Race& race, const Standing& standing);
 Value contestant(const Race& race, const Standing& standing);
-Value solved(const Race& race, const Standing& standing);
+Value finished(const Race& race, const Standing& standing);
 Value runs(const Race& race, const Standing& standing);
 Value mean_all(const Race& race, const Standing& standing);
-Value mean_solved(const Race& race, const Standing& standing);
+Value mean_finished(const Race& race, const Standing& standing);
 Value interval(const Race& race, const Standing& standing);
 Value mean_ratio(const Race& race, const Standing& standing);
 
@@ -56,9 +56,9 @@ namespace labmouse::columns {
 std::string number(const std::optional<double>& value, int digits);
 
 /// "12/15": contests with a score of all.
-std::string solved(const Race& race, const Standing& standing);
+std::string finished(const Race& race, const Standing& standing);
 std::string mean_all(const Race& race, const Standing& standing);
-std::string mean_solved(const Race& race, const Standing& standing);
+std::string mean_finished(const Race& race, const Standing& standing);
 std::string mean_ratio(const Race& race, const Standing& standing);
 /// "38.1-39.4" with so many digits, "-" where one maze says nothing of others.
 std::string interval(const Standing& standing, int digits);

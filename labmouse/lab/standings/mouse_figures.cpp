@@ -34,9 +34,9 @@ std::optional<double> mean_if_any(std::span<const double> values) {
   return values.empty() ? std::nullopt : std::optional(mean(values));
 }
 
-std::optional<double> mean_solved(const Race& race, const Standing& standing, std::string_view figure) {
+std::optional<double> mean_finished(const Race& race, const Standing& standing, std::string_view figure) {
   Numbers numbers(race, figure);
-  for_each_solved(race, standing, [&](const ContestResult& contest) { numbers.add(contest); });
+  for_each_finished(race, standing, [&](const ContestResult& contest) { numbers.add(contest); });
   return mean_if_any(numbers.values);
 }
 

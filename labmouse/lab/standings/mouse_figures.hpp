@@ -15,7 +15,7 @@ namespace labmouse {
 std::optional<double> mean_if_any(std::span<const double> values);
 
 /// The mean of a figure over the contests with a score, or over all that count; of those that have it.
-std::optional<double> mean_solved(const Race& race, const Standing& standing, std::string_view figure);
+std::optional<double> mean_finished(const Race& race, const Standing& standing, std::string_view figure);
 std::optional<double> mean_of_all(const Race& race, const Standing& standing, std::string_view figure);
 
 /// The sum of a figure over all contests that count.
@@ -28,7 +28,7 @@ void for_each_counted(const Race& race, const Standing& standing, Call call) {
     if (contest.mouse == standing.mouse && counts(race, contest)) call(contest);
 }
 template <class Call>
-void for_each_solved(const Race& race, const Standing& standing, Call call) {
+void for_each_finished(const Race& race, const Standing& standing, Call call) {
   for_each_counted(race, standing, [&](const ContestResult& contest) {
     if (contest.score) call(contest);
   });

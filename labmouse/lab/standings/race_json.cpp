@@ -55,7 +55,7 @@ void set_origin(const Contestant& mouse, Json& json) {
 std::vector<const Column*> own_columns(const Race& race) {
   std::vector<const Column*> own;
   for (const Column& column : race.world().fields().columns)
-    if (!column.rare && column.text != columns::solved && column.text != columns::mean_all) own.push_back(&column);
+    if (!column.rare && column.text != columns::finished && column.text != columns::mean_all) own.push_back(&column);
   return own;
 }
 

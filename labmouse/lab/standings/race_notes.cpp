@@ -76,7 +76,7 @@ std::string left_out_of(const Race& race) {
 
 /// Whether its contests depend on their seeds. External mice are told another one, the same in all mazes.
 bool uses_seeds(const Race& race) {
-  return race.world().throws_dice() ||
+  return race.world().is_stochastic() ||
          std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.uses_chance; });
 }
 
@@ -112,7 +112,7 @@ std::string unjudged_of(const Race& race) {
              : "Not judged, because the machine was too busy; these contests count nowhere, so race again:\n" + lines;
 }
 
-/// What guests could do to the machine that they raced on.
+/// What external mice could do to the machine that they raced on.
 std::string sandboxes_of(const Race& race) {
   std::string note = freedom_note(race.mice);
   const auto has = [&](bool sandbox) {

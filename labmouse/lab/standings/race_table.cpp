@@ -59,7 +59,7 @@ std::string leaderboard_of(const Race& race, bool colours, bool all) {
   const std::size_t width = MouseColumn(race).width;
   const auto standings = standings_of(race);
   const auto best = std::find_if(standings.begin(), standings.end(), [&](const Standing& standing) {
-    return !race.mice[standing.mouse].reference && standing.solved > 0;
+    return !race.mice[standing.mouse].reference && standing.finished > 0;
   });
   std::string text;
   std::ptrdiff_t line_number = -2;  // two lines of headings
@@ -82,7 +82,7 @@ std::string shares_of(const Race& race) {
     return columns::number(share ? std::optional(100.0 * *share) : std::nullopt, 1);
   };
   std::string text =
-      fmt::format("Exploration: percent of the reachable cells, mean over all contests\n{:<{}} {:>11} {:>8}\n", "mouse",
+      fmt::format("Search: percent of the reachable cells, mean over all contests\n{:<{}} {:>11} {:>8}\n", "mouse",
                   names.width, "discovered%", "visited%");
   for (const Standing& standing : standings_of(race))
     text += fmt::format("{:<{}} {:>11} {:>8}\n", names.of[standing.mouse], names.width,

@@ -13,7 +13,7 @@ struct Standing {
   std::size_t mouse = 0;  ///< position in Race::mice
   int mazes = 0;          ///< in which a contest enters the mean over all
   int runs = 0;           ///< contests
-  int solved = 0;         ///< those with a score
+  int finished = 0;         ///< those with a score
   /// Over all contests that the world counts, failed ones as it counts them, and its interval over mazes.
   std::optional<double> mean_all;
   Interval interval;
@@ -21,9 +21,9 @@ struct Standing {
   std::optional<double> mean_at_limit;
   Interval interval_at_limit;
   /// Of the share of contests with a score, over mazes.
-  Interval finished;
+  Interval finished_share;
   /// Over the contests with a score; nothing where there is none.
-  std::optional<double> mean_solved;
+  std::optional<double> mean_finished;
   std::optional<double> mean_ratio;  ///< score over the maze's bound
 };
 

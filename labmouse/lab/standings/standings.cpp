@@ -38,7 +38,7 @@ void set_intervals(const Race& race, Standing& standing) {
                                                            return MazeSum{maze.finished_sum, 1.0 * maze.finished};
                                                          }),
                                                  standing.mean_all);
-  standing.finished = share_interval(sums_of(scores, [](const MazeScores& maze) {
+  standing.finished_share = share_interval(sums_of(scores, [](const MazeScores& maze) {
     return MazeSum{1.0 * maze.finished, 1.0 * maze.contests};
   }));
 }
@@ -46,20 +46,20 @@ void set_intervals(const Race& race, Standing& standing) {
 Standing standing_of(const Race& race, std::size_t mouse) {
   Standing standing;
   standing.mouse = mouse;
-  std::vector<double> all, solved, ratios;
+  std::vector<double> all, finished, ratios;
   for (const ContestResult& contest : race.results) {
     if (contest.mouse != mouse || !counts(race, contest)) continue;
     ++standing.runs;
     if (contest.counted) all.push_back(*contest.counted);
     if (!contest.score) continue;
-    ++standing.solved;
-    solved.push_back(*contest.score);
+    ++standing.finished;
+    finished.push_back(*contest.score);
     if (contest.ratio) ratios.push_back(*contest.ratio);
   }
   const auto by_maze = scores_by_maze(race, mouse);
   standing.mazes = static_cast<int>(std::count_if(by_maze.begin(), by_maze.end(), [](auto& score) { return score; }));
   standing.mean_all = mean_if_any(all);
-  standing.mean_solved = mean_if_any(solved);
+  standing.mean_finished = mean_if_any(finished);
   standing.mean_ratio = mean_if_any(ratios);
   set_intervals(race, standing);
   return standing;
@@ -83,8 +83,8 @@ std::vector<Standing> standings_of(const Race& race) {
   const bool completeness = !race.world().failure_score();
   const std::string_view tie = race.world().tie_breaker();
   const auto rank = [&](const Standing& standing) {
-    return std::tuple(completeness ? -standing.solved : 0, !standing.mean_all.has_value(),
-                      standing.mean_all.value_or(0.0), tie.empty() ? std::nullopt : mean_solved(race, standing, tie));
+    return std::tuple(completeness ? -standing.finished : 0, !standing.mean_all.has_value(),
+                      standing.mean_all.value_or(0.0), tie.empty() ? std::nullopt : mean_finished(race, standing, tie));
   };
   // The mice stand in the order of their names, so a stable sort breaks ties by name.
   std::stable_sort(standings.begin(), standings.end(),

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/steps/steps_world.hpp"
 
 namespace labmouse {

@@ -28,7 +28,7 @@ constexpr std::array<ContestField, 15> contest_fields = {{{"maze", fields::maze_
                                                           {"seed", fields::seed},
                                                           {"outcome", fields::outcome},
                                                           {"score", fields::score},
-                                                          {"exploration_steps", figure<F::exploration_steps>},
+                                                          {"search_steps", figure<F::search_steps>},
                                                           {"speed_steps", figure<F::speed_steps>},
                                                           {discovered_share, figure<F::discovered>},
                                                           {visited_share, figure<F::visited>},
@@ -45,7 +45,7 @@ constexpr std::array<ContestField, 12> csv_fields = {{{"mouse", fields::mouse_na
                                                       {"seed", fields::seed},
                                                       {"outcome", fields::outcome},
                                                       {"score", fields::score},
-                                                      {"exploration_steps", figure<F::exploration_steps>},
+                                                      {"search_steps", figure<F::search_steps>},
                                                       {"speed_steps", figure<F::speed_steps>},
                                                       {"optimum", fields::of_maze<StepsMazeFigure::optimum>},
                                                       {"bound", fields::bound},
@@ -59,21 +59,21 @@ constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
                                                    {"optimum", fields::maze_figure<StepsMazeFigure::optimum>},
                                                    {"bound", fields::bound}}};
 
-/// Steps of a solved contest's speed run above the shortest one.
+/// Steps of a finished contest's speed run above the shortest one.
 double over_optimum(const Race& race, const ContestResult& contest) {
   return number_of(contest, F::speed_steps) - *number_of(race.facts[contest.maze].figures.front());
 }
 
 std::optional<double> mean_over_optimum(const Race& race, const Standing& standing) {
   std::vector<double> values;
-  for_each_solved(race, standing, [&](const ContestResult& contest) { values.push_back(over_optimum(race, contest)); });
+  for_each_finished(race, standing, [&](const ContestResult& contest) { values.push_back(over_optimum(race, contest)); });
   return mean_if_any(values);
 }
 
 /// Share of all contests whose speed run was a shortest one.
 double optimal_share(const Race& race, const Standing& standing) {
   int optimal = 0;
-  for_each_solved(race, standing,
+  for_each_finished(race, standing,
                   [&](const ContestResult& contest) { optimal += over_optimum(race, contest) == 0.0 ? 1 : 0; });
   return standing.runs > 0 ? optimal / static_cast<double>(standing.runs) : 0.0;
 }
@@ -91,14 +91,14 @@ constexpr std::array<MouseField, 15> mouse_fields = {
     {{"name", fields::name},
      {"parameters", fields::parameters},
      {"contestant", fields::contestant},
-     {"solved", fields::solved},
+     {"finished", fields::finished},
      {"runs", fields::runs},
-     {"mean_score", fields::mean_solved},
-     {"penalised_mean", fields::mean_all},
+     {"mean_score", fields::mean_finished},
+     {"mean_par1", fields::mean_all},
      {"interval", fields::interval},
      {"mean_ratio", fields::mean_ratio},
-     {"mean_exploration_steps",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_solved(r, s, "exploration_steps")); }},
+     {"mean_search_steps",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_finished(r, s, "search_steps")); }},
      {"mean_speed_over_optimum",
       [](const Race& r, const Standing& s) -> Value { return or_none(mean_over_optimum(r, s)); }},
      {"optimal_share", [](const Race& r, const Standing& s) -> Value { return optimal_share(r, s); }},
@@ -120,18 +120,18 @@ std::string us_a_step(const Race& race, const Standing& standing) {
 
 // With the built-in mice a line fits into 90 columns.
 constexpr std::array<Column, 9> table = {
-    {{"", "finished", 8, columns::solved},
-     {"mean", "score", 7, columns::mean_all, "penalised_mean", "mean score",
-      "Mean score over all contests, in steps: speed run plus a thirtieth of the exploration; a failed one counts 100.",
+    {{"", "finished", 8, columns::finished},
+     {"mean", "score", 7, columns::mean_all, "mean_par1", "mean score",
+      "Mean score over all contests, in steps: speed run plus a thirtieth of the search run; a failed one counts 100.",
       3},
      {"95 %", "interval", 11, [](const Race&, const Standing& s) { return columns::interval(s, 1); }},
-     rarely({"score of", "finished", 8, columns::mean_solved, "mean_score", "score of finished",
+     rarely({"score of", "finished", 8, columns::mean_finished, "mean_score", "score of finished",
              "Mean score over the finished contests, in steps.", 3}),
      {"score /", "best", 7, columns::mean_ratio},
      {"search", "steps", 6,
-      [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "exploration_steps"), 1); },
-      "mean_exploration_steps", "explor. steps",
-      "Mean exploration steps of the finished contests, including the reset.", 1},
+      [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "search_steps"), 1); },
+      "mean_search_steps", "explor. steps",
+      "Mean search steps of the finished contests, including the reset.", 1},
      {"speed run", "excess", 9,
       [](const Race& r, const Standing& s) { return columns::number(mean_over_optimum(r, s), 2); },
       "mean_speed_over_optimum", "steps too many",

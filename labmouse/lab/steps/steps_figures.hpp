@@ -9,15 +9,15 @@ namespace labmouse {
 
 /// The figures of a contest, by their places in ContestResult::figures.
 enum class StepsFigure : std::uint8_t {
-  exploration_steps,
-  speed_steps,  ///< null where the contest was not solved
+  search_steps,
+  speed_steps,  ///< null where the contest was not finished
   discovered,
   visited,
   blocked_steps,  ///< this and the next three are there where one of them is not 0
   void_rotations,
   cut_movements,
   idle_resets,
-  first_misstep,  ///< as a count of the clock, 0 where there is none
+  first_action_error,  ///< as a count of the clock, 0 where there is none
   words,          ///< nothing where the mouse had nothing to say
   counts,         ///< an object; nothing where the mouse counted nothing
   decisions,

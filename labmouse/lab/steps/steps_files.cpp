@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/lab/plays/steps_text.hpp"
+#include "labmouse/lab/replays/steps_text.hpp"
 
 namespace labmouse {
 
-Held kept(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed, RunRecord record,
+ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed, RunRecord record,
           Keep keep) {
-  Held held;
+  ContestOutput held;
   if (keep.record || keep.picture) {
     const RecordFile file = record_file_of(mouse, maze, rules, seed, record);
     if (keep.record) held.record = write_record(file);

@@ -9,7 +9,7 @@
 namespace labmouse {
 
 /// What is kept of a contest.
-Held kept(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed, RunRecord record,
+ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed, RunRecord record,
           Keep keep);
 
 /// The record of a contest as a file.

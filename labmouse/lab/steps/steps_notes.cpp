@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "labmouse/lab/steps/misstep_lines.hpp"
+#include "labmouse/lab/steps/action_error_lines.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -12,22 +12,22 @@ namespace labmouse {
 namespace {
 
 /// Share of the runs that a mouse solved in each maze, to see whether two means cover the same mazes alike.
-std::vector<double> solved_shares(const Race& race, std::size_t mouse) {
-  std::vector<int> runs(race.mazes.size()), solved(race.mazes.size());
+std::vector<double> finished_shares(const Race& race, std::size_t mouse) {
+  std::vector<int> runs(race.mazes.size()), finished(race.mazes.size());
   for (const ContestResult& contest : race.results) {
     if (contest.mouse != mouse || !counts(race, contest)) continue;
     ++runs[contest.maze];
-    solved[contest.maze] += contest.score ? 1 : 0;
+    finished[contest.maze] += contest.score ? 1 : 0;
   }
   std::vector<double> shares;
   for (std::size_t maze = 0; maze < runs.size(); ++maze)
-    shares.push_back(runs[maze] > 0 ? solved[maze] / static_cast<double>(runs[maze]) : 0.0);
+    shares.push_back(runs[maze] > 0 ? finished[maze] / static_cast<double>(runs[maze]) : 0.0);
   return shares;
 }
 
-bool solved_different_mazes(const Race& race) {
+bool finished_different_mazes(const Race& race) {
   for (std::size_t mouse = 1; mouse < race.mice.size(); ++mouse)
-    if (solved_shares(race, mouse) != solved_shares(race, 0)) return true;
+    if (finished_shares(race, mouse) != finished_shares(race, 0)) return true;
   return false;
 }
 
@@ -61,7 +61,7 @@ std::string steps_notes(const Race& race, const Rules& rules) {
       "Score: {}; lower is better.\n"
       "A failed contest counts {:g}.\n",
       race.world().formula(), rules.failure_score);
-  if (solved_different_mazes(race))
+  if (finished_different_mazes(race))
     notes += "Different mice finished different mazes; 'mean score' counts all of them.\n";
   const auto dear = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
     return counts(race, contest) && contest.score.value_or(0.0) > rules.failure_score;
@@ -72,6 +72,6 @@ std::string steps_notes(const Race& race, const Rules& rules) {
   return notes;
 }
 
-std::string steps_remarks(const Race& race) { return misstep_lines(race) + note_on_robots(race); }
+std::string steps_remarks(const Race& race) { return action_error_lines(race) + note_on_robots(race); }
 
 }  // namespace labmouse

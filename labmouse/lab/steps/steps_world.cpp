@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "labmouse/contest/coverage.hpp"
-#include "labmouse/contest/missteps.hpp"
+#include "labmouse/contest/action_errors.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
@@ -72,29 +72,29 @@ Value counts_of(const RunRecord& record) {
 
 Value last_words_of(const RunRecord& record) { return record.last_words.empty() ? Value() : Value(record.last_words); }
 
-std::int64_t first_of(const Missteps& missteps) {
+std::int64_t first_of(const ActionErrors& action_errors) {
   int first = 0;
-  for (const MisstepCount& count :
-       {missteps.blocked, missteps.void_rotations, missteps.cut_movements, missteps.idle_resets})
+  for (const ActionErrorCount& count :
+       {action_errors.blocked, action_errors.void_rotations, action_errors.cut_movements, action_errors.idle_resets})
     if (count.first > 0 && (first == 0 || count.first < first)) first = count.first;
   return first;
 }
 
 /// In the order of StepsFigure.
 std::vector<Value> figures_of(const RunRecord& record, const Score& score, const Coverage& coverage,
-                              const Missteps& missteps, double microseconds) {
-  const auto misstep = [&](const MisstepCount& count) {
-    return missteps == Missteps() ? Value() : Value(std::int64_t{count.steps});
+                              const ActionErrors& action_errors, double microseconds) {
+  const auto action_error = [&](const ActionErrorCount& count) {
+    return action_errors == ActionErrors() ? Value() : Value(std::int64_t{count.steps});
   };
-  return {std::int64_t{score.exploration_steps},
+  return {std::int64_t{score.search_steps},
           score.value ? Value(std::int64_t{score.speed_steps}) : Value(nullptr),
           coverage.discovered,
           coverage.visited,
-          misstep(missteps.blocked),
-          misstep(missteps.void_rotations),
-          misstep(missteps.cut_movements),
-          misstep(missteps.idle_resets),
-          first_of(missteps),
+          action_error(action_errors.blocked),
+          action_error(action_errors.void_rotations),
+          action_error(action_errors.cut_movements),
+          action_error(action_errors.idle_resets),
+          first_of(action_errors),
           last_words_of(record),
           counts_of(record),
           static_cast<std::int64_t>(record.steps.size()),
@@ -107,7 +107,7 @@ class StepsWorld final : public World {
 
   std::string_view name() const override { return "steps"; }
   std::string formula() const override {
-    return fmt::format("speed-run steps + exploration steps / {}", rules_.exploration_factor);
+    return fmt::format("speed-run steps + search steps / {}", rules_.search_factor);
   }
   std::vector<Condition> conditions() const override { return {{"budget", std::int64_t{rules_.budget}}}; }
   std::span<const Timing> timings() const override {
@@ -131,7 +131,7 @@ class StepsWorld final : public World {
     return {bound.score, {or_none(bound.optimum)}, reachable_cells(maze)};
   }
 
-  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
+  ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
     const Contestant& mouse = race.mice[result.mouse];
     const NamedMaze& maze = race.mazes[result.maze];
     const MazeFacts& facts = race.facts[result.maze];
@@ -147,7 +147,7 @@ class StepsWorld final : public World {
     result.counted = score.value.value_or(rules_.failure_score);
     if (score.value && facts.bound) result.ratio = *score.value / *facts.bound;
     result.figures = figures_of(record, score, coverage_of(record, maze.maze.size(), facts.reachable),
-                                missteps_of(record, rules_), microseconds);
+                                action_errors_of(record, rules_), microseconds);
     if (reason_of(record) == ForfeitReason::not_judged) leave_unjudged(result);
     result.done = !interrupted;
     return kept(mouse, maze, rules_, result.seed, std::move(record), keep);

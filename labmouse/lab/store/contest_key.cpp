@@ -6,6 +6,7 @@
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/races/value_json.hpp"
 #include "labmouse/lab/store/build_signature.hpp"
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "labmouse/mouse/wall_prior.hpp"
 
@@ -22,27 +23,30 @@ std::string prior_text(const WallPrior& prior) {
 
 }  // namespace
 
-std::string conditions_text(const World& world) {
-  return conditions_json(world).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string conditions_text(const World& world) { return one_line(conditions_json(world)); }
 
 std::string key_of(const World& world) {
+  // With the names of the first version, so that what stores have stays valid.
   std::string fields;
-  for (const ContestField& field : world.fields().contest) fields += fmt::format(" {}", field.key);
+  for (const ContestField& field : world.fields().contest) fields += fmt::format(" {}", former_key(field.key));
+  const Json conditions = with_names(conditions_json(world), former_key, former_value);
+  std::string formula = world.formula();
+  if (const auto place = formula.find("search steps"); place != std::string::npos)
+    formula.replace(place, 6, "exploration");
   const auto failure = world.failure_score();
   const WorldEntry* entry = find_world(world.name());
   const std::string_view name = entry != nullptr && !entry->former_name.empty() ? entry->former_name : world.name();
   return fmt::format("world {}\nedition {}\nformula {}\nfailure {}\nconditions {}\nfields{}\n", name, world.edition(),
-                     world.formula(), failure ? fmt::format("{}", *failure) : "none", conditions_text(world), fields);
+                     formula, failure ? fmt::format("{}", *failure) : "none", one_line(conditions), fields);
 }
 
 std::string key_of(const World& world, const Contestant& mouse) {
   if (mouse.identity) return mouse.identity();
-  const RosterEntry* entry = entry_of(mouse);
+  const BuiltinMouse* entry = entry_of(mouse);
   if (entry == nullptr && !mouse.reference) return "";
   std::string text = fmt::format("mouse {}\n", entry != nullptr ? entry->name : std::string_view(spec_of(mouse)));
   const Settings settings = world.settings(mouse);
-  for (const Setting& setting : settings.all()) text += fmt::format("{} {}\n", setting.name, setting.value);
+  for (const Setting& setting : settings.all()) text += fmt::format("{} {}\n", former_key(setting.name), former_value(setting.value));
   if (const WallPrior* learned = mouse.settings.attached()) text += fmt::format("learned {}\n", prior_text(*learned));
   return text + fmt::format("signature {}\n", build_signature());
 }

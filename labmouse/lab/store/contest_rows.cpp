@@ -10,12 +10,11 @@
 #include "labmouse/lab/races/value_json.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/figures.hpp"
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
-
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 bool is_timing(const World& world, std::string_view field) {
   return std::any_of(world.timings().begin(), world.timings().end(),
@@ -31,7 +30,7 @@ std::string fields_text(const Race& race, const ContestResult& result) {
     const Value value = field.of(race, result);
     if (!std::holds_alternative<std::monostate>(value)) json[std::string(field.key)] = json_of(value);
   }
-  return dumped(json);
+  return one_line(json);
 }
 
 }  // namespace
@@ -47,7 +46,7 @@ std::string about_text(const Contestant& mouse) {
   if (mouse.sandboxed) json["sandboxed"] = *mouse.sandboxed;
   if (mouse.keeps_folder) json["keeps_folder"] = true;
   if (!mouse.why_no_sandbox.empty()) json["why_no_sandbox"] = mouse.why_no_sandbox;
-  return dumped(json);
+  return one_line(json);
 }
 
 void read_about(std::string_view about, Contestant& mouse) {
@@ -74,7 +73,7 @@ std::string parameters_text(const World& world, const Contestant& mouse) {
   Json json = Json::object();
   const Settings settings = world.settings(mouse);
   for (const Setting& setting : settings.all()) json[setting.name] = setting.value;
-  return dumped(json);
+  return one_line(json);
 }
 
 RaceRows rows_of(const Race& race) {
@@ -122,8 +121,8 @@ bool fill_in(const Statement& row, const World& world, ContestResult& result) {
     if (timings && i < timings->size()) (*figures)[place] = (*timings)[i];
   }
   result.run = static_cast<int>(row.whole("run"));
-  result.told = told_seed(*race_seed, result.run);
-  result.outcome = row.text("outcome");
+  result.told = seed_of_program(*race_seed, result.run);
+  result.outcome = today_value(row.text("outcome"));
   result.outcome_order = static_cast<int>(row.whole("outcome_order"));
   result.never_started = row.text("never_started");
   result.score = row.real("score");

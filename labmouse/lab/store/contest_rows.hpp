@@ -28,7 +28,7 @@ struct RaceRows {
   std::vector<MazeRow> mazes;
 };
 
-/// A race in which nothing has to be held yet. Reads the files of guests.
+/// A race in which nothing has to be held yet. Reads the files of external mice.
 RaceRows rows_of(const Race& race);
 
 /// A row, with its mouse and maze by their places in the race.

@@ -30,7 +30,7 @@ std::optional<std::string> bytes_of(std::string_view hexadecimal) {
 
 /// A text in quotation marks; as bytes where it is no UTF-8.
 std::string quoted(const std::string& text) {
-  std::string json = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string json = one_line(Json(text));
   if (ReadJson::parse(json).get_ref<const std::string&>() == text) return json;
   return fmt::format("{{\"bytes\":\"{}\"}}", hexadecimal(text));
 }

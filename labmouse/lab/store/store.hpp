@@ -1,4 +1,4 @@
-// A store of contests in a file: what is there is not held again, and what is held is there when its batch is on the
+// A store of contests in a file: what is there is not run again, and what is held is there when its batch is on the
 // disk. docs/how-to/clusters-and-stores.md describes it to people.
 #pragma once
 

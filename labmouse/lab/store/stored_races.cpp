@@ -11,12 +11,12 @@
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/contest_rows.hpp"
 #include "labmouse/lab/store/schema.hpp"
-#include "labmouse/lab/store/told_apart.hpp"
+#include "labmouse/lab/store/differences.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {
@@ -33,7 +33,7 @@ std::optional<Contestant> mouse_of(const Statement& row) {
   mouse.name = row.text("name");
   if (const std::string spec = row.text("spec"); spec != mouse.name) mouse.spec = spec;
   const std::string& spec = spec_of(mouse);
-  const RosterEntry* entry = find_mouse(spec.substr(0, spec.find(':')));
+  const BuiltinMouse* entry = find_mouse(spec.substr(0, spec.find(':')));
   const ReadJson parameters = read_json(row.text("parameters"));
   if (!parameters.is_object()) return std::nullopt;
   if (entry != nullptr) {
@@ -57,7 +57,7 @@ void tell_apart(std::vector<StoredMouse>& mice) {
       of_world.push_back(mouse.conditions);
   }
   for (const auto& [world, of_world] : conditions) {
-    const std::vector<std::string> told = told_apart(of_world);
+    const std::vector<std::string> told = differences_of(of_world);
     for (StoredMouse& mouse : mice)
       for (std::size_t i = 0; i < of_world.size(); ++i)
         if (mouse.world == world && mouse.conditions == of_world[i]) mouse.apart = told[i];
@@ -288,7 +288,7 @@ Json json_of_column(const Statement& rows, const char* column) {
 std::string json_line(const Statement& rows) {
   Json json;
   for (const char* column : export_columns) json[column] = json_of_column(rows, column);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return one_line(json) + "\n";
 }
 
 std::string csv_line(const Statement& rows) {
@@ -339,7 +339,7 @@ StoredMice stored_mice(const std::string& path, const StoreFilter& filter) {
   Statement rows = database.prepare(fmt::format(
       "SELECT worlds.name AS world, worlds.conditions AS conditions, mice.name AS mouse, count(DISTINCT contests.maze) "
       "AS mazes, "
-      "count(*) AS contests, count(score) AS solved, avg(CASE WHEN bound IS NOT NULL THEN counted END) AS mean, "
+      "count(*) AS contests, count(score) AS finished, avg(CASE WHEN bound IS NOT NULL THEN counted END) AS mean, "
       "min(time) AS first, max(time) AS last FROM contests "
       "JOIN worlds ON worlds.id = contests.world JOIN mice ON mice.id = contests.mouse "
       "LEFT JOIN bounds ON bounds.world = contests.world AND bounds.maze = contests.maze "
@@ -353,7 +353,7 @@ StoredMice stored_mice(const std::string& path, const StoreFilter& filter) {
                           .apart = "",
                           .mazes = rows.whole("mazes"),
                           .contests = rows.whole("contests"),
-                          .solved = rows.whole("solved"),
+                          .finished = rows.whole("finished"),
                           .mean = rows.real("mean"),
                           .first = rows.whole("first"),
                           .last = rows.whole("last")});

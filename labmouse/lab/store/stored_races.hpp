@@ -30,8 +30,8 @@ struct StoredRaces {
 };
 
 /// The races that were held with one seed; an error where the rows have several and none was asked for. Of mice with
-/// one name, such as an older guest, the one that raced last, and none that a study taught. Mice and mazes are as the
-/// rows say: nothing can be held again.
+/// one name, such as an older external mouse, the one that raced last, and none that a study taught. Mice and mazes are as the
+/// rows say: nothing can be run again.
 StoredRaces stored_races(const std::string& path, const StoreFilter& filter);
 
 /// The same with all mice and seeds: results have their own, and the names of mice are not unique.
@@ -41,7 +41,7 @@ StoredRaces all_stored_contests(const std::string& path, const StoreFilter& filt
 struct StoredMouse {
   std::string world, conditions, mouse;
   std::string apart;  ///< what tells its conditions from others of that world; empty where there are no others
-  std::int64_t mazes = 0, contests = 0, solved = 0;
+  std::int64_t mazes = 0, contests = 0, finished = 0;
   std::optional<double> mean;        ///< of what its contests count, in mazes that count
   std::int64_t first = 0, last = 0;  ///< seconds since 1970
 };

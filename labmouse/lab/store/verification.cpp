@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/lab/mice/guest_specs.hpp"
+#include "labmouse/lab/mice/external_specs.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/figures.hpp"
@@ -43,10 +43,10 @@ class Permissions {
 /// Puts a mouse in the place of its description in the store.
 Presence revive(const World& world, Contestant& mouse, const VerificationOrder& order, Permissions& permissions) {
   const std::string spec = spec_of(mouse);
-  if (is_guest_spec(spec) && !permissions.may_run(spec)) return Presence::not_to_be_run;
-  GuestOptions guests = order.guests;
-  guests.sandbox = SandboxUse::always;
-  SpecResult read = is_guest_spec(spec) ? read_specs(spec, guests) : read_roster_specs(spec);
+  if (is_external_spec(spec) && !permissions.may_run(spec)) return Presence::not_to_be_run;
+  ExternalOptions external_mice = order.external_mice;
+  external_mice.sandbox = SandboxUse::always;
+  SpecResult read = is_external_spec(spec) ? read_specs(spec, external_mice) : read_builtin_specs(spec);
   const bool same = read.contestants.size() == 1 && world.refuse(read.contestants.front()).empty() &&
                     key_of(world, read.contestants.front()) == mouse.identity();
   if (!same) return Presence::elsewhere;
@@ -55,7 +55,7 @@ Presence revive(const World& world, Contestant& mouse, const VerificationOrder& 
   return Presence::here;
 }
 
-/// The contests of a race that are picked and can be held again; the others are counted.
+/// The contests of a race that are picked and can be run again; the others are counted.
 std::vector<const ContestResult*> pick(Race& race, Dice& dice, const VerificationOrder& order, Permissions& permissions,
                                        Verification& found) {
   std::vector<const ContestResult*> picked;
@@ -89,7 +89,7 @@ std::string words_of(const ContestResult& result) {
 
 Verification verify_store(const std::string& path, const StoreFilter& filter, const VerificationOrder& order) {
   Verification found;
-  order.guests.hidden->add_store(path);
+  order.external_mice.hidden->add_store(path);
   StoredRaces stored = all_stored_contests(path, filter);
   found.remarks = std::move(stored.remarks);
   found.error = std::move(stored.error);

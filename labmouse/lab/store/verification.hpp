@@ -1,4 +1,4 @@
-// Contests of a store held again, to see whether they come to what the store says.
+// Contests of a store run again, to see whether they come to what the store says.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@ struct VerificationOrder {
   std::uint64_t seed = 1;  ///< of that choice
   int jobs = 0;
   /// How programs are started that the store names. Their sandbox is not a matter of choice: without one none starts.
-  GuestOptions guests = {};
+  ExternalOptions external_mice = {};
   /// Asked once for each SPEC of a program, before anything of it is looked up or started; without an answer, no
   /// program is run. A store may come from somebody else, so its programs are not the user's own.
   std::function<bool(const std::string& spec)> may_run = {};
@@ -24,7 +24,7 @@ struct VerificationOrder {
 };
 
 struct Verification {
-  std::int64_t held = 0;                 ///< contests that were held again
+  std::int64_t held = 0;                 ///< contests that were run again
   std::int64_t equal = 0;                ///< those that came to the same, but for timings
   std::vector<std::string> differences;  ///< the others, a line each
   std::int64_t impossible = 0;           ///< contests that were picked and whose mouse is not here any more

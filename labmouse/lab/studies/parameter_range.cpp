@@ -21,14 +21,14 @@ int decimals_of(double value) {
   return decimals;
 }
 
-const Parameter* find_number(const RosterEntry& mouse, std::string_view name) {
+const Parameter* find_number(const BuiltinMouse& mouse, std::string_view name) {
   const auto found = std::find_if(mouse.parameters.begin(), mouse.parameters.end(),
                                   [&](const Parameter& parameter) { return parameter.name == name; });
   return found == mouse.parameters.end() ? nullptr : &*found;
 }
 
 /// Why a parameter that is no number cannot be searched.
-std::string no_number(const RosterEntry& mouse, const Parameter& parameter) {
+std::string no_number(const BuiltinMouse& mouse, const Parameter& parameter) {
   std::vector<std::string_view> numbers;
   for (const Parameter& other : mouse.parameters)
     if (is_number(other)) numbers.push_back(other.name);
@@ -59,7 +59,7 @@ std::string read_ends(std::string_view spec, std::string_view text, ParameterRan
 }
 
 /// Reads one NAME[=LOW:HIGH]; returns what is wrong, or nothing.
-std::string read_one(std::string_view spec, const RosterEntry& mouse, std::string_view text,
+std::string read_one(std::string_view spec, const BuiltinMouse& mouse, std::string_view text,
                      std::vector<ParameterRange>& ranges) {
   const auto equals = text.find('=');
   const auto name = text.substr(0, equals);
@@ -108,7 +108,7 @@ double share_of(const ParameterRange& range, double value) {
 RangesResult read_ranges(std::string_view spec, std::string_view text) {
   const SpecResult base = read_variant(spec, {});
   if (!base.error.empty()) return {{}, base.error};
-  const RosterEntry& mouse = *entry_of(base.contestants.front());
+  const BuiltinMouse& mouse = *entry_of(base.contestants.front());
   RangesResult result;
   for (bool more = true; more;) {
     const auto comma = text.find(',');

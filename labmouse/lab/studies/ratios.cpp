@@ -16,7 +16,7 @@ ByMaze figures_by_maze(const Race& race, std::size_t mouse, std::string_view key
   std::vector<std::vector<double>> numbers(race.mazes.size());
   Standing standing;
   standing.mouse = mouse;
-  for_each_solved(race, standing, [&](const ContestResult& contest) {
+  for_each_finished(race, standing, [&](const ContestResult& contest) {
     if (const auto number = number_of(figure_of(race, contest, key))) numbers[contest.maze].push_back(*number);
   });
   ByMaze means;

@@ -124,7 +124,7 @@ Study hold_study(const std::vector<Contestant>& mice, std::vector<NamedMaze> maz
   RaceHooks race_hooks;
   race_hooks.stop = hooks.stop;
   if (hooks.finished)
-    race_hooks.finished = [&](const Race&, const ContestResult&, const Held&) { hooks.finished(all); };
+    race_hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput&) { hooks.finished(all); };
   std::vector<Race> races;
   for (int fold = 0; fold < order.folds; ++fold) {
     std::vector<Contestant> pupils = taught(mice, study, deal, fold, hooks);

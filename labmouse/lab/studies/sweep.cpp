@@ -30,14 +30,14 @@ SweepPoint point_of(const Race& race, const std::string& value) {
   const Standing standing = standings_of(race).front();
   return {value,
           standing.runs,
-          standing.runs - standing.solved,
+          standing.runs - standing.finished,
           standing.mean_at_limit,
           interval_of(race, standing),
-          standing.mean_solved};
+          standing.mean_finished};
 }
 
-/// Sets what the sweep says of the mouse and of the parameter, which it has. A guest's is known to the guest alone.
-void describe_parameter(std::string_view spec, const RosterEntry* mouse, Sweep& sweep) {
+/// Sets what the sweep says of the mouse and of the parameter, which it has. An external mouse's is known to the external mouse alone.
+void describe_parameter(std::string_view spec, const BuiltinMouse* mouse, Sweep& sweep) {
   sweep.mouse = spec;
   if (mouse == nullptr) return;
   const auto parameters = mouse->parameters;
@@ -71,11 +71,11 @@ void describe_mazes(const std::vector<NamedMaze>& mazes, Sweep& sweep) {
 }  // namespace
 
 Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::vector<NamedMaze>& mazes,
-                 const RaceOrder& order, const SweepHooks& hooks, const GuestOptions& guests) {
+                 const RaceOrder& order, const SweepHooks& hooks, const ExternalOptions& external_mice) {
   Sweep sweep;
   sweep.order = order;
   sweep.parameter = variation.parameter;
-  const SpecResult variants = read_variants(spec, variation.parameter, variation.values, guests);
+  const SpecResult variants = read_variants(spec, variation.parameter, variation.values, external_mice);
   if (sweep.error = !variation.error.empty() ? variation.error : variants.error; !sweep.error.empty()) return sweep;
   const std::vector<std::string> values = values_of(variation, variants.contestants);
   describe_parameter(spec, entry_of(variants.contestants.front()), sweep);
@@ -86,7 +86,7 @@ Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::v
   RaceHooks race_hooks;
   race_hooks.stop = hooks.stop;
   if (hooks.finished)
-    race_hooks.finished = [&](const Race&, const ContestResult&, const Held&) { hooks.finished(all); };
+    race_hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput&) { hooks.finished(all); };
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Race race = hold_race({variants.contestants[i]}, mazes, order, race_hooks);
     // Part of the mazes would make a mean that compares with no other.

@@ -41,9 +41,9 @@ struct SweepPoint {
 };
 
 struct Sweep {
-  std::string mouse;  ///< the SPEC without the parameter; of a guest, as it is
+  std::string mouse;  ///< the SPEC without the parameter; of an external mouse, as it is
   std::string parameter;
-  std::string meaning;  ///< of the parameter; empty for that of a guest
+  std::string meaning;  ///< of the parameter; empty for that of an external mouse
   RaceOrder order;
   std::vector<std::string> mazes;  ///< names of those with a route
   int routeless = 0;               ///< mazes without one
@@ -64,7 +64,7 @@ struct SweepHooks {
 /// Races the mouse of the SPEC at each value, each time on the same mazes with the same seeds. The world must refuse
 /// none of these mice.
 Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::vector<NamedMaze>& mazes,
-                 const RaceOrder& order, const SweepHooks& hooks = {}, const GuestOptions& guests = {});
+                 const RaceOrder& order, const SweepHooks& hooks = {}, const ExternalOptions& external_mice = {});
 
 /// A table for a terminal, with notes below.
 std::string table_of(const Sweep& sweep, bool colours);

@@ -33,7 +33,7 @@ std::string line_of(const Sweep& sweep, const SweepPoint& point, std::size_t wid
                      interval_text(point), point.failures, point.runs, finished);
 }
 
-/// How many contests the values count: one number, or two where the mouse throws dice only at some of them.
+/// How many contests the values count: one number, or two where the mouse is stochastic only at some of them.
 std::string runs_text(const Sweep& sweep) {
   int fewest = 0, most = 0;
   for (const SweepPoint& point : sweep.points) {

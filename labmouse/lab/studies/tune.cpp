@@ -47,7 +47,7 @@ class Tuner {
       : given_(std::move(given)), mazes_(mazes), hooks_(hooks), tune_(tune) {
     race_hooks_.stop = hooks.stop;
     if (hooks.finished)
-      race_hooks_.finished = [this](const Race&, const ContestResult&, const Held&) { hooks_.finished(all_); };
+      race_hooks_.finished = [this](const Race&, const ContestResult&, const ContestOutput&) { hooks_.finished(all_); };
   }
 
   void search() {

@@ -56,4 +56,6 @@ Tree read(std::string_view text) {
 ReadJson read_json(std::string_view text) { return read<ReadJson>(text); }
 Json read_ordered_json(std::string_view text) { return read<Json>(text); }
 
+std::string one_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 }  // namespace labmouse

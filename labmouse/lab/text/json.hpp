@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 
 namespace labmouse {
@@ -27,5 +28,8 @@ std::string_view bad_json_number(std::string_view text);
 ReadJson read_json(std::string_view text);
 /// The same, with the fields of objects in the order in which they stand there.
 Json read_ordered_json(std::string_view text);
+
+/// JSON in one line without spaces; what is no UTF-8 becomes U+FFFD.
+std::string one_line(const Json& json);
 
 }  // namespace labmouse

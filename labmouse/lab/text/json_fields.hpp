@@ -9,6 +9,7 @@
 
 #include "labmouse/grid/cell.hpp"
 #include "labmouse/grid/heading.hpp"
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
@@ -24,7 +25,7 @@ class JsonFields {
 
   /// What is wrong, or nothing.
   const std::string& error() const { return error_; }
-  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
+  bool has(const char* key) const { return find(key) != nullptr; }
   void fail(const std::string& reason) {
     reject(path_.empty() ? "the line " + reason : fmt::format("'{}' {}", path_, reason));
   }
@@ -93,8 +94,15 @@ class JsonFields {
  private:
   const ReadJson& get(const char* key) {
     static const ReadJson nothing;
-    if (has(key)) return json_[key];
+    if (const ReadJson* value = find(key)) return *value;
     return wrong(key, "is missing"), nothing;
+  }
+  /// Also under the name that the key had in earlier versions; null where there is none.
+  const ReadJson* find(const char* key) const {
+    if (!json_.is_object()) return nullptr;
+    auto found = json_.find(key);
+    if (found == json_.end()) found = json_.find(std::string(former_key(key)));
+    return found == json_.end() ? nullptr : &*found;
   }
   void wrong(const char* key, std::string_view reason) {
     if (error_.empty()) error_ = fmt::format("'{}{}{}' {}", path_, path_.empty() ? "" : ".", key, reason);

@@ -13,7 +13,7 @@ namespace {
 
 /// The mouse without its parameters: one that is built in with its defaults, and any other as it is.
 Contestant bare(const Contestant& mouse) {
-  const RosterEntry* entry = entry_of(mouse);
+  const BuiltinMouse* entry = entry_of(mouse);
   if (entry == nullptr) return mouse;
   std::vector<Contestant> all = all_contestants();
   return *std::find_if(all.begin(), all.end(), [&](const Contestant& each) { return entry_of(each) == entry; });
@@ -34,7 +34,7 @@ EntriesResult enter_one(std::vector<Contestant> mice, const WorldEntry& entry, c
   std::vector<Contestant> taken;
   for (Contestant& mouse : mice) {
     const std::string reason = made.world->refuse(mouse);
-    if (!reason.empty() && mouse.lineup.empty()) return {{}, "error: " + reason, {}};
+    if (!reason.empty() && mouse.mice_file.empty()) return {{}, "error: " + reason, {}};
     if (reason.empty())
       taken.push_back(std::move(mouse));
     else
@@ -159,7 +159,7 @@ std::vector<Contestant> residents_of(const World& world) {
   std::vector<Contestant> mice = all_contestants();
   // Those that only drive differ from others where things go wrong.
   std::erase_if(mice, [&](const Contestant& mouse) {
-    return !world.refuse(mouse).empty() || (!mouse.walks() && !world.throws_dice());
+    return !world.refuse(mouse).empty() || (!mouse.walks() && !world.is_stochastic());
   });
   return mice;
 }

@@ -18,7 +18,7 @@ struct Entry {
 struct EntriesResult {
   std::vector<Entry> entries;
   std::string error;
-  std::vector<std::string> left_out;      ///< why mice of a lineup are not among them, a line each
+  std::vector<std::string> left_out;      ///< why mice of a mice file are not among them, a line each
   std::vector<std::string> remarks = {};  ///< of the worlds
 };
 
@@ -32,7 +32,7 @@ std::string unused_setting(const std::vector<Entry>& entries, const WorldSetting
 /// The one of these with mice, where there is no more than one; otherwise why they cannot race together.
 EntriesResult sole_entry(std::vector<Entry> entries);
 
-/// The mice of the roster that the world takes.
+/// The mice of the list of built-in mice that the world takes.
 std::vector<Contestant> residents_of(const World& world);
 
 /// Takes the mazes away in which the world holds no contests, and adds them to those that were skipped. Returns why one

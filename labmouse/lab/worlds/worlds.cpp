@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
@@ -41,7 +42,7 @@ std::shared_ptr<const World> default_world(std::string_view name) { return find_
 
 std::shared_ptr<const World> restore_world(std::string_view name, std::string_view conditions) {
   const WorldEntry* entry = find_world(name);
-  const ReadJson json = read_json(conditions);
+  const ReadJson json = with_today_names(read_json(conditions));
   if (entry == nullptr || !json.is_object()) return nullptr;
   if (entry->restore != nullptr) return entry->restore(json);
   WorldSettings settings;

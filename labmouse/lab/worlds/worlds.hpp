@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "labmouse/lab/plays/replay.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/races/world_entry.hpp"
 
 namespace labmouse {

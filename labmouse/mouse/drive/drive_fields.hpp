@@ -1,4 +1,4 @@
-// All fields that a mind in seconds plans with.
+// All fields that a strategy in seconds plans with.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace labmouse {
 
-/// One field for routes of runs, one for ways of a search and one for what runs cost about, which all parts of a mind
+/// One field for routes of runs, one for ways of a search and one for what runs cost about, which all parts of a strategy
 /// use in turn: whoever needs one fills it first, and reads it before another is filled, which may take its place. They
 /// lie in one piece of memory, whose size follows from the maze and the robot; nothing else is allocated, ever.
 class DriveFields {

@@ -141,7 +141,7 @@ class FastestRoutes::Search {
   }
 
  private:
-  struct Stand {
+  struct Placement {
     DriveNode node;
     DriveTime time = 0;
     std::size_t lane = 0;
@@ -151,7 +151,7 @@ class FastestRoutes::Search {
   struct Walk {
     Visit& visit;
     DriveTime time;  ///< of the whole route
-    Stand here;
+    Placement here;
   };
 
   int number(const DriveNode& node) const { return search_->node(half_point(node), eighths(node)); }

@@ -1,4 +1,4 @@
-// What the memory of a mind's fields is spent on.
+// What the memory of a strategy's fields is spent on.
 #pragma once
 
 #include <cstddef>

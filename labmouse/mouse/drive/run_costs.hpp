@@ -41,7 +41,7 @@ class RunCosts {
   /// In memory that must outlive it: bytes_for(size), beginning at a multiple of two.
   RunCosts(Size size, std::span<std::byte> memory);
   static std::size_t bytes_for(Size size);
-  /// Larger mazes than of this area have none: they would take more memory than a chip has for a mind.
+  /// Larger mazes than of this area have none: they would take more memory than a chip has for a strategy.
   static constexpr int largest_area = 256;
 
   /// Which runs these are; before all else.

@@ -20,7 +20,7 @@
 
 namespace labmouse {
 
-/// How a mind counts the moves of a search where it expects something of walls that it has not seen.
+/// How a strategy counts the moves of a search where it expects something of walls that it has not seen.
 struct SearchTolls {
   SearchDrive drive;                ///< the moves
   DriveTime unit = 0;               ///< for each unit of an unseen wall's price

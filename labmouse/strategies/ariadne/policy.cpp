@@ -15,7 +15,7 @@ constexpr std::array parameters = {
     Parameter::choice("model", "smooth", "smooth/classes/flat/free",
                       "Price of an unseen wall: grows with its likelihood of being closed (smooth), has a value for "
                       "each of three classes of it (classes), is the same for all walls (flat) or 0 (free). All but "
-                      "smooth have fixed numbers and ignore the parameters below except style."),
+                      "smooth have fixed numbers and ignore the other numbers that count only in steps."),
     Parameter::choice("style", "auto", "auto/contest/loop-free",
                       "When to stop at the goal without exploring on: always (loop-free), never (contest), or if the "
                       "walls look like those of a maze without loops (auto)."),

@@ -21,7 +21,7 @@ inline constexpr int one = 256;
 /// weighs when to stop.
 inline constexpr int largest_to_weigh = 900;
 
-/// The weights of one phase of the exploration.
+/// The weights of one phase of the search run.
 struct Phase {
   PriceTable prices{};  ///< of unseen walls
   int way_here = 0;     ///< weight of the cost from the start to a wall, when a run through it is judged
@@ -35,7 +35,7 @@ struct Policy {
   /// Prices for `before` where nothing is left to look at: no wall is taken for closed.
   PriceTable last_resort{};
   int goal_bonus = 0;             ///< of going into the goal, once a way is known
-  int stop_travel = 0;            ///< of a step to where a wall is seen, when the mind asks whether to stop
+  int stop_travel = 0;            ///< of a step to where a wall is seen, when the strategy asks whether to stop
   int stop_margin = 0;            ///< what a look may cost more than it could save
   bool loop_free = false;         ///< stop at the goal, always
   bool may_be_loop_free = false;  ///< stop at the goal where the walls seen say that there are no loops

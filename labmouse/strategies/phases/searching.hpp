@@ -21,7 +21,7 @@ class Searching {
 /// The method that the parameter `searching` names.
 std::unique_ptr<Searching> make_searching(const Briefing& briefing, const Settings& settings);
 
-/// Whether that method throws dice.
+/// Whether that method is stochastic.
 bool searches_by_chance(const Settings& settings);
 
 }  // namespace labmouse

@@ -28,15 +28,15 @@ void mice_run_and_leave_records() {
   const NamedMaze maze = load_builtin_mazes().mazes.front();
   const Rules rules;
   const SpecResult mice = read_specs("flood:stride=1,certify");
-  check(mice.contestants.size() == 2 && roster().size() > 2, "mice are found");
+  check(mice.contestants.size() == 2 && builtin_mice().size() > 2, "mice are found");
   for (const Contestant& mouse : mice.contestants) {
-    const auto mind = mouse.strategy(maze.maze, brief(maze.maze, rules, 1));
+    const auto strategy = mouse.strategy(maze.maze, brief(maze.maze, rules, 1));
     RecordFile file;
     file.maze_name = maze.name;
     file.maze = maze.maze;
     file.mouse = mouse.name;
     file.rules = rules;
-    file.run = run(maze.maze, rules, *mind);
+    file.run = run(maze.maze, rules, *strategy);
     const Score result = score(file.run, rules);
     check(result.value >= bound_of(maze.maze, rules).score, "no score is below the bound");
     const ReadRecordResult read = read_record(write_record(file));
@@ -55,9 +55,9 @@ void mice_drive_in_memory_that_is_given() {
   DriveFields fields(maze.size(), robot.model, memory);
   Briefing briefing = brief(maze, rules, robot.model, 1);
   briefing.drive.fields = &fields;
-  const RosterEntry* flood = find_mouse("flood");
-  const auto mind = flood->drive(briefing, Settings(flood->parameters));
-  check(score(drive(maze, rules, robot.model, *mind), rules).value().has_value(), "a mouse drives to the goal");
+  const BuiltinMouse* flood = find_mouse("flood");
+  const auto strategy = flood->drive(briefing, Settings(flood->parameters));
+  check(score(drive(maze, rules, robot.model, *strategy), rules).value().has_value(), "a mouse drives to the goal");
 }
 
 void knowledge_and_distances_follow_from_readings() {

@@ -49,7 +49,7 @@ TEST(Bound, WhereTheStartIsAGoalOneStepHasToEndThere) {
 TEST(Bound, DependsOnTheRules) {
   Rules rules;
   rules.stride = 1;
-  rules.exploration_factor = 4;
+  rules.search_factor = 4;
   EXPECT_EQ(bound_of(test::corridor().maze, rules).optimum, 7);
   EXPECT_DOUBLE_EQ(bound_of(test::corridor().maze, rules).score.value(), 9.0);
 }
@@ -69,7 +69,7 @@ TEST(Oracle, ScoresTheBoundInEveryMaze) {
 
 TEST(Oracle, GivesUpWhereThereIsNoRoute) {
   const Maze maze = test::without_route().maze;
-  EXPECT_NE(run(maze, Rules(), *make_oracle(maze, Rules())).outcome, Outcome::solved);
+  EXPECT_NE(run(maze, Rules(), *make_oracle(maze, Rules())).outcome, Outcome::finished);
 }
 
 }  // namespace

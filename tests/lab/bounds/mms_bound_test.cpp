@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/guests/mms/host.hpp"
+#include "labmouse/external/mms/host.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/drawn_maze.hpp"
@@ -34,7 +34,7 @@ void expect_witnessed(const Maze& maze) {
   const MmsBound bound = mms_bound_of(maze);
   ASSERT_TRUE(bound.score && bound.run);
   const MmsStatistics won = played(maze, mms_best_commands(maze)).statistics();
-  ASSERT_TRUE(won.solved);
+  ASSERT_TRUE(won.finished);
   ASSERT_EQ(won.score, static_cast<float>(*bound.score));
   ASSERT_EQ(won.best_run_effective_distance + won.best_run_turns, *bound.run);
 }
@@ -156,8 +156,8 @@ class Everything {
             static_cast<int>(host.pose().heading),
             all.current_run_effective_distance,
             all.current_run_turns,
-            host.books().pending_penalty(),
-            host.books().in_run(),
+            host.ledger().pending_penalty(),
+            host.ledger().in_run(),
             best};
   }
   static MmsHost after(MmsHost host, const char* command) {
@@ -169,7 +169,7 @@ class Everything {
   void note(const MmsHost& host) {
     const float total = total_of(host);
     const MmsStatistics& all = host.statistics();
-    if (all.solved) {
+    if (all.finished) {
       const float run = all.best_run_effective_distance + all.best_run_turns;
       least_score = std::min(all.score, least_score.value_or(all.score));
       least_run = std::min(run, least_run.value_or(run));

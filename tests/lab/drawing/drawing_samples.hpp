@@ -34,8 +34,8 @@ inline std::vector<Pose> way_to_goal() {
   return {{{0, 0}, Heading::north}, {{0, 2}, Heading::north}, {{1, 2}, Heading::east}, {{1, 1}, Heading::south}};
 }
 
-/// The same way as an exploration that goes back to (1,2) and on into the south-east from there.
-inline ExplorationLegs exploration() {
+/// The same way as a search run that goes back to (1,2) and on into the south-east from there.
+inline SearchLegs search_run() {
   return {way_to_goal(),
           {{{1, 1}, Heading::south}, {{2, 1}, Heading::east}, {{2, 0}, Heading::south}, {{1, 0}, Heading::west}}};
 }

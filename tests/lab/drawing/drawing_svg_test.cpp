@@ -35,7 +35,7 @@ DrawingLayers all_layers() {
   layers.visits = [](Cell cell) { return cell.y; };
   layers.unknown = WallSet::all({3, 3});
   layers.wrong = WallSet::all({3, 3});
-  layers.exploration = exploration();
+  layers.search_run = search_run();
   layers.explored = explored();
   layers.candidates = choice();
   layers.mouse = Pose{{2, 2}, Heading::west};
@@ -60,7 +60,7 @@ TEST(SvgDrawing, IsWellFormedWithAllLayersAndWithNone) {
     layers.unknown = WallSet::all(size);
     layers.wrong = WallSet::all(size);
     layers.explored = ExploredCells{CellSet::all(size), {}, CellSet::all(size)};
-    layers.exploration = ExplorationLegs{{Pose{}}, {Pose{}}};
+    layers.search_run = SearchLegs{{Pose{}}, {Pose{}}};
     EXPECT_EQ(XmlScanner(draw_svg(maze, layers)).complaint(), "");
   }
   EXPECT_EQ(XmlScanner(draw_svg(ring(), all_layers())).complaint(), "");
@@ -113,7 +113,7 @@ TEST(SvgDrawing, WrongGuessesAreAPathOfTheirOwn) {
 
 TEST(SvgDrawing, ExplorationIsALineToTheGoalAndOneFromThere) {
   DrawingLayers layers;
-  layers.exploration = exploration();
+  layers.search_run = search_run();
   const std::string svg = draw_svg(ring(), layers);
   EXPECT_EQ(path_after(svg, "class=\"stroke-to-goal\""), "M49 120L49 49L71 49L71 80");
   EXPECT_EQ(path_after(svg, "class=\"stroke-onwards\""), "M80 93L107 93L107 107L80 107");
@@ -123,7 +123,7 @@ TEST(SvgDrawing, ExplorationIsALineToTheGoalAndOneFromThere) {
 
 TEST(SvgDrawing, ExplorationWithoutAGoalIsOneLine) {
   DrawingLayers layers;
-  layers.exploration = ExplorationLegs{{{{0, 0}, Heading::north}, {{0, 1}, Heading::north}}, {}};
+  layers.search_run = SearchLegs{{{{0, 0}, Heading::north}, {{0, 1}, Heading::north}}, {}};
   const std::string svg = draw_svg(ring(), layers);
   EXPECT_THAT(svg, HasSubstr(">1 step, no goal entered<"));
   EXPECT_THAT(svg, Not(HasSubstr("class=\"stroke-onwards\"")));

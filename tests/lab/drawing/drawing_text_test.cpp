@@ -157,9 +157,9 @@ o---o---o---o
 
 TEST(TextDrawing, ExplorationHasASignForEachLegAndOneForBoth) {
   DrawingLayers layers;
-  layers.exploration = exploration();
-  layers.exploration->onwards.insert(layers.exploration->onwards.begin() + 1, Pose{{1, 2}, Heading::north});
-  layers.exploration->onwards.insert(layers.exploration->onwards.begin() + 2, Pose{{1, 1}, Heading::north});
+  layers.search_run = search_run();
+  layers.search_run->onwards.insert(layers.search_run->onwards.begin() + 1, Pose{{1, 2}, Heading::north});
+  layers.search_run->onwards.insert(layers.search_run->onwards.begin() + 2, Pose{{1, 1}, Heading::north});
   EXPECT_EQ("\n" + draw_text(ring(), layers, false), R"(
 o---o---o---o
 | + + * |   |
@@ -174,7 +174,7 @@ o---o---o---o
 
 TEST(TextDrawing, ExplorationWithoutAGoalHasOneSign) {
   DrawingLayers layers;
-  layers.exploration = ExplorationLegs{{{{0, 0}, Heading::north}, {{0, 1}, Heading::north}}, {}};
+  layers.search_run = SearchLegs{{{{0, 0}, Heading::north}, {{0, 1}, Heading::north}}, {}};
   EXPECT_THAT(draw_text(ring(), layers, false), HasSubstr("o---o---o---o\n+ 1 step, no goal entered\n"));
 }
 
@@ -215,7 +215,7 @@ TEST(TextDrawing, ColoursDoNotChangeTheCharacters) {
   layers.unknown = WallSet::all({3, 3});
   layers.wrong = WallSet::all({3, 3});
   layers.wrong->erase(wall_at({0, 0}, Heading::north));
-  layers.exploration = exploration();
+  layers.search_run = search_run();
   std::string coloured = draw_text(ring(), layers, true);
   for (auto at = coloured.find('\x1b'); at != std::string::npos; at = coloured.find('\x1b'))
     coloured.erase(at, coloured.find('m', at) - at + 1);

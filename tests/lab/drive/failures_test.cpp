@@ -6,13 +6,13 @@
 
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/physical.hpp"
-#include "labmouse/lab/curves/noise_curves.hpp"
+#include "labmouse/lab/noise_curves/noise_curves.hpp"
 #include "labmouse/lab/drive/drive_entries.hpp"
 #include "labmouse/lab/drive/fidelity.hpp"
-#include "labmouse/lab/hazards/hazard_file.hpp"
+#include "labmouse/lab/failure_rates/failure_file.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 #include "tests/says.hpp"
@@ -31,41 +31,41 @@ using ::testing::Not;
 using ::testing::SizeIs;
 
 /// Under noise 1 as little goes wrong as under none, but for what a test changes.
-Hazards harmless() {
-  Hazards hazards;
-  hazards.paces = {{1.0, {no_hazards()}}};
-  hazards.paces.front().noises.front().noise = 1.0;
-  return hazards;
+FailureRates harmless() {
+  FailureRates failure_rates;
+  failure_rates.paces = {{1.0, {no_failures()}}};
+  failure_rates.paces.front().noises.front().noise = 1.0;
+  return failure_rates;
 }
 
 template <class Change>
-Hazards with(Change change) {
-  Hazards hazards = harmless();
-  for (HazardsByLuck& by_luck : hazards.paces.front().noises.front().by_luck) change(by_luck);
-  return hazards;
+FailureRates with(Change change) {
+  FailureRates failure_rates = harmless();
+  for (FailureRatesByDraw& by_draws : failure_rates.paces.front().noises.front().by_draws) change(by_draws);
+  return failure_rates;
 }
 
-ManoeuvreHazard& at(HazardsByLuck& hazards, Manoeuvre manoeuvre, std::size_t level = 0) {
-  return hazards.manoeuvres[static_cast<std::size_t>(manoeuvre)][level];
+ManoeuvreRates& at(FailureRatesByDraw& failure_rates, Manoeuvre manoeuvre, std::size_t level = 0) {
+  return failure_rates.manoeuvres[static_cast<std::size_t>(manoeuvre)][level];
 }
 
-void misread(HazardsByLuck& hazards, Reading reading, std::size_t level = 0) {
+void wall_error(FailureRatesByDraw& failure_rates, Reading reading, std::size_t level = 0) {
   for (const std::size_t again : {0U, 4U}) {
-    ReadingHazard& shares = hazards.readings[static_cast<std::size_t>(reading) + again][level];
+    ReadingRates& shares = failure_rates.readings[static_cast<std::size_t>(reading) + again][level];
     shares = {};
     shares[is_of_wall(reading) ? 0 : evidence_classes - 1] = 1.0;
   }
 }
 
-PhysicalRecord driven(const std::string& mouse, const Hazards& hazards, std::uint64_t seed = 1,
+PhysicalRecord driven(const std::string& mouse, const FailureRates& failure_rates, std::uint64_t seed = 1,
                       const PhysicalConditions& conditions = at_noise(1.0), const Maze& maze = test::ring()) {
   const auto model = test::drive_model("kerise");
   const DriveRules rules = find_rules("all-japan").rules;
   Briefing briefing = brief(maze, rules, *model, seed);
   briefing.sight = 1;
-  const RosterEntry& entry = *find_mouse(mouse);
-  const auto mind = entry.drive(briefing, Settings(entry.parameters));
-  return drive_with_failures(maze, rules, *model, conditions, hazards, seed, *mind);
+  const BuiltinMouse& entry = *find_mouse(mouse);
+  const auto strategy = entry.drive(briefing, Settings(entry.parameters));
+  return drive_with_failures(maze, rules, *model, conditions, failure_rates, seed, *strategy);
 }
 
 /// What stands in the world of seconds.
@@ -74,13 +74,13 @@ DriveRecord driven_exactly(const std::string& mouse, const Maze& maze) {
   const DriveRules rules = find_rules("all-japan").rules;
   Briefing briefing = brief(maze, rules, *model, 1);
   briefing.sight = 1;
-  const RosterEntry& entry = *find_mouse(mouse);
-  const auto mind = entry.drive(briefing, Settings(entry.parameters));
-  return drive(maze, rules, *model, *mind);
+  const BuiltinMouse& entry = *find_mouse(mouse);
+  const auto strategy = entry.drive(briefing, Settings(entry.parameters));
+  return drive(maze, rules, *model, *strategy);
 }
 
-HazardOrder order_of(std::vector<double> noises, int runs) {
-  HazardOrder order;
+FailureOrder order_of(std::vector<double> noises, int runs) {
+  FailureOrder order;
   order.model = test::drive_model("kerise");
   order.rules = find_rules("all-japan").rules;
   order.noises = std::move(noises);
@@ -93,7 +93,7 @@ TEST(Failures, IsTheWorldInSecondsWhereNothingGoesWrong) {
     const PhysicalRecord record = driven(mouse, harmless());
     const DriveRecord exact = driven_exactly(mouse, test::ring());
     EXPECT_EQ(record.drive.outcome, DriveOutcome::finished);
-    EXPECT_EQ(record.misreads + record.carried + record.contradictions, 0);
+    EXPECT_EQ(record.wrong_walls + record.carried + record.contradictions, 0);
     EXPECT_THAT(record.ends, Each(RunEnd::done));
     EXPECT_TRUE(record.by_dice);
     ASSERT_GE(record.drive.runs.size(), 2U);
@@ -110,95 +110,95 @@ TEST(Failures, IsTheWorldInSecondsWhereNothingGoesWrong) {
 
 TEST(Failures, TakesTheDrawsOfThePhysicalWorld) {
   for (const std::uint64_t seed : {1U, 2U, 3U})
-    EXPECT_EQ(driven("flood", harmless(), seed).frailty,
-              test::driven_physically("flood", test::ring(), at_noise(1.0), seed).frailty);
+    EXPECT_EQ(driven("flood", harmless(), seed).severity,
+              test::driven_physically("flood", test::ring(), at_noise(1.0), seed).severity);
 }
 
 TEST(Failures, CrashesByTheChancesOfAManoeuvre) {
-  const auto turns = with([](HazardsByLuck& hazards) {
-    for (std::size_t level = 0; level < astray_levels; ++level) at(hazards, Manoeuvre::turn, level) = {1.0, 0.0, {1.0}};
+  const auto turns = with([](FailureRatesByDraw& failure_rates) {
+    for (std::size_t level = 0; level < position_error_levels; ++level) at(failure_rates, Manoeuvre::turn, level) = {1.0, 0.0, {1.0}};
   });
   const PhysicalRecord record = driven("flood-return", turns);
   EXPECT_THAT(record.ends, SizeIs(5));
-  EXPECT_THAT(record.ends, Each(RunEnd::strayed));
+  EXPECT_THAT(record.ends, Each(RunEnd::position_lost));
   EXPECT_EQ(record.carried, 5);
   EXPECT_NE(record.drive.outcome, DriveOutcome::finished);
-  const auto slides = with([](HazardsByLuck& hazards) { at(hazards, Manoeuvre::turn) = {1.0, 1.0, {1.0}}; });
+  const auto slides = with([](FailureRatesByDraw& failure_rates) { at(failure_rates, Manoeuvre::turn) = {1.0, 1.0, {1.0}}; });
   EXPECT_THAT(driven("flood-return", slides).ends, Each(RunEnd::slid));
   // The clock runs on, and time to carry it back is part of it.
   for (std::size_t i = 1; i < record.drive.runs.size(); ++i)
     EXPECT_GE(record.drive.runs[i].begin, record.drive.runs[i - 1].end + PhysicalConditions().handling);
 }
 
-TEST(Failures, StaysAstrayFromManoeuvreToManoeuvre) {
-  // Whoever starts is led far astray, and there a turn is the end.
-  const auto hazards = with([](HazardsByLuck& some) {
+TEST(Failures, KeepsItsPositionErrorFromManoeuvreToManoeuvre) {
+  // Whoever starts is led far off its believed position, and there a turn is the end.
+  const auto failure_rates = with([](FailureRatesByDraw& some) {
     at(some, Manoeuvre::start) = {0.0, 0.0, {0.0, 0.0, 0.0, 0.0, 1.0}};
     for (const Manoeuvre straight : {Manoeuvre::open_cell, Manoeuvre::half_cell, Manoeuvre::corridor})
       at(some, straight, 4) = {0.0, 0.0, {0.0, 0.0, 0.0, 0.0, 1.0}};
     at(some, Manoeuvre::turn, 4) = {1.0, 0.0, {1.0}};
   });
-  EXPECT_THAT(driven("flood", hazards).ends, Each(RunEnd::strayed));
+  EXPECT_THAT(driven("flood", failure_rates).ends, Each(RunEnd::position_lost));
 }
 
 TEST(Failures, DrivesIntoWallsThatItTakesForGaps) {
-  const auto hazards = with([](HazardsByLuck& some) {
-    misread(some, Reading::wall_beside);
-    misread(some, Reading::wall_ahead);
+  const auto failure_rates = with([](FailureRatesByDraw& some) {
+    wall_error(some, Reading::wall_beside);
+    wall_error(some, Reading::wall_ahead);
   });
-  const PhysicalRecord record = driven("flood", hazards);
-  EXPECT_THAT(record.ends, Contains(RunEnd::misread));
-  EXPECT_GT(record.misreads, 0);
+  const PhysicalRecord record = driven("flood", failure_rates);
+  EXPECT_THAT(record.ends, Contains(RunEnd::wall_error));
+  EXPECT_GT(record.wrong_walls, 0);
 }
 
 TEST(Failures, SeesNoWayWhereGapsAreTakenForWallsAndLooksAgainWithAMapThatDoubts) {
-  const auto hazards = with([](HazardsByLuck& some) {
-    misread(some, Reading::gap_beside);
-    misread(some, Reading::gap_ahead);
+  const auto failure_rates = with([](FailureRatesByDraw& some) {
+    wall_error(some, Reading::gap_beside);
+    wall_error(some, Reading::gap_ahead);
   });
-  const PhysicalRecord first = driven("flood", hazards);
+  const PhysicalRecord first = driven("flood", failure_rates);
   EXPECT_EQ(first.drive.outcome, DriveOutcome::forfeit);
   EXPECT_EQ(first.drive.reason, ForfeitReason::no_way);
-  PhysicalConditions doubting = at_noise(1.0);
-  doubting.map = MapKind::belief;
-  EXPECT_GT(driven("flood", hazards, 1, doubting).drive.walls.size(), first.drive.walls.size());
+  PhysicalConditions weakening = at_noise(1.0);
+  weakening.map = MapKind::log_odds;
+  EXPECT_GT(driven("flood", failure_rates, 1, weakening).drive.walls.size(), first.drive.walls.size());
 }
 
 TEST(Failures, IsTheSameAgainByTheSameSeedAndAnotherByAnother) {
-  const auto hazards = with([](HazardsByLuck& some) {
+  const auto failure_rates = with([](FailureRatesByDraw& some) {
     for (const Manoeuvre manoeuvre : all_manoeuvres) at(some, manoeuvre) = {0.05, 0.5, {0.6, 0.4}};
   });
-  EXPECT_EQ(driven("flood-return", hazards, 7), driven("flood-return", hazards, 7));
-  EXPECT_NE(driven("flood-return", hazards, 7), driven("flood-return", hazards, 8));
+  EXPECT_EQ(driven("flood-return", failure_rates, 7), driven("flood-return", failure_rates, 7));
+  EXPECT_NE(driven("flood-return", failure_rates, 7), driven("flood-return", failure_rates, 8));
 }
 
-TEST(Failures, IsUnluckyAllThroughAContest) {
+TEST(Failures, IsWeakAllThroughAContest) {
   LABMOUSE_SKIP_SANITIZED();
   // Only weak mice crash: either none or all runs of a contest do.
-  Hazards hazards = harmless();
-  auto& by_luck = hazards.paces.front().noises.front().by_luck;
-  for (std::size_t luck = static_cast<std::size_t>(Luck::tyres_below_50); luck < luck_classes; ++luck)
-    at(by_luck[luck], Manoeuvre::turn).crash = 1.0;
+  FailureRates failure_rates = harmless();
+  auto& by_draws = failure_rates.paces.front().noises.front().by_draws;
+  for (std::size_t draws = static_cast<std::size_t>(Draws::tyres_below_50); draws < draw_classes; ++draws)
+    at(by_draws[draws], Manoeuvre::turn).crash = 1.0;
   PhysicalConditions conditions = at_noise(1.0);
-  conditions.noise.spread = 5.0;
-  int unlucky = 0;
+  conditions.noise.variation = 5.0;
+  int weak = 0;
   constexpr int contests = 60;
   for (std::uint64_t seed = 1; seed <= contests; ++seed) {
-    const PhysicalRecord record = driven("flood", hazards, seed, conditions);
-    const Specimen mouse(*test::drive_model("kerise")->robot.hardware, conditions.noise, test::ring().size(), seed);
-    const bool weak = luck_of(mouse) >= Luck::tyres_below_50;
+    const PhysicalRecord record = driven("flood", failure_rates, seed, conditions);
+    const RobotSample mouse(*test::drive_model("kerise")->robot.hardware, conditions.noise, test::ring().size(), seed);
+    const bool weak = draws_of(mouse) >= Draws::tyres_below_50;
     EXPECT_EQ(record.carried > 0, weak) << seed;
-    unlucky += weak ? 1 : 0;
+    weak += weak ? 1 : 0;
   }
-  EXPECT_GT(unlucky, 0);
-  EXPECT_LT(unlucky, contests / 3);
+  EXPECT_GT(weak, 0);
+  EXPECT_LT(weak, contests / 3);
 }
 
 TEST(Failures, ReadsAllWallsAboutItOrNone) {
   LABMOUSE_SKIP_SANITIZED();
-  const auto hazards = with([](HazardsByLuck& some) {
+  const auto failure_rates = with([](FailureRatesByDraw& some) {
     for (auto& reading : some.readings)
-      for (ReadingHazard& shares : reading) {
+      for (ReadingRates& shares : reading) {
         for (double& share : shares) share /= 2.0;
         shares[evidence_class(0)] = 0.5;
       }
@@ -206,7 +206,7 @@ TEST(Failures, ReadsAllWallsAboutItOrNone) {
   int silent = 0, looks = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Maze maze = test::ring();
-    const PhysicalRecord record = driven("flood-return", hazards, seed, at_noise(1.0), maze);
+    const PhysicalRecord record = driven("flood-return", failure_rates, seed, at_noise(1.0), maze);
     for (const Look& look : record.looks) {
       std::vector<Evidence> inner;
       const Heading ahead = look.pose.heading;
@@ -225,40 +225,40 @@ TEST(Failures, ReadsAllWallsAboutItOrNone) {
 }
 
 TEST(Failures, DrivesByWhatWeakMiceDoUnderOtherNoisesWhereFewWereCounted) {
-  HazardFile file;
-  const auto weak = static_cast<std::size_t>(Luck::motor_below_15);
+  FailureFile file;
+  const auto weak = static_cast<std::size_t>(Draws::motor_below_15);
   const auto turn = static_cast<std::size_t>(Manoeuvre::turn);
   for (const double noise : {1.0, 2.0}) {
     file.tallies.push_back({noise, 1.0, {}});
-    file.tallies.back().by_luck[0].manoeuvres[turn][0] = {100'000, 0, 0, {100'000}};
+    file.tallies.back().by_draws[0].manoeuvres[turn][0] = {100'000, 0, 0, {100'000}};
   }
-  file.tallies.back().by_luck[weak].manoeuvres[turn][0] = {1000, 900, 900, {100}};
+  file.tallies.back().by_draws[weak].manoeuvres[turn][0] = {1000, 900, 900, {100}};
   // The first noise of the world is that at which nothing goes wrong.
-  const HazardsAtNoise at_one = hazards_of(file).paces.front().noises[1];
+  const RatesAtNoise at_one = rates_of(file).paces.front().noises[1];
   ASSERT_EQ(at_one.noise, 1.0);
-  EXPECT_GT(at_one.by_luck[weak].manoeuvres[turn][0].crash, 0.8);
-  EXPECT_LT(at_one.by_luck[0].manoeuvres[turn][0].crash, 0.01);
+  EXPECT_GT(at_one.by_draws[weak].manoeuvres[turn][0].crash, 0.8);
+  EXPECT_LT(at_one.by_draws[0].manoeuvres[turn][0].crash, 0.01);
 }
 
 TEST(Failures, HasSoundMiceAndWeakOnes) {
   const auto model = test::drive_model("kerise");
   NoiseLevel level;
-  level.spread = 8.0;
-  std::array<int, luck_classes> times{};
+  level.variation = 8.0;
+  std::array<int, draw_classes> times{};
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     level.all = 1.0 + static_cast<double>(seed % 3);
-    const Specimen mouse(*model->robot.hardware, level, {2, 2}, seed);
-    const Luck luck = luck_of(mouse);
-    ++times[static_cast<std::size_t>(luck)];
+    const RobotSample mouse(*model->robot.hardware, level, {2, 2}, seed);
+    const Draws draws = draws_of(mouse);
+    ++times[static_cast<std::size_t>(draws)];
     const double motor = mouse.weaker_motor();
     const bool sturdy = motor >= 0.3 && mouse.grip >= 0.5;
-    EXPECT_EQ(luck <= Luck::eyes_far_apart, sturdy) << motor << ' ' << mouse.grip;
-    EXPECT_EQ(luck == Luck::sound, sturdy && mouse.eyes_apart() <= 0.3) << mouse.eyes_apart();
-    EXPECT_EQ(luck == Luck::eyes_far_apart, sturdy && mouse.eyes_apart() > 0.5) << mouse.eyes_apart();
-    EXPECT_EQ(luck == Luck::motor_below_15, motor < 0.15) << motor;
-    EXPECT_EQ(luck == Luck::tyres_below_20, mouse.grip < 0.2 && motor >= 0.2) << motor << ' ' << mouse.grip;
+    EXPECT_EQ(draws <= Draws::eyes_far_apart, sturdy) << motor << ' ' << mouse.grip;
+    EXPECT_EQ(draws == Draws::sound, sturdy && mouse.eyes_apart() <= 0.3) << mouse.eyes_apart();
+    EXPECT_EQ(draws == Draws::eyes_far_apart, sturdy && mouse.eyes_apart() > 0.5) << mouse.eyes_apart();
+    EXPECT_EQ(draws == Draws::motor_below_15, motor < 0.15) << motor;
+    EXPECT_EQ(draws == Draws::tyres_below_20, mouse.grip < 0.2 && motor >= 0.2) << motor << ' ' << mouse.grip;
     // Of two weaknesses the worse one.
-    EXPECT_EQ(luck == Luck::motor_below_30, motor >= 0.25 && motor < 0.3 && mouse.grip >= 0.3) << motor;
+    EXPECT_EQ(draws == Draws::motor_below_30, motor >= 0.25 && motor < 0.3 && mouse.grip >= 0.3) << motor;
   }
   EXPECT_THAT(times, Each(::testing::Gt(0)));
 }
@@ -276,31 +276,31 @@ TEST(Failures, IsHeldUnderTheNearestNoisesThatWereCounted) {
   EXPECT_TRUE(is(2.5, 1, 2, 0.75));
   EXPECT_TRUE(is(9.0, 2, 2, 0.0));
   // Half of the contests between a harmless noise and one without a turn that ends well.
-  Hazards hazards = harmless();
-  hazards.paces.front().noises.push_back(no_hazards());
-  hazards.paces.front().noises.back().noise = 3.0;
-  for (HazardsByLuck& by_luck : hazards.paces.front().noises.back().by_luck) at(by_luck, Manoeuvre::turn).crash = 1.0;
+  FailureRates failure_rates = harmless();
+  failure_rates.paces.front().noises.push_back(no_failures());
+  failure_rates.paces.front().noises.back().noise = 3.0;
+  for (FailureRatesByDraw& by_draws : failure_rates.paces.front().noises.back().by_draws) at(by_draws, Manoeuvre::turn).crash = 1.0;
   int crashed = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed)
-    crashed += driven("flood", hazards, seed, at_noise(2.0)).carried > 0 ? 1 : 0;
+    crashed += driven("flood", failure_rates, seed, at_noise(2.0)).carried > 0 ? 1 : 0;
   EXPECT_NEAR(crashed, 50, 20);
 }
 
 TEST(Failures, IsDrivenAtAPace) {
   PhysicalConditions slow = at_noise(1.0);
-  slow.pilot.pace = 0.5;
+  slow.controller.pace = 0.5;
   const PhysicalRecord usual = driven("flood", harmless()), halved = driven("flood", harmless(), 1, slow);
   ASSERT_EQ(halved.drive.runs.size(), usual.drive.runs.size());
   EXPECT_EQ(halved.drive.runs[0].end, 2 * usual.drive.runs[0].end);
   const DriveRun &run = usual.drive.runs.back(), &slow_run = halved.drive.runs.back();
   EXPECT_EQ(*slow_run.gate_in - slow_run.begin, 2 * (*run.gate_in - run.begin));
   // What goes wrong at the usual pace need not at another.
-  Hazards hazards = harmless();
-  hazards.paces.insert(hazards.paces.begin(), {0.5, {no_hazards()}});
-  at(hazards.paces.back().noises.front().by_luck.back(), Manoeuvre::turn).crash = 1.0;
-  for (HazardsByLuck& by_luck : hazards.paces.back().noises.front().by_luck) at(by_luck, Manoeuvre::turn).crash = 1.0;
-  EXPECT_GT(driven("flood", hazards).carried, 0);
-  EXPECT_EQ(driven("flood", hazards, 1, slow).carried, 0);
+  FailureRates failure_rates = harmless();
+  failure_rates.paces.insert(failure_rates.paces.begin(), {0.5, {no_failures()}});
+  at(failure_rates.paces.back().noises.front().by_draws.back(), Manoeuvre::turn).crash = 1.0;
+  for (FailureRatesByDraw& by_draws : failure_rates.paces.back().noises.front().by_draws) at(by_draws, Manoeuvre::turn).crash = 1.0;
+  EXPECT_GT(driven("flood", failure_rates).carried, 0);
+  EXPECT_EQ(driven("flood", failure_rates, 1, slow).carried, 0);
 }
 
 TEST(Failures, KnowsEvidenceByNats) {
@@ -322,31 +322,31 @@ std::vector<double> paces_of(const PhysicalRecord& record, DriveRun::Kind kind) 
 
 TEST(Failures, AsksToBeCarriedWhereItsMapDoesNotFitIfThatIsLearned) {
   // What it sees again is the opposite of what it saw first.
-  const auto hazards = with([](HazardsByLuck& some) {
+  const auto failure_rates = with([](FailureRatesByDraw& some) {
     for (const Reading reading : all_readings) {
       if (static_cast<int>(reading) < 4) continue;
-      ReadingHazard& shares = some.readings[static_cast<std::size_t>(reading)][0];
+      ReadingRates& shares = some.readings[static_cast<std::size_t>(reading)][0];
       shares = {};
       shares[is_of_wall(reading) ? 0 : evidence_classes - 1] = 1.0;
     }
   });
-  const auto walled_in = [&](MapKind map) {
+  const auto no_route_left = [&](MapKind map) {
     PhysicalConditions conditions = at_noise(1.0);
     conditions.map = map;
-    const PhysicalRecord record = driven("flood-return", hazards, 1, conditions);
+    const PhysicalRecord record = driven("flood-return", failure_rates, 1, conditions);
     EXPECT_GT(record.contradictions, 0);
-    return std::count(record.ends.begin(), record.ends.end(), RunEnd::walled_in);
+    return std::count(record.ends.begin(), record.ends.end(), RunEnd::no_route_left);
   };
-  EXPECT_GT(walled_in(MapKind::learned), walled_in(MapKind::belief));
+  EXPECT_GT(no_route_left(MapKind::learned), no_route_left(MapKind::log_odds));
 }
 
 /// Beyond that pace each of those manoeuvres is a crash.
-Hazards too_fast_beyond(double pace, std::initializer_list<Manoeuvre> manoeuvres) {
-  Hazards hazards = harmless();
-  hazards.paces = {{pace, hazards.paces[0].noises}, {pace + 1e-6, hazards.paces[0].noises}};
-  for (HazardsByLuck& by_luck : hazards.paces.back().noises.front().by_luck)
-    for (const Manoeuvre manoeuvre : manoeuvres) at(by_luck, manoeuvre).crash = 1.0;
-  return hazards;
+FailureRates too_fast_beyond(double pace, std::initializer_list<Manoeuvre> manoeuvres) {
+  FailureRates failure_rates = harmless();
+  failure_rates.paces = {{pace, failure_rates.paces[0].noises}, {pace + 1e-6, failure_rates.paces[0].noises}};
+  for (FailureRatesByDraw& by_draws : failure_rates.paces.back().noises.front().by_draws)
+    for (const Manoeuvre manoeuvre : manoeuvres) at(by_draws, manoeuvre).crash = 1.0;
+  return failure_rates;
 }
 
 TEST(Festina, SearchesMoreSlowlyAfterEachCrash) {
@@ -362,8 +362,8 @@ TEST(Festina, SearchesMoreSlowlyAfterEachCrash) {
 }
 
 TEST(Festina, RunsSlowerAfterACrashAndFasterAfterAnotherRun) {
-  const auto hazards = too_fast_beyond(0.8, {Manoeuvre::run_straight, Manoeuvre::run_turn, Manoeuvre::run_diagonal});
-  const std::vector<double> paces = paces_of(driven("festina", hazards), DriveRun::Kind::fast);
+  const auto failure_rates = too_fast_beyond(0.8, {Manoeuvre::run_straight, Manoeuvre::run_turn, Manoeuvre::run_diagonal});
+  const std::vector<double> paces = paces_of(driven("festina", failure_rates), DriveRun::Kind::fast);
   ASSERT_GE(paces.size(), 3U);
   EXPECT_GT(paces[0], 0.8);
   EXPECT_LE(paces[1], 0.8);
@@ -386,8 +386,8 @@ std::vector<DriveRun::Kind> kinds_of(const PhysicalRecord& record) {
 
 TEST(Festina, MakesSureOfARunWhereNoFastOneEndsWell) {
   using enum DriveRun::Kind;
-  const auto hazards = with([](HazardsByLuck& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
-  const PhysicalRecord record = driven("festina", hazards);
+  const auto failure_rates = with([](FailureRatesByDraw& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
+  const PhysicalRecord record = driven("festina", failure_rates);
   EXPECT_THAT(kinds_of(record), ::testing::ElementsAre(search, fast, fast, fast, search));
   // By known ways it is no slower than the search was.
   std::vector<MazeTime> times;
@@ -405,10 +405,10 @@ TEST(Festina, MakesSureOfARunInTimeWhereRunsAreMany) {
   const DriveRules rules = find_rules("uk-2018").rules;
   const Maze maze = test::ring();
   const Briefing briefing = brief(maze, rules, *model, 1);
-  const auto hazards = with([](HazardsByLuck& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
+  const auto failure_rates = with([](FailureRatesByDraw& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
   const auto kinds = [&](const std::string& spec) {
-    const auto mind = test::mice(spec).front().driving_strategy(maze, briefing);
-    return kinds_of(drive_with_failures(maze, rules, *model, at_noise(1.0), hazards, 1, *mind));
+    const auto strategy = test::mice(spec).front().driving_strategy(maze, briefing);
+    return kinds_of(drive_with_failures(maze, rules, *model, at_noise(1.0), failure_rates, 1, *strategy));
   };
   const auto made = kinds("festina");
   ASSERT_GT(made.size(), 6U);
@@ -467,74 +467,74 @@ TEST(Festina, ExploresByTheRules) {
   EXPECT_NE(searched("thirtieth", "certify"), searched("thirtieth", "ariadne"));
 }
 
-TEST(Festina, IsTheMindThatExploresForItWhereNothingGoesWrong) {
+TEST(Festina, IsTheStrategyThatExploresForItWhereNothingGoesWrong) {
   const DriveRules rules = find_rules("all-japan").rules;
   EXPECT_EQ(score(driven_exactly("festina", test::ring()), rules).value(),
             score(driven_exactly("ariadne", test::ring()), rules).value());
 }
 
-/// As `labmouse hazards` counts them.
-std::string counted(const HazardOrder& order) {
+/// As `labmouse failure rates` counts them.
+std::string counted(const FailureOrder& order) {
   const auto mice = test::mice("flood-return");
   const std::vector<NamedMaze> mazes = {{"ring", test::ring()}};
-  return write_hazards(measure_hazards(order, mice, mazes), order, mice, mazes.size());
+  return write_rates(measure_rates(order, mice, mazes), order, mice, mazes.size());
 }
 
-TEST(HazardFile, HasAllThatWasCounted) {
-  const HazardOrder order = order_of({1.0, 4.0}, 3);
+TEST(FailureFile, HasAllThatWasCounted) {
+  const FailureOrder order = order_of({1.0, 4.0}, 3);
   const auto tallies =
-      measure_hazards(order, test::mice("flood-return"), std::vector<NamedMaze>{{"ring", test::ring()}}).tallies;
-  const FoundHazards read = read_hazards(counted(order), "some/mine.json");
+      measure_rates(order, test::mice("flood-return"), std::vector<NamedMaze>{{"ring", test::ring()}}).tallies;
+  const FoundRates read = read_rates(counted(order), "some/mine.json");
   ASSERT_TRUE(read.file) << read.error;
   EXPECT_EQ(read.file->tallies, tallies);
   EXPECT_EQ(read.file->name, "mine");
   EXPECT_EQ(read.file->robot, "kerise");
-  EXPECT_EQ(read.file->spread, order.conditions.noise.spread);
+  EXPECT_EQ(read.file->variation, order.conditions.noise.variation);
 }
 
-TEST(HazardFile, RefusesWhatIsNone) {
+TEST(FailureFile, RefusesWhatIsNone) {
   const std::string good = counted(order_of({1.0}, 1));
   const auto refused = [&](auto change) {
     auto json = nlohmann::json::parse(good);
     change(json);
-    const FoundHazards read = read_hazards(json.dump(), "mine.json");
+    const FoundRates read = read_rates(json.dump(), "mine.json");
     EXPECT_FALSE(read.file);
     return read.error;
   };
-  EXPECT_THAT(read_hazards("{}", "mine.json").error, Says("mine.json", "no file of hazards"));
-  EXPECT_THAT(refused([](auto& json) { json["labmouse_hazards"] = 99; }), HasSubstr("labmouse_hazards"));
+  EXPECT_THAT(read_rates("{}", "mine.json").error, Says("mine.json", "no file of failure rates"));
+  EXPECT_THAT(refused([](auto& json) { json["labmouse_failure_rates"] = 99; }), HasSubstr("labmouse_failure_rates"));
   EXPECT_THAT(refused([](auto& json) { json["noises"] = nlohmann::json::array(); }), HasSubstr("noises"));
   EXPECT_THAT(refused([](auto& json) { json["noises"].push_back(json["noises"][0]); }), HasSubstr("increase"));
-  EXPECT_THAT(refused([](auto& json) { json["noises"][0]["by_luck"].erase(0); }), HasSubstr("by_luck"));
-  EXPECT_THAT(refused([](auto& json) { json["noises"][0]["by_luck"][0]["put"][0] = -1; }), HasSubstr("put"));
-  EXPECT_THAT(refused([](auto& json) { json["noises"][0]["by_luck"][0].erase("readings"); }), HasSubstr("readings"));
+  EXPECT_THAT(refused([](auto& json) { json["noises"][0]["by_draws"].erase(0); }), HasSubstr("by_draws"));
+  EXPECT_THAT(refused([](auto& json) { json["noises"][0]["by_draws"][0]["put"][0] = -1; }), HasSubstr("put"));
+  EXPECT_THAT(refused([](auto& json) { json["noises"][0]["by_draws"][0].erase("readings"); }), HasSubstr("readings"));
   EXPECT_THAT(refused([](auto& json) {
-                auto& turn = json["noises"][0]["by_luck"][0]["manoeuvres"]["turn"][0];
+                auto& turn = json["noises"][0]["by_draws"][0]["manoeuvres"]["turn"][0];
                 turn[0] = turn[0].template get<int>() + 1;
               }),
               HasSubstr("add up"));
   EXPECT_THAT(refused([](auto& json) {
-                json["noises"][0]["by_luck"][0]["readings"]["gap ahead"][0] = std::vector<int>(18, 1);
+                json["noises"][0]["by_draws"][0]["readings"]["gap ahead"][0] = std::vector<int>(18, 1);
               }),
               HasSubstr("gap ahead"));
-  EXPECT_THAT(find_hazards("kerize").error, Says("kerize", "kerise"));
+  EXPECT_THAT(find_rates("kerize").error, Says("kerize", "kerise"));
 }
 
-TEST(HazardFile, SaysHowLikelyAllIs) {
-  HazardFile file;
-  HazardTally& tally = file.tallies.emplace_back();
+TEST(FailureFile, SaysHowLikelyAllIs) {
+  FailureFile file;
+  FailureTally& tally = file.tallies.emplace_back();
   tally.noise = 2.0;
-  auto& turns = tally.by_luck[1].manoeuvres[static_cast<std::size_t>(Manoeuvre::turn)][0];
+  auto& turns = tally.by_draws[1].manoeuvres[static_cast<std::size_t>(Manoeuvre::turn)][0];
   turns = {100'000, 10'000, 2'500, {45'000, 45'000, 0, 0, 0}};
-  tally.by_luck[1].readings[static_cast<std::size_t>(Reading::gap_beside)][0].by_evidence[evidence_classes - 1] = 1000;
-  const Hazards hazards = hazards_of(file);
+  tally.by_draws[1].readings[static_cast<std::size_t>(Reading::gap_beside)][0].by_evidence[evidence_classes - 1] = 1000;
+  const FailureRates failure_rates = rates_of(file);
   // Without noise nothing goes wrong.
-  ASSERT_THAT(hazards.paces, SizeIs(1));
-  const auto& noises = hazards.paces[0].noises;
+  ASSERT_THAT(failure_rates.paces, SizeIs(1));
+  const auto& noises = failure_rates.paces[0].noises;
   ASSERT_THAT(noises, SizeIs(2));
   EXPECT_EQ(noises[0].noise, 0.0);
   EXPECT_EQ(noises[1].noise, 2.0);
-  HazardsByLuck counted = noises[1].by_luck[1], other = noises[1].by_luck[4];
+  FailureRatesByDraw counted = noises[1].by_draws[1], other = noises[1].by_draws[4];
   EXPECT_NEAR(at(counted, Manoeuvre::turn).crash, 0.1, 1e-3);
   EXPECT_NEAR(at(counted, Manoeuvre::turn).slid, 0.25, 1e-3);
   EXPECT_NEAR(at(counted, Manoeuvre::turn).after[1], 0.5, 1e-3);
@@ -549,7 +549,7 @@ TEST(HazardFile, SaysHowLikelyAllIs) {
 }
 
 TEST(FailureWorld, IsMadeOfWhatItIsToldAndMadeAgainOfItsConditions) {
-  const WorldResult made = failures_entry.make({{"noise", "2.5"}, {"map", "belief"}});
+  const WorldResult made = failures_entry.make({{"noise", "2.5"}, {"map", "log-odds"}});
   ASSERT_TRUE(made.world) << made.error;
   RaceOrder order;
   order.world = made.world;
@@ -557,15 +557,15 @@ TEST(FailureWorld, IsMadeOfWhatItIsToldAndMadeAgainOfItsConditions) {
   const Race race = hold_race(test::mice("flood"), {{"ring", test::ring()}}, order);
   const auto group = nlohmann::json::parse(json_of(race, {})).at("groups").at(0);
   EXPECT_EQ(group.at("world"), "failures");
-  EXPECT_EQ(group.at("hazards"), "kerise");
-  EXPECT_EQ(group.at("map"), "belief");
+  EXPECT_EQ(group.at("failure_rates"), "kerise");
+  EXPECT_EQ(group.at("map"), "log-odds");
   const auto again = restore_world("failures", group.dump());
   ASSERT_TRUE(again);
   order.world = again;
   const Race twice = hold_race(test::mice("flood"), {{"ring", test::ring()}}, order);
   EXPECT_EQ(json_of(twice, {}), json_of(race, {}));
   auto other = group;
-  other["hazards_hash"] = "0";
+  other["failure_rates_hash"] = "0";
   EXPECT_FALSE(restore_world("failures", other.dump()));
 }
 
@@ -576,12 +576,12 @@ TEST(FailureWorld, RefusesWhatItCannotUse) {
     return made.error;
   };
   EXPECT_THAT(error({{"noise", "77"}}), Says("--noise", "77", "kerise"));
-  EXPECT_THAT(error({{"robot", "classic"}}), Says("--hazards", "kerise", "classic"));
-  EXPECT_THAT(error({{"hazards", "none"}}), HasSubstr("none"));
+  EXPECT_THAT(error({{"robot", "classic"}}), Says("--failure-rates", "kerise", "classic"));
+  EXPECT_THAT(error({{"failure_rates", "none"}}), HasSubstr("none"));
   EXPECT_THAT(error({{"map", "none"}}), HasSubstr("--map"));
 }
 
-TEST(FailureWorld, KeepsRecordsThatAreDrivenAgainByTheHazardsThatTheProgramBrings) {
+TEST(FailureWorld, KeepsRecordsThatAreDrivenAgainByTheFailureRatesThatTheProgramBrings) {
   LABMOUSE_SKIP_SANITIZED();
   RaceOrder order;
   order.world = failures_entry.make({{"noise", "4"}, {"pace", "0.8"}}).world;
@@ -589,20 +589,20 @@ TEST(FailureWorld, KeepsRecordsThatAreDrivenAgainByTheHazardsThatTheProgramBring
   RaceHooks hooks;
   std::vector<std::string> records;
   hooks.keep = [](const ContestResult&) { return Keep{true, false}; };
-  hooks.finished = [&](const Race&, const ContestResult&, const Held& held) { records.push_back(held.record); };
+  hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput& held) { records.push_back(held.record); };
   hold_race(test::mice("festina"), {{"ring", test::ring()}}, order, hooks);
   ASSERT_THAT(records, SizeIs(3));
   for (const std::string& text : records) {
     ReadDriveRecordResult read = read_drive_record(text);
     ASSERT_TRUE(read.file) << describe("", read.problems.front());
     EXPECT_TRUE(read.file->physical->notes.by_dice);
-    EXPECT_EQ(read.file->physical->conditions.map, MapKind::belief);
+    EXPECT_EQ(read.file->physical->conditions.map, MapKind::log_odds);
     const auto& runs = read.file->record.runs;
     EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [](const DriveRun& run) { return run.pace < 1.0; }));
     EXPECT_EQ(replay_physically(*read.file), "");
     read.file->record.runs.front().pace = 0.5;
     EXPECT_THAT(replay_physically(*read.file), HasSubstr("line"));
-    read.file->physical->hazards_hash = "0";
+    read.file->physical->rates_hash = "0";
     EXPECT_THAT(replay_physically(*read.file), Says("kerise", "not driven again"));
     read.file->physical->edition = failures_edition + 1;
     EXPECT_THAT(replay_physically(*read.file), Says("failures", "edition"));
@@ -636,7 +636,7 @@ TEST(NoiseCurves, ShowWhatBecomesOfMiceAsNoiseGrows) {
     for (const int count : last.ended) ended += count;
     EXPECT_EQ(last.contests, 30);
     EXPECT_EQ(last.finished + ended, 30);
-    EXPECT_GE(*last.penalised, *curve.points[0].penalised);
+    EXPECT_GE(*last.par1, *curve.points[0].par1);
   }
   EXPECT_THAT(table_of(curves), Says("flood", "certify", "100.0"));
   const std::string picture = draw_curves(curves, "A <title>");
@@ -645,11 +645,11 @@ TEST(NoiseCurves, ShowWhatBecomesOfMiceAsNoiseGrows) {
 }
 
 TEST(Fidelity, ComparesTheSameContestsInBothWorlds) {
-  const HazardOrder order = order_of({0.0, 2.0}, 2);
-  const FoundHazards hazards = find_hazards("kerise");
-  ASSERT_TRUE(hazards.file) << hazards.error;
+  const FailureOrder order = order_of({0.0, 2.0}, 2);
+  const FoundRates failure_rates = find_rates("kerise");
+  ASSERT_TRUE(failure_rates.file) << failure_rates.error;
   const std::vector<NamedMaze> mazes = {{"ring", test::ring()}, {"other", test::ring()}};
-  const auto all = compare_worlds(order, *hazards.file, test::mice("flood,certify"), mazes);
+  const auto all = compare_worlds(order, *failure_rates.file, test::mice("flood,certify"), mazes);
   ASSERT_THAT(all, SizeIs(4));
   EXPECT_EQ(all[0].contests, 4);
   EXPECT_EQ(all[0].physical, 4);

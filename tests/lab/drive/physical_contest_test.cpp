@@ -27,7 +27,7 @@ using Kind = DriveRun::Kind;
 /// Noise in which this mouse crashes now and then.
 PhysicalConditions rough() {
   PhysicalConditions conditions = at_noise(4.0);
-  conditions.noise.spread = 2.0;
+  conditions.noise.variation = 2.0;
   return conditions;
 }
 
@@ -54,15 +54,15 @@ TEST(PhysicalContest, GoesWithoutNoiseAsInSeconds) {
       const PhysicalRecord record = driven_physically(mouse, test::ring(), at_noise(0.0), 1, rules, robot);
       EXPECT_EQ(record.drive.outcome, DriveOutcome::finished) << mouse << ' ' << robot;
       EXPECT_THAT(record.touches, IsEmpty());
-      EXPECT_EQ(record.misreads + record.contradictions + record.carried, 0);
+      EXPECT_EQ(record.wrong_walls + record.contradictions + record.carried, 0);
       EXPECT_THAT(record.ends, Each(RunEnd::done));
       const auto best = score(record.drive, rules).value();
       ASSERT_TRUE(best);
       // Bodies need a little longer than plans; by all-japan only the fast run counts.
       const auto model = test::drive_model(robot);
-      const RosterEntry& entry = *find_mouse(mouse);
-      const auto mind = entry.drive(brief(test::ring(), rules, *model, 1), Settings(entry.parameters));
-      const auto planned = score(drive(test::ring(), rules, *model, *mind), rules).value();
+      const BuiltinMouse& entry = *find_mouse(mouse);
+      const auto strategy = entry.drive(brief(test::ring(), rules, *model, 1), Settings(entry.parameters));
+      const auto planned = score(drive(test::ring(), rules, *model, *strategy), rules).value();
       EXPECT_GT(*best, *planned);
       EXPECT_LT(static_cast<double>(*best), 1.25 * static_cast<double>(*planned) + 100'000.0) << mouse << ' ' << robot;
     }
@@ -147,7 +147,7 @@ TEST(PhysicalContest, HasNoMoreRunsAndTimeThanTheRulesGive) {
 }
 
 TEST(PhysicalContest, WhatAMouseHasReadStays) {
-  int contradictions = 0, misreads = 0;
+  int contradictions = 0, wrong_walls = 0;
   for (std::uint64_t seed = 1; seed <= test::fewer(60U); ++seed) {
     const PhysicalRecord record = driven_physically("certify", test::ring(), rough(), seed);
     std::set<Wall> seen;
@@ -156,18 +156,18 @@ TEST(PhysicalContest, WhatAMouseHasReadStays) {
       EXPECT_TRUE(seen.insert(wall.wall).second);
       wrong += wall.open != test::ring().is_open(wall.wall.cell, wall.wall.side);
     }
-    EXPECT_EQ(record.misreads, wrong);
+    EXPECT_EQ(record.wrong_walls, wrong);
     contradictions += record.contradictions;
-    misreads += wrong;
+    wrong_walls += wrong;
   }
   // Of a few contests, none may have any.
   if (!test::thorough) return;
   EXPECT_GT(contradictions, 0);
-  EXPECT_GT(misreads, 0);
+  EXPECT_GT(wrong_walls, 0);
 }
 
 PhysicalConditions weighing(PhysicalConditions conditions) {
-  conditions.map = MapKind::belief;
+  conditions.map = MapKind::log_odds;
   return conditions;
 }
 
@@ -212,8 +212,8 @@ TEST(PhysicalContest, TracesBothMice) {
   double largest = 0.0;
   for (std::size_t i = 0; i < traced.trace.size(); ++i) {
     EXPECT_EQ(traced.trace[i].time, 10'000 * static_cast<MazeTime>(i + 1));
-    ASSERT_TRUE(traced.trace[i].belief);
-    const Position off = traced.trace[i].belief->position - traced.trace[i].truth.position;
+    ASSERT_TRUE(traced.trace[i].estimate);
+    const Position off = traced.trace[i].estimate->position - traced.trace[i].truth.position;
     largest = std::max(largest, std::max(std::abs(off.x), std::abs(off.y)));
   }
   EXPECT_GT(largest, 0.01);
@@ -239,7 +239,7 @@ TEST(PhysicalContest, AMindThatAsksForWhatIsNotThereIsLost) {
   }
   const PhysicalRecord record = outcome_of({Action::reset()});
   EXPECT_EQ(record.drive.reason, ForfeitReason::no_way);
-  EXPECT_EQ(record.ends.back(), RunEnd::walled_in);
+  EXPECT_EQ(record.ends.back(), RunEnd::no_route_left);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ inline PhysicalRecord driven_physically(const std::string& mouse, const Maze& ma
   const auto model = drive_model(robot);
   Briefing briefing = brief(maze, rules, *model, seed);
   briefing.sight = 1;
-  const RosterEntry& entry = *find_mouse(mouse);
-  const auto mind = entry.drive(briefing, Settings(entry.parameters));
-  return drive_physically(maze, rules, *model, conditions, seed, *mind);
+  const BuiltinMouse& entry = *find_mouse(mouse);
+  const auto strategy = entry.drive(briefing, Settings(entry.parameters));
+  return drive_physically(maze, rules, *model, conditions, seed, *strategy);
 }
 
 /// The same as a file.

@@ -55,10 +55,10 @@ TEST(PhysicalRecord, OfAMapThatWeighsDrivesAgain) {
   int turned = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     PhysicalConditions conditions = traced(4.0);
-    conditions.noise.spread = 4.0;
-    conditions.map = MapKind::belief;
+    conditions.noise.variation = 4.0;
+    conditions.map = MapKind::log_odds;
     const DriveRecordFile file = read(write_drive_record(physical_file("certify", conditions, seed)));
-    EXPECT_EQ(file.physical->conditions.map, MapKind::belief);
+    EXPECT_EQ(file.physical->conditions.map, MapKind::log_odds);
     EXPECT_EQ(replay(file), "") << seed;
     turned += file.physical->notes.contradictions;
   }
@@ -72,20 +72,20 @@ TEST(PhysicalRecord, WithoutAKindOfMapIsOfOneThatNeverForgets) {
 }
 
 TEST(PhysicalRecord, IsReadUnderAllConditionsThatCanBeChosen) {
-  const auto is_read = [](double noise, double spread, double pace, double search_speed) {
+  const auto is_read = [](double noise, double variation, double pace, double search_speed) {
     DriveRecordFile file = physical_file("flood", at_noise(0.0));
     PhysicalConditions& conditions = file.physical->conditions;
     conditions.noise.all = noise;
-    conditions.noise.spread = spread;
-    conditions.pilot.pace = pace;
-    conditions.pilot.search_speed = search_speed;
+    conditions.noise.variation = variation;
+    conditions.controller.pace = pace;
+    conditions.controller.search_speed = search_speed;
     return read_drive_record(write_drive_record(file)).file.has_value();
   };
-  EXPECT_TRUE(is_read(most_noise, most_spread, least_pace, most_search_speed));
+  EXPECT_TRUE(is_read(most_noise, most_variation, least_pace, most_search_speed));
   // Earlier versions took it for a speed.
   EXPECT_TRUE(is_read(1.0, 1.0, 1.0, least_search_speed / 2.0));
   EXPECT_FALSE(is_read(1.01 * most_noise, 1.0, 1.0, 0.0));
-  EXPECT_FALSE(is_read(1.0, 1.01 * most_spread, 1.0, 0.0));
+  EXPECT_FALSE(is_read(1.0, 1.01 * most_variation, 1.0, 0.0));
   EXPECT_FALSE(is_read(1.0, 1.0, 0.99 * least_pace, 0.0));
   EXPECT_FALSE(is_read(1.0, 1.0, 1.0, 1.01 * most_search_speed));
 }

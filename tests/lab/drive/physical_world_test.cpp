@@ -26,7 +26,7 @@ using F = PhysicalFigure;
 
 PhysicalConditions rough() {
   PhysicalConditions conditions = at_noise(5.0);
-  conditions.noise.spread = 2.0;
+  conditions.noise.variation = 2.0;
   return conditions;
 }
 
@@ -48,8 +48,8 @@ TEST(PhysicalWorld, HoldsEachContestWithDiceOfItsOwn) {
   for (const ContestResult& result : race.results) {
     const PhysicalRecord record = test::driven_physically("flood-return", test::ring(), at_noise(1.0), result.seed);
     EXPECT_DOUBLE_EQ(*result.score, in_seconds(*score(record.drive, find_rules("all-japan").rules).value()));
-    EXPECT_EQ(number(result, F::frailty), record.frailty);
-    EXPECT_EQ(number(result, F::misreads), record.misreads);
+    EXPECT_EQ(number(result, F::severity), record.severity);
+    EXPECT_EQ(number(result, F::wrong_walls), record.wrong_walls);
   }
 }
 
@@ -57,18 +57,18 @@ TEST(PhysicalWorld, CountsWhatEndedRuns) {
   const Race race = race_at(rough(), 60);
   int crashed = 0, unscored = 0;
   for (const ContestResult& result : race.results) {
-    const double ends = number(result, F::slid) + number(result, F::strayed) + number(result, F::misread);
+    const double ends = number(result, F::slid) + number(result, F::position_lost) + number(result, F::wall_error);
     crashed += ends > 0;
     EXPECT_GE(number(result, F::carried) + 1, ends);
     EXPECT_LE(number(result, F::done), number(result, F::starts));
     unscored += !result.score;
     // Only the column that says so counts failures.
-    EXPECT_EQ(number(result, F::penalised), result.score.value_or(300.0));
+    EXPECT_EQ(number(result, F::par1), result.score.value_or(300.0));
   }
   EXPECT_GT(crashed, 0);
   ASSERT_GT(unscored, 0);
   const Standing standing = standings_of(race).front();
-  EXPECT_EQ(standing.solved, 60 - unscored);
+  EXPECT_EQ(standing.finished, 60 - unscored);
   const auto json = nlohmann::json::parse(json_of(race, {})).at("groups").at(0).at("mice").at(0);
   std::vector<MazeSum> sums(race.mazes.size());
   for (const ContestResult& result : race.results) {
@@ -84,12 +84,12 @@ TEST(PhysicalWorld, CountsWhatEndedRuns) {
     all += result.score.value_or(300.0);
   }
   EXPECT_NEAR(json.at("mean_score").get<double>(), scored / (60 - unscored), 1e-9);
-  EXPECT_NEAR(json.at("penalised").get<double>(), all / 60.0, 1e-9);
+  EXPECT_NEAR(json.at("par1").get<double>(), all / 60.0, 1e-9);
   EXPECT_THAT(table_of(race, false), Says("at limit", "no route", "wall", "slipped", "position"));
 }
 
 TEST(PhysicalWorld, IsMadeOfWhatItIsToldAndMadeAgainOfItsConditions) {
-  const WorldResult made = physical_entry.make({{"noise", "2.5"}, {"spread", "1.5"}, {"search-speed", "330"}});
+  const WorldResult made = physical_entry.make({{"noise", "2.5"}, {"variation", "1.5"}, {"search-speed", "330"}});
   ASSERT_TRUE(made.world) << made.error;
   RaceOrder order;
   order.world = made.world;
@@ -97,27 +97,27 @@ TEST(PhysicalWorld, IsMadeOfWhatItIsToldAndMadeAgainOfItsConditions) {
       nlohmann::json::parse(json_of(hold_race(read_specs("flood").contestants, {{"ring", test::ring()}}, order), {}));
   const auto& group = json.at("groups").at(0);
   EXPECT_EQ(group.at("noise"), 2.5);
-  EXPECT_EQ(group.at("spread"), 1.5);
+  EXPECT_EQ(group.at("variation"), 1.5);
   EXPECT_EQ(group.at("search_speed"), 330.0);
   EXPECT_TRUE(group.at("robot").at("parameters").contains("body.front"));
 }
 
 TEST(PhysicalWorld, IsAsFarSpreadAsTheFieldUnlessTold) {
-  EXPECT_EQ(PhysicalConditions{}.noise.spread, field_spread);
+  EXPECT_EQ(PhysicalConditions{}.noise.variation, field_variation);
   const WorldResult made = physical_entry.make({});
   ASSERT_TRUE(made.world) << made.error;
   const auto conditions = made.world->conditions();
-  const auto spread =
-      std::find_if(conditions.begin(), conditions.end(), [](const Condition& each) { return each.key == "spread"; });
-  ASSERT_NE(spread, conditions.end());
-  EXPECT_EQ(spread->value, Value(field_spread));
+  const auto variation =
+      std::find_if(conditions.begin(), conditions.end(), [](const Condition& each) { return each.key == "variation"; });
+  ASSERT_NE(variation, conditions.end());
+  EXPECT_EQ(variation->value, Value(field_variation));
 }
 
 TEST(PhysicalWorld, RefusesWhatItCannotUse) {
   for (const auto& [name, value] : {std::pair("noise", "much"),
                                     {"noise", "-1"},
                                     {"noise", "nan"},
-                                    {"spread", "11"},
+                                    {"variation", "11"},
                                     {"search-speed", ""},
                                     {"noise", "1e3"}}) {
     const WorldResult result = physical_entry.make({{name, value}});

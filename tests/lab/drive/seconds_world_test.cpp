@@ -107,7 +107,7 @@ TEST(SecondsWorld, CertifiedRunsAreTheBestThatThereAre) {
   EXPECT_GT(standing.runs, routes);
   EXPECT_EQ(number(race, standing, "optimal"), routes);
   EXPECT_EQ(number(race, standing, "proven"), routes);
-  EXPECT_EQ(standing.solved, standing.runs);
+  EXPECT_EQ(standing.finished, standing.runs);
   EXPECT_EQ(number(race, standing, "mean_excess"), 0.0);
 }
 
@@ -167,7 +167,7 @@ TEST(SecondsWorld, HandsOverRecordsThatCanBePlayedAgain) {
   int told = 0;
   RaceHooks hooks;
   hooks.keep = [](const ContestResult&) { return Keep{true, false}; };
-  hooks.finished = [&](const Race& race, const ContestResult& result, const Held& held) {
+  hooks.finished = [&](const Race& race, const ContestResult& result, const ContestOutput& held) {
     ++told;
     const auto read = read_drive_record(held.record);
     ASSERT_TRUE(read.file);
@@ -223,14 +223,14 @@ TEST(SecondsWorld, HasMeansOverTheMazesInWhichAMouseCanScore) {
   const Standing& quick = standings[0];
   EXPECT_EQ(quick.mouse, 0U);  // who scores in more mazes comes first
   EXPECT_EQ(quick.runs, 2);
-  EXPECT_EQ(quick.solved, 2);
+  EXPECT_EQ(quick.finished, 2);
   EXPECT_DOUBLE_EQ(*quick.mean_all, 8.5);
   EXPECT_DOUBLE_EQ(*quick.mean_ratio, (1.2 + 1.1) / 2);
   EXPECT_DOUBLE_EQ(*number(race, quick, "mean_search"), 30.0);
   EXPECT_DOUBLE_EQ(*number(race, quick, "mean_best"), 6.5);
   EXPECT_DOUBLE_EQ(*number(race, quick, "mean_excess"), 0.125);
   EXPECT_EQ(number(race, quick, "optimal"), 1);
-  EXPECT_EQ(standings[1].solved, 1);
+  EXPECT_EQ(standings[1].finished, 1);
   EXPECT_EQ(standings[1].runs, 2);
   EXPECT_DOUBLE_EQ(*standings[1].mean_all, 5.5);
   EXPECT_DOUBLE_EQ(*number(race, standings[1], "mean_excess"), 0.0);

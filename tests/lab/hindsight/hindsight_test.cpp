@@ -200,7 +200,7 @@ TEST(Hindsight, TakesTheBestOfTheMouseAndItsVariants) {
 TEST(Hindsight, OfAMouseThatThrowsDiceTakesFurtherSeeds) {
   const HindsightOrder order = order_of(10);
   const Hindsight found = look_back("random", {test::loop()}, order);
-  EXPECT_TRUE(found.throws_dice);
+  EXPECT_TRUE(found.is_stochastic);
   RaceOrder race_order = test::in_steps();
   race_order.runs = order.race.runs;
   EXPECT_DOUBLE_EQ(found.mazes[0].score,

@@ -159,7 +159,7 @@ void expect_ended(const Played& played, std::size_t i, const Follower& follower,
   const RunRecord record = replay(follower, rules);
   ASSERT_EQ(record.steps.size(), follower.actions.size());
   const std::map<ContestState, Outcome> outcomes = {
-      {ContestState::solved, Outcome::solved},
+      {ContestState::finished, Outcome::finished},
       {ContestState::out_of_steps, Outcome::out_of_steps},
       {ContestState::never_reset, Outcome::never_reset},
       {ContestState::speed_run_unfinished, Outcome::speed_run_unfinished}};
@@ -222,16 +222,16 @@ TEST(ContestBatch, ShowsAndPaysWhatTheSimulatorDoes) {
 
 TEST(ContestBatch, NoSumOfRewardsIsRounded) {
   const Rules rules;
-  const double reward = exploration_reward(rules);
+  const double reward = search_reward(rules);
   EXPECT_NEAR(reward, -1.0 / 30, 1e-12);
   double explored = 0.0;
-  for (int exploration = 0; exploration < rules.budget; ++exploration, explored += reward) {
+  for (int search_run = 0; search_run < rules.budget; ++search_run, explored += reward) {
     double sum = explored;
-    for (int speed = 1; exploration + speed <= rules.budget; ++speed, sum -= 1.0) {
-      const double target = -score_of(exploration, speed, rules);
-      ASSERT_EQ(sum + (target - sum), target) << exploration << " + " << speed;
+    for (int speed = 1; search_run + speed <= rules.budget; ++speed, sum -= 1.0) {
+      const double target = -score_of(search_run, speed, rules);
+      ASSERT_EQ(sum + (target - sum), target) << search_run << " + " << speed;
       ASSERT_NEAR(target - sum, -1.0, 1e-9);
-      ASSERT_EQ(sum + (-100.0 - sum), -100.0) << exploration << " + " << speed;
+      ASSERT_EQ(sum + (-100.0 - sum), -100.0) << search_run << " + " << speed;
     }
   }
 }

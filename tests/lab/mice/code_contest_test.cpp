@@ -38,12 +38,12 @@ const Maze& passage() {
 }
 
 /// Prompted what a function says, by the number of the tick since it was put down.
-class Prompted final : public PilotCode {
+class Prompted final : public ControllerCode {
  public:
-  using Say = std::function<PilotTick(int tick, const Prompted& self)>;
+  using Say = std::function<ControllerTick(int tick, const Prompted& self)>;
   explicit Prompted(Say say) : say_(std::move(say)) {}
 
-  PilotTick tick(const Sense& sense) override {
+  ControllerTick tick(const Sense& sense) override {
     const double travel = (sense.counts[0] + sense.counts[1]) * 0.5;
     if (tick_ == 0) from_ = travel;
     way = travel - from_;
@@ -63,7 +63,7 @@ class Prompted final : public PilotCode {
   int tick_ = 0;
 };
 
-constexpr PilotTick ahead(int duty, PilotWord word = PilotWord::drive) {
+constexpr ControllerTick ahead(int duty, ControllerWord word = ControllerWord::drive) {
   return {static_cast<std::int16_t>(duty), static_cast<std::int16_t>(duty), word};
 }
 constexpr int slow = 2000;  // some 250 mm/s
@@ -79,7 +79,7 @@ PhysicalConditions noise(double level) {
   return conditions;
 }
 
-Contest contest(PilotCode& code, const Maze& maze = corridor(), const std::string& rules = "all-japan") {
+Contest contest(ControllerCode& code, const Maze& maze = corridor(), const std::string& rules = "all-japan") {
   static const auto model = test::drive_model("kerise");
   const DriveRules by = find_rules(rules).rules;
   Contest held = {drive_by_code(maze, by, *model, noise(0.0), 1, code), {}};
@@ -99,7 +99,7 @@ TEST(CodeContest, EndsWithTheTimeOfOneThatStands) {
 
 TEST(CodeContest, TimesARunFromGateToGateByTheTrueMouse) {
   Prompted code(
-      [](int, const Prompted& self) { return cells(self) < 2.2 ? ahead(slow) : ahead(0, PilotWord::give_up); });
+      [](int, const Prompted& self) { return cells(self) < 2.2 ? ahead(slow) : ahead(0, ControllerWord::give_up); });
   const Contest held = contest(code);
   ASSERT_EQ(held.record.drive.runs.size(), 1U);
   const DriveRun& run = held.record.drive.runs[0];
@@ -115,7 +115,7 @@ TEST(CodeContest, TimesARunFromGateToGateByTheTrueMouse) {
 
 TEST(CodeContest, BeginsARunWhereItLastStood) {
   Prompted code([](int tick, const Prompted& self) {
-    return cells(self) > 1.0 ? ahead(0, PilotWord::give_up) : ahead(tick < 1000 ? 0 : slow);
+    return cells(self) > 1.0 ? ahead(0, ControllerWord::give_up) : ahead(tick < 1000 ? 0 : slow);
   });
   const Contest held = contest(code);
   ASSERT_EQ(held.record.drive.runs.size(), 1U);
@@ -136,7 +136,7 @@ TEST(CodeContest, CarriesAMouseThatCrashedUntilItsRunsAreOver) {
   EXPECT_EQ(held.record.touches.size(), 5U);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     // It went on behind the goal, as a search may, and crashed there; yet it has been in the goal.
-    EXPECT_EQ(held.record.ends[i], RunEnd::strayed);
+    EXPECT_EQ(held.record.ends[i], RunEnd::position_lost);
     EXPECT_TRUE(runs[i].gate_in);
     EXPECT_EQ(runs[i].touched, i > 0);
     if (i > 0) {
@@ -147,7 +147,7 @@ TEST(CodeContest, CarriesAMouseThatCrashedUntilItsRunsAreOver) {
 }
 
 TEST(CodeContest, IsOverForAFastRunOnceItIsInTheGoal) {
-  Prompted code([](int tick, const Prompted&) { return ahead(slow, tick == 0 ? PilotWord::fast : PilotWord::drive); });
+  Prompted code([](int tick, const Prompted&) { return ahead(slow, tick == 0 ? ControllerWord::fast : ControllerWord::drive); });
   const Contest held = contest(code);
   ASSERT_EQ(held.record.drive.runs.size(), 5U);
   EXPECT_EQ(held.record.drive.runs[0].kind, Kind::fast);
@@ -156,8 +156,8 @@ TEST(CodeContest, IsOverForAFastRunOnceItIsInTheGoal) {
 
 TEST(CodeContest, CarriesAMouseThatWantsIt) {
   Prompted code([](int, const Prompted& self) {
-    if (self.wishes == 1) return ahead(0, PilotWord::give_up);
-    return cells(self) < 1.0 ? ahead(slow) : ahead(0, PilotWord::carry);
+    if (self.wishes == 1) return ahead(0, ControllerWord::give_up);
+    return cells(self) < 1.0 ? ahead(slow) : ahead(0, ControllerWord::carry);
   });
   const Contest held = contest(code);
   EXPECT_EQ(code.crashes, 0);
@@ -167,7 +167,7 @@ TEST(CodeContest, CarriesAMouseThatWantsIt) {
 }
 
 TEST(CodeContest, LetsNobodyBeCarriedForEver) {
-  Prompted code([](int, const Prompted&) { return ahead(0, PilotWord::carry); });
+  Prompted code([](int, const Prompted&) { return ahead(0, ControllerWord::carry); });
   static const auto model = test::drive_model("kerise");
   DriveRules rules = find_rules("all-japan").rules;
   rules.time_limit = 1'000'000;
@@ -184,8 +184,8 @@ TEST(CodeContest, TellsTheWayHomeFromTheRun) {
   int stands = 0;
   Prompted code([&](int, const Prompted& self) {
     if (cells(self) > 2.2) back = true;
-    if (back && cells(self) < 0.4) return ahead(0, ++stands > 1000 ? PilotWord::give_up : PilotWord::drive);
-    return back ? ahead(-slow, PilotWord::goal) : ahead(slow);
+    if (back && cells(self) < 0.4) return ahead(0, ++stands > 1000 ? ControllerWord::give_up : ControllerWord::drive);
+    return back ? ahead(-slow, ControllerWord::goal) : ahead(slow);
   });
   const Contest held = contest(code);
   ASSERT_EQ(held.record.drive.runs.size(), 2U);
@@ -201,7 +201,7 @@ TEST(CodeContest, DoesNotTakeThePassingOfTheStartForANewRun) {
   bool back = false;
   Prompted code([&](int, const Prompted& self) {
     if (cells(self) > 2.0) back = true;
-    if (cells(self) < -4.0) return ahead(0, PilotWord::give_up);
+    if (cells(self) < -4.0) return ahead(0, ControllerWord::give_up);
     return ahead(back ? -slow : slow);
   });
   const Contest held = contest(code, passage());
@@ -213,7 +213,7 @@ TEST(CodeContest, IsOverWithTheLastRunThatTheRulesAllow) {
   static const auto model = test::drive_model("kerise");
   DriveRules rules = find_rules("all-japan").rules;
   rules.most_runs = 1;
-  Prompted code([](int, const Prompted& self) { return ahead(cells(self) < 2.2 ? slow : 0, PilotWord::goal); });
+  Prompted code([](int, const Prompted& self) { return ahead(cells(self) < 2.2 ? slow : 0, ControllerWord::goal); });
   const PhysicalRecord record = drive_by_code(corridor(), rules, *model, noise(0.0), 1, code);
   EXPECT_EQ(record.drive.runs.size(), 1U);
   EXPECT_EQ(record.ends[0], RunEnd::done);
@@ -224,13 +224,13 @@ TEST(CodeContest, IsTheSameFromItsTape) {
   Dice dice(5);
   for (const double level : {0.0, 1.0, 3.0}) {
     // Anything at all.
-    PilotTick last;
+    ControllerTick last;
     Prompted code([&](int tick, const Prompted&) {
       if (tick % 40 == 0)
-        last = {static_cast<std::int16_t>(dice.bits()), static_cast<std::int16_t>(dice.bits()), PilotWord::drive};
-      last.left = std::max<std::int16_t>(last.left, -PilotTick::full);
-      last.right = std::max<std::int16_t>(last.right, -PilotTick::full);
-      last.word = dice.bits() % 500 == 0 ? static_cast<PilotWord>(dice.bits() % 4) : PilotWord::drive;
+        last = {static_cast<std::int16_t>(dice.bits()), static_cast<std::int16_t>(dice.bits()), ControllerWord::drive};
+      last.left = std::max<std::int16_t>(last.left, -ControllerTick::full);
+      last.right = std::max<std::int16_t>(last.right, -ControllerTick::full);
+      last.word = dice.bits() % 500 == 0 ? static_cast<ControllerWord>(dice.bits() % 4) : ControllerWord::drive;
       return last;
     });
     const auto model = test::drive_model("kerise");

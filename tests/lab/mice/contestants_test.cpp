@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/says.hpp"
 
 namespace labmouse {
@@ -49,13 +49,13 @@ TEST(Contestants, HaveParametersOfTheWorldThatTheyAreIn) {
 
 TEST(Contestants, HaveParametersThatCountWhereThingsGoWrongAlone) {
   for (const char* spec : {"festina:search=0.5", "festina:slower=0.5", "festina:run=0.5", "festina:step=0.5",
-                           "festina:safe=no", "festina:map=learned"}) {
+                           "festina:safe=no", "festina:map=log-odds-prior"}) {
     const Contestant mouse = read_specs(spec).contestants.front();
     EXPECT_THAT(refuse_to_drive({&mouse, 1}), Says("'festina'", "seconds", "physical", "failure model", "'mind'"))
         << spec;
     EXPECT_EQ(refuse_to_drive({&mouse, 1}, Driving::with_errors), "") << spec;
   }
-  const Contestant ideal = read_specs("festina:mind=certify").contestants.front();
+  const Contestant ideal = read_specs("festina:strategy=certify").contestants.front();
   EXPECT_EQ(refuse_to_drive({&ideal, 1}) + refuse_to_drive({&ideal, 1}, Driving::with_errors), "");
   const Contestant walker = read_specs("ariadne:travel=3").contestants.front();
   EXPECT_THAT(refuse_to_drive({&walker, 1}, Driving::with_errors), Says("'travel'", "steps"));
@@ -102,7 +102,7 @@ TEST(Spec, TheOracleIsNoContestant) {
   EXPECT_FALSE(mice[1].reference);
 }
 
-TEST(Spec, AllContestantsAreTheRoster) {
+TEST(Spec, AllContestantsAreTheBuiltinMice) {
   const auto all = all_contestants();
   ASSERT_EQ(all.size(), all_mice().size());
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].name, all_mice()[i]->name);

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/says.hpp"
 
 namespace labmouse {
@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 
 TEST(MouseList, HasEveryMouseAndEveryParameter) {
   const std::string list = mouse_list();
-  for (const RosterEntry* mouse : all_mice()) {
+  for (const BuiltinMouse* mouse : all_mice()) {
     EXPECT_THAT(list, HasSubstr(std::string(mouse->name) + "  "));
     for (const Parameter& parameter : mouse->parameters)
       EXPECT_THAT(list, HasSubstr("    " + std::string(parameter.name) + "=" + std::string(parameter.default_value)));
@@ -35,7 +35,7 @@ std::string joined(const std::string& text) {
 }
 
 TEST(MouseSheet, SaysHowAMouseWorksAndWhoseIdeaItIs) {
-  for (const RosterEntry* mouse : all_mice()) {
+  for (const BuiltinMouse* mouse : all_mice()) {
     const NamedText sheet = mouse_sheet(std::string(mouse->name));
     EXPECT_EQ(sheet.error, "");
     // Both are whole sentences.
@@ -54,7 +54,7 @@ TEST(MouseSheet, SaysHowAMouseWorksAndWhoseIdeaItIs) {
 }
 
 TEST(MouseSheet, ExplainsEachParameterInASentence) {
-  for (const RosterEntry* mouse : all_mice())
+  for (const BuiltinMouse* mouse : all_mice())
     for (const Parameter& parameter : mouse->parameters) {
       const std::string meaning(parameter.meaning), name = fmt::format("{}:{}", mouse->name, parameter.name);
       EXPECT_TRUE(meaning.front() >= 'A' && meaning.front() <= 'Z') << name;

@@ -11,7 +11,7 @@
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/maze/symmetry.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 
 namespace labmouse {
@@ -28,7 +28,7 @@ WallCount& at(PriorCounts& counts, std::string_view digits) {
   return counts.walls[static_cast<unsigned>(folded_context(context(digits)))];
 }
 
-StepRecord step(const Maze& maze, Pose pose, Run run = Run::exploration) {
+StepRecord step(const Maze& maze, Pose pose, Run run = Run::search_run) {
   StepRecord record;
   record.run = run;
   record.pose = pose;
@@ -36,7 +36,7 @@ StepRecord step(const Maze& maze, Pose pose, Run run = Run::exploration) {
   return record;
 }
 
-/// The counts of an exploration that stands in these poses.
+/// The counts of a search run that stands in these poses.
 PriorCounts counts_in(const Maze& maze, std::initializer_list<Pose> poses) {
   RunRecord record;
   for (const Pose pose : poses) record.steps.push_back(step(maze, pose));
@@ -124,9 +124,9 @@ RunRecord transformed(RunRecord record, Size size, Symmetry symmetry) {
 TEST(Counts, OfMirrorImagesAreAlike) {
   for (const Size size : {Size{8, 8}, Size{9, 6}}) {
     const Maze maze = prim_generator.make({size, 5, 100});
-    const RosterEntry& mouse = flood_explore_mouse;
-    const auto mind = mouse.make(brief(maze, {}, 1), Settings(mouse.parameters));
-    const RunRecord record = run(maze, {}, *mind);
+    const BuiltinMouse& mouse = flood_explore_mouse;
+    const auto strategy = mouse.make(brief(maze, {}, 1), Settings(mouse.parameters));
+    const RunRecord record = run(maze, {}, *strategy);
     PriorCounts counts;
     counts.add(maze, record);
     EXPECT_GT(sum_of(counts.walls), 100);

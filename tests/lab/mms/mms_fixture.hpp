@@ -9,12 +9,12 @@
 
 namespace labmouse::test {
 
-/// A mouse that does what the words say; see tests/guests/mms/mms_guest.cpp.
+/// A mouse that does what the words say; see tests/external/mms/mms_program.cpp.
 inline Contestant mms_mouse(const std::string& name, std::vector<std::string> words) {
   Contestant mouse;
   mouse.name = "mms:" + name;
   mouse.runs = 1;
-  words.insert(words.begin(), LABMOUSE_MMS_GUEST);
+  words.insert(words.begin(), LABMOUSE_MMS_PROGRAM);
   auto& program = mouse.kind.emplace<MmsProgram>();
   program.words = std::move(words);
   program.limits.silence = std::chrono::seconds(20);  // on a busy machine
@@ -52,7 +52,7 @@ inline NamedMaze shaft() {
 inline MmsRun imagined_run(float best_effective, float best_turns, float total_effective, float total_turns) {
   MmsRun run;
   run.end = "exit code 0";
-  run.statistics.solved = true;
+  run.statistics.finished = true;
   run.statistics.best_run_distance = 2 * best_effective;
   run.statistics.best_run_effective_distance = best_effective;
   run.statistics.best_run_turns = best_turns;

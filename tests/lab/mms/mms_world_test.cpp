@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "labmouse/guests/mms/run.hpp"
+#include "labmouse/external/mms/run.hpp"
 #include "labmouse/lab/bounds/mms_bound.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
@@ -71,7 +71,7 @@ TEST(MmsWorld, AMouseThatPlaysABestRunScoresTheBound) {
     const Race race = hold_race({witness_of(maze.maze)}, {maze}, in_mms());
     EXPECT_DOUBLE_EQ(*race.results[0].ratio, 1.0) << maze.name;
     EXPECT_DOUBLE_EQ(*number_of(figure_of(race, race.results[0], "run_ratio")), 1.0) << maze.name;
-    EXPECT_EQ(race.results[0].outcome, "solved");
+    EXPECT_EQ(race.results[0].outcome, "finished");
   }
 }
 
@@ -98,7 +98,7 @@ TEST(MmsWorld, ARunThatWasUnderWayIsEndedAndLeftOut) {
   std::atomic<bool> stop = false;
   RaceHooks hooks;
   hooks.stop = &stop;
-  hooks.finished = [&](const Race&, const ContestResult& result, const Held&) {
+  hooks.finished = [&](const Race&, const ContestResult& result, const ContestOutput&) {
     EXPECT_EQ(result.mouse, 0U);
     stop = true;
   };
@@ -130,29 +130,29 @@ TEST(LastLines, LeaveOutTheMarksOfATraceback) {
 /// Two mice in two mazes with a way to the centre and one without; one contest was not held.
 Race three_mazes() {
   Race race = imagined_race({"a", "b"}, {loop(), plank(), shaft()});
-  MmsRun unsolved;
-  unsolved.outcome = MmsOutcome::hung;
-  unsolved.statistics.total_effective_distance = 100;
-  unsolved.lines = 7;
-  unsolved.invalid_lines = 2;
+  MmsRun unfinished;
+  unfinished.outcome = MmsOutcome::hung;
+  unfinished.statistics.total_effective_distance = 100;
+  unfinished.lines = 7;
+  unfinished.invalid_lines = 2;
   imagine(race, 0, 0, imagined_run(40, 10, 180, 20));
-  imagine(race, 0, 1, unsolved);
-  imagine(race, 0, 2, unsolved);
+  imagine(race, 0, 1, unfinished);
+  imagine(race, 0, 2, unfinished);
   imagine(race, 1, 0, imagined_run(30, 6, 30, 6));
   imagine(race, 1, 1, imagined_run(2, 0, 2, 1));
   return race;
 }
 
-TEST(MmsStandings, CountTheScoreOfMmsForUnsolvedMazes) {
+TEST(MmsStandings, CountTheScoreOfMmsForUnfinishedMazes) {
   const Race race = three_mazes();
   const auto standings = standings_of(race);
   ASSERT_EQ(standings.size(), 2U);
   EXPECT_EQ(standings[0].mouse, 1U);  // the better one
   const Standing& a = standings[1];
   EXPECT_EQ(a.runs, 2);
-  EXPECT_EQ(a.solved, 1);
+  EXPECT_EQ(a.finished, 1);
   EXPECT_DOUBLE_EQ(*a.mean_all, (70.0 + 2000.0) / 2);
-  EXPECT_DOUBLE_EQ(*a.mean_solved, 70.0);
+  EXPECT_DOUBLE_EQ(*a.mean_finished, 70.0);
   EXPECT_DOUBLE_EQ(figure(race, a, "mean_best_run"), 50.0);
   EXPECT_DOUBLE_EQ(figure(race, a, "mean_total"), (200.0 + 100.0) / 2);
   EXPECT_LE(a.interval.low, *a.mean_all);
@@ -183,7 +183,7 @@ TEST(MmsStandings, LeaveOutWhatWasNotDone) {
 TEST(MmsStandings, AMazeThatStartsInItsGoalHasNoRatio) {
   Race race = imagined_race({"a"}, {hook()});
   imagine(race, 0, 0, imagined_run(0, 0, 0, 1));
-  EXPECT_EQ(standings_of(race)[0].solved, 1);
+  EXPECT_EQ(standings_of(race)[0].finished, 1);
   EXPECT_EQ(figure_of(race, standings_of(race)[0], "mean_run_ratio"), Value(nullptr));
 }
 
@@ -328,9 +328,9 @@ TEST(MmsJson, AResultHasAllValuesOfGetStatUnderTheirNames) {
   EXPECT_EQ(result.at("statistics").at("best-run-turns").dump(), "8");
 }
 
-TEST(MmsJson, AnUnsolvedRunLacksItsBestRunAndRatios) {
+TEST(MmsJson, AnUnfinishedRunLacksItsBestRunAndRatios) {
   const Json result = group_json(two_mice()).at("mice")[1].at("results")[0];
-  EXPECT_EQ(result.at("solved"), false);
+  EXPECT_EQ(result.at("finished"), false);
   EXPECT_EQ(result.at("score"), 2000);  // as in mms
   EXPECT_EQ(result.at("outcome"), "hung");
   EXPECT_TRUE(result.at("best_run").is_null());
@@ -346,7 +346,7 @@ TEST(MmsJson, ARunThatWasEndedForWhatItDidToTheMachineHasNoScore) {
   const Json mice = group_json(two_mice(run)).at("mice");
   const Json result = mice[1].at("results")[0];
   EXPECT_EQ(result.at("outcome"), "too much memory");
-  EXPECT_EQ(result.at("solved"), false);
+  EXPECT_EQ(result.at("finished"), false);
   EXPECT_TRUE(result.at("score").is_null());
 }
 
@@ -356,14 +356,14 @@ TEST(MmsTable, SaysWhatOfARunThatNeverEndedCounts) {
   run.end = "had not ended after 5 lines; it repeats";
   EXPECT_THAT(table_of(two_mice(run), false),
               Says("never ended", "best run was finished", "never ended 1; first in loop: had not"));
-  run.statistics.solved = false;
+  run.statistics.finished = false;
   EXPECT_THAT(table_of(two_mice(run), false), Not(HasSubstr("best run was finished")));
 }
 
 TEST(MmsJson, HasTheMeansOfTheTable) {
   const Json mouse = group_json(two_mice()).at("mice")[1];
   EXPECT_EQ(mouse.at("name"), "mms:python3 bad.py");
-  EXPECT_EQ(mouse.at("solved"), 1);
+  EXPECT_EQ(mouse.at("finished"), 1);
   EXPECT_DOUBLE_EQ(mouse.at("mean_score").get<double>(), (2000.0 + 5.4) / 2);
   EXPECT_EQ(mouse.at("outcomes"), Json({{"complete", 1}, {"hung", 1}}));
   EXPECT_EQ(mouse.at("invalid_lines"), 2);
@@ -389,7 +389,7 @@ TEST(MmsCsv, HasALineForEachRun) {
   ASSERT_EQ(list.size(), 5U);
   EXPECT_EQ(
       list[0],
-      "mouse,maze,outcome,end,solved,best_run,possible_run,possible_score,total-distance,total-effective-distance,"
+      "mouse,maze,outcome,end,finished,best_run,possible_run,possible_score,total-distance,total-effective-distance,"
       "total-turns,current-run-distance,current-run-effective-distance,current-run-turns,best-run-distance,"
       "best-run-effective-distance,best-run-turns,score,lines,invalid_lines,simulated_seconds,seconds");
   for (const std::string& line : list) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 21) << line;

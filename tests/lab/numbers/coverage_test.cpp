@@ -98,7 +98,7 @@ Interval percentile_interval(const Values& values, Dice& dice) {
 
 /// In percent: how often each method contains the mean, and how often equal mice are told apart.
 struct Coverage {
-  double percentile = 0.0, student = 0.0, ours = 0.0, told_apart = 0.0;
+  double percentile = 0.0, student = 0.0, ours = 0.0, differences_of = 0.0;
 };
 
 Coverage coverage_of(const Scores& scores, int mazes, int trials, bool all_methods) {
@@ -115,7 +115,7 @@ Coverage coverage_of(const Scores& scores, int mazes, int trials, bool all_metho
     if (scores.mean != 0.0) continue;
     const PairedDifference found = paired_difference(values, dice.bits());
     const TestVerdict verdict = verdict_of(found, found.p);
-    coverage.told_apart += verdict == TestVerdict::better || verdict == TestVerdict::worse ? part : 0.0;
+    coverage.differences_of += verdict == TestVerdict::better || verdict == TestVerdict::worse ? part : 0.0;
   }
   return coverage;
 }
@@ -140,7 +140,7 @@ TEST(Coverage, OfIntervalsIsNinetyFivePercent) {
     for (const int mazes : {5, 8, 10, 20, 43, 100, 300}) {
       const Coverage found = coverage_of(scores, mazes, mazes > 43 ? 200 : 1000, true);
       const std::string told =
-          scores.mean == 0.0 && mazes >= fewest_for_verdict ? fmt::format("{:.1f}", found.told_apart) : "";
+          scores.mean == 0.0 && mazes >= fewest_for_verdict ? fmt::format("{:.1f}", found.differences_of) : "";
       std::fputs(fmt::format("{} | {} | {:.1f} | {:.1f} | {:.1f} | {}\n", scores.name, mazes, found.percentile,
                              found.student, found.ours, told)
                      .c_str(),
@@ -153,7 +153,7 @@ TEST(Coverage, OfIntervalsIsNinetyFivePercent) {
       if (mazes >= 20) {
         EXPECT_LE(found.ours, 97.0 + error) << scores.name << ", " << mazes;
       }
-      EXPECT_LE(found.told_apart, 5.0 + error) << scores.name << ", " << mazes;
+      EXPECT_LE(found.differences_of, 5.0 + error) << scores.name << ", " << mazes;
     }
 }
 
@@ -185,7 +185,7 @@ TEST(Coverage, OfSharesIsThatOfMazesAndNotOfContests) {
 
 TEST(Coverage, EqualMiceAreSeldomToldApart) {
   const Scores scores = all_scores().back();
-  int told_apart = 0;
+  int differences_of = 0;
   const int trials = test::thorough ? 1000 : 100;
   Dice dice(3);
   for (int trial = 0; trial < trials; ++trial) {
@@ -193,9 +193,9 @@ TEST(Coverage, EqualMiceAreSeldomToldApart) {
     for (double& value : values) value = scores.draw(dice);
     const PairedDifference found = paired_difference(values, dice.bits());
     const TestVerdict verdict = verdict_of(found, found.p);
-    told_apart += verdict == TestVerdict::better || verdict == TestVerdict::worse ? 1 : 0;
+    differences_of += verdict == TestVerdict::better || verdict == TestVerdict::worse ? 1 : 0;
   }
-  EXPECT_LE(told_apart, 0.1 * trials);  // of 1,000, 45
+  EXPECT_LE(differences_of, 0.1 * trials);  // of 1,000, 45
 }
 
 }  // namespace

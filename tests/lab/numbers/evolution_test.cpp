@@ -46,7 +46,7 @@ int evaluations_to(double target, const Function& function, const EvolutionOrder
 }
 
 /// The numbers of the cube on -4 to 6, so that no function below has its lowest point where a search begins.
-UnitPoint spread(const UnitPoint& point) {
+UnitPoint variation(const UnitPoint& point) {
   UnitPoint numbers;
   for (const double share : point) numbers.push_back(10.0 * share - 4.0);
   return numbers;
@@ -54,13 +54,13 @@ UnitPoint spread(const UnitPoint& point) {
 
 double sphere(const UnitPoint& point) {
   double sum = 0.0;
-  for (const double number : spread(point)) sum += number * number;
+  for (const double number : variation(point)) sum += number * number;
   return sum;
 }
 
 /// A thousand times as narrow along its last axis as along its first.
 double ellipsoid(const UnitPoint& point) {
-  const UnitPoint numbers = spread(point);
+  const UnitPoint numbers = variation(point);
   double sum = 0.0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const double axis = std::pow(1000.0, static_cast<double>(i) / static_cast<double>(numbers.size() - 1));
@@ -71,7 +71,7 @@ double ellipsoid(const UnitPoint& point) {
 
 /// A narrow bent valley.
 double rosenbrock(const UnitPoint& point) {
-  const UnitPoint numbers = spread(point);
+  const UnitPoint numbers = variation(point);
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < numbers.size(); ++i) {
     const double off = numbers[i + 1] - numbers[i] * numbers[i], from_one = 1.0 - numbers[i];
@@ -82,7 +82,7 @@ double rosenbrock(const UnitPoint& point) {
 
 /// The same along axes that are turned by 45 degrees.
 double turned_ellipsoid(const UnitPoint& point) {
-  const UnitPoint numbers = spread(point);
+  const UnitPoint numbers = variation(point);
   const double along = numbers[0] + numbers[1], across = numbers[0] - numbers[1];
   return along * along + 1e6 * across * across;
 }

@@ -127,7 +127,7 @@ TEST(PageCalls, TellWhatTheCoreBrings) {
   EXPECT_THAT(about["mazes"], ::testing::Contains(json{{"name", "capstone-1"}, {"width", 12}, {"height", 12}}));
   EXPECT_EQ(about["formats"].size(), 4U);
   EXPECT_EQ(about["generators"].size(), 7U);
-  EXPECT_EQ(about["rules"], json::parse(R"({"budget":1000,"exploration_factor":30,"stride":3,"failure_score":100.0})"));
+  EXPECT_EQ(about["rules"], json::parse(R"({"budget":1000,"search_factor":30,"stride":3,"failure_score":100.0})"));
   EXPECT_EQ(about["most_side"], 64);
   for (const char* field : {"version", "compiler"}) EXPECT_FALSE(about[field].get<std::string>().empty());
 }
@@ -163,7 +163,7 @@ TEST(PageCalls, HoldARaceAsTheLabDoes) {
   EXPECT_EQ(timeless(answer("race", race())["results"]), timeless(json::parse(json_of(held, {}))));
 }
 
-TEST(PageCalls, RaceTheRosterWhereNoMouseIsNamed) {
+TEST(PageCalls, RaceTheBuiltinMiceWhereNoMouseIsNamed) {
   const json results = answer("race", race({{"mice", json::array()}, {"runs", 1}}))["results"];
   EXPECT_EQ(results["groups"][0]["mice"].size(), residents_of(*first_world()).size());
 }
@@ -175,9 +175,9 @@ TEST(PageCalls, RefuseRacesThatCannotBe) {
   EXPECT_THAT(error_of("race", race({{"mazes", {data_of(test::loop()), 3}}})), Says("'mazes[1]'", "object"));
   EXPECT_THAT(error_of("race", race({{"mice", {"flood", 3}}})), Says("'mice'", "string"));
   EXPECT_THAT(error_of("race", race({{"runs", 0}})), Says("'runs'", "1 to 1000"));
-  for (const char* guest : {"guest:ls", "flood,a=guest:ls"})
-    EXPECT_THAT(error_of("race", race({{"mice", {guest}}})), Says("'guest:ls'", "program"));
-  EXPECT_THAT(error_of("race", race({{"mice", {"lineup:mice.toml"}}})), Says("'lineup:mice.toml'", "file"));
+  for (const char* external : {"program:ls", "flood,a=program:ls"})
+    EXPECT_THAT(error_of("race", race({{"mice", {external}}})), Says("'program:ls'", "program"));
+  EXPECT_THAT(error_of("race", race({{"mice", {"mice-file:mice.toml"}}})), Says("'mice-file:mice.toml'", "file"));
   json many = json::array();
   for (int i = 0; i < 21; ++i) many.push_back(data_of({std::to_string(i), test::hook().maze}));
   EXPECT_THAT(error_of("race", race({{"mice", {"random"}}, {"mazes", many}, {"runs", 1000}})),

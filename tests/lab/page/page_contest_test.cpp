@@ -51,7 +51,7 @@ TEST(PageContest, PlaysAsItsRecordDoes) {
   const std::string record = held["record"];
   json opened = answer("open", {{"name", "a.jsonl"}}, record)["play"], play = held["play"];
   EXPECT_TRUE(play["drive"].contains("bodies"));
-  // That one is held again in seconds, since the record does not say what a page would have to ask.
+  // That one is run again in seconds, since the record does not say what a page would have to ask.
   for (json* each : {&opened, &play}) each->erase("again");
   EXPECT_EQ(play, opened);
 }
@@ -88,7 +88,7 @@ TEST(PageContest, ShowsWhereBeliefAndTruthPartAndMeetAgain) {
     if (maze.name == "contest-01") contest["maze"] = data_of({"contest-01", *read_maze(maze.text).maze});
   contest["mouse"] = "festina";
   const json play = answer("contest", contest)["play"];
-  EXPECT_TRUE(play["solved"]);
+  EXPECT_TRUE(play["finished"]);
   ASSERT_FALSE(play["mistaken"].empty());
   const json& first = play["mistaken"][0];
   EXPECT_TRUE(first["closed"]);

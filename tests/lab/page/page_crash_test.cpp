@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "labmouse/contest/hazards.hpp"
+#include "labmouse/contest/failure_rates.hpp"
 #include "labmouse/contest/physical.hpp"
-#include "labmouse/lab/plays/play_seconds.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/lab/replays/play_seconds.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/lab/page/page_fixture.hpp"
 #include "tests/slowness.hpp"
@@ -77,21 +77,21 @@ TEST(PageCrash, IsOfTheShapeThatThePageAsksFor) {
 
 /// A contest in which that manoeuvre always fails.
 DriveRecordFile failing(Manoeuvre manoeuvre) {
-  Hazards hazards;
-  hazards.paces = {{1.0, {no_hazards()}}};
-  hazards.paces.front().noises.front().noise = 1.0;
-  for (HazardsByLuck& by_luck : hazards.paces.front().noises.front().by_luck)
-    by_luck.manoeuvres[static_cast<std::size_t>(manoeuvre)][0] = {1.0, 1.0, {1.0}};
+  FailureRates failure_rates;
+  failure_rates.paces = {{1.0, {no_failures()}}};
+  failure_rates.paces.front().noises.front().noise = 1.0;
+  for (FailureRatesByDraw& by_draws : failure_rates.paces.front().noises.front().by_draws)
+    by_draws.manoeuvres[static_cast<std::size_t>(manoeuvre)][0] = {1.0, 1.0, {1.0}};
   DriveRecordFile file = test::physical_file("flood-return", test::at_noise(1.0));
   const Briefing briefing = [&] {
     Briefing made = brief(*file.maze, file.rules, *file.model, 1);
     made.sight = 1;
     return made;
   }();
-  const RosterEntry& entry = *find_mouse("flood-return");
+  const BuiltinMouse& entry = *find_mouse("flood-return");
   const auto mouse = entry.drive(briefing, Settings(entry.parameters));
   PhysicalRecord record =
-      drive_with_failures(*file.maze, file.rules, *file.model, file.physical->conditions, hazards, 1, *mouse);
+      drive_with_failures(*file.maze, file.rules, *file.model, file.physical->conditions, failure_rates, 1, *mouse);
   file.record = std::move(record.drive);
   file.physical->notes = std::move(record);
   return file;

@@ -164,7 +164,7 @@ TEST(PageDrive, SaysWhatCannotBeDriven) {
 /// Where no goal can be reached there is a search and no more.
 TEST(PageDrive, PlaysWhatEndsWithoutARun) {
   const json play = play_of(test::without_route(), "flood");
-  EXPECT_EQ(play["solved"], false);
+  EXPECT_EQ(play["finished"], false);
   EXPECT_EQ(play["score"], nullptr);
   EXPECT_EQ(play["bound"], nullptr);
   EXPECT_EQ(play["goal_frame"], nullptr);

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "labmouse/lab/page/calls.hpp"
-#include "labmouse/lab/plays/maze_data.hpp"
+#include "labmouse/lab/replays/maze_data.hpp"
 #include "labmouse/lab/shapes/shapes.hpp"
 #include "tests/lab/page/shape_check.hpp"
 #include "tests/lab/races/race_fixture.hpp"

@@ -121,8 +121,8 @@ TEST(PageOpens, RecordsOfMms) {
   EXPECT_EQ(play["counts"][9]["value"], play["score"]);
   for (const char* field : {"counts", "score", "bound", "optimum"}) play.erase(field);
   json expected = json::parse(R"({
-    "world": "mms", "mouse": "mms:./mouse", "rules": null, "seed": null, "outcome": "complete: exit code 0", "solved": false,
-    "exploration_steps": 3, "speed_steps": 0, "discovered": null, "visited": null, "last_words": "",
+    "world": "mms", "mouse": "mms:./mouse", "rules": null, "seed": null, "outcome": "complete: exit code 0", "finished": false,
+    "search_steps": 3, "speed_steps": 0, "discovered": null, "visited": null, "last_words": "",
     "checked": "", "ended": true, "x": [1, 1, 5, 1], "y": [1, 1, 1, 1], "heading": [0, 2, 2, 0], "run": [0, 0, 0, 0],
     "action": ["turnRight", "moveForward 5", "ackReset"], "blocked": [false, true, false],
     "left": [], "ahead": [], "right": [], "known": [], "goal_frame": null, "reset_frame": 3, "entered": [[], [1, 2], []],

@@ -3,8 +3,8 @@
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/lab/plays/play_frames.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/lab/replays/play_frames.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/lab/page/page_fixture.hpp"
 #include "tests/lab/records/record_fixture.hpp"
 #include "tests/says.hpp"
@@ -31,21 +31,21 @@ json play_of(const std::string& mouse, const NamedMaze& maze = test::loop()) {
 /// The oracle explores by its shortest run, resets and runs: every number can be seen in the drawing of the hook.
 TEST(PagePlay, HasEachFrameAndEachStep) {
   json play = play_of("oracle", test::hook());
-  // Every mouse of the roster can hold it again, by the same rules.
+  // Every mouse of the list of built-in mice can hold it again, by the same rules.
   EXPECT_EQ(play["again"]["with"], json::parse(R"({"world": "steps", "conditions": {"budget": 1000}})"));
-  EXPECT_EQ(play["again"]["mice"].size(), roster().size());
+  EXPECT_EQ(play["again"]["mice"].size(), builtin_mice().size());
   play.erase("again");
   EXPECT_TRUE(play["traits"].erase("bound"));
   json expected = json::parse(R"({
-    "world": "steps", "mouse": "oracle", "rules": {"budget": 1000, "exploration_factor": 30, "stride": 3}, "seed": 1,
-    "outcome": "solved", "solved": true, "optimum": 1, "exploration_steps": 2, "speed_steps": 1,
+    "world": "steps", "mouse": "oracle", "rules": {"budget": 1000, "search_factor": 30, "stride": 3}, "seed": 1,
+    "outcome": "finished", "finished": true, "optimum": 1, "search_steps": 2, "speed_steps": 1,
     "discovered": 0.75, "visited": 0.5, "last_words": "", "counts": [], "checked": "", "ended": true,
     "clock": [0, 1, 2, 3], "x": [1, 1, 1, 1], "y": [1, 3, 1, 3], "heading": [0, 0, 0, 0], "run": [0, 0, 1, 1],
     "action": ["ahead 1", "reset", "ahead 1"], "blocked": [false, false, false],
     "left": [0, 0, 0], "ahead": [1, 0, 1], "right": [1, 0, 1],
     "known": [0, -1, 0, 0,  0, 0, 1, 0], "goal_frame": 1, "reset_frame": 2, "entered": [[2], [], [2]],
     "route": [[0, 0], [0, 1]], "distances": [1, 2, 0, 3], "reasons": [], "events": [], "loses": [0, 0, 0],
-    "traits": {"clock": "steps", "unit": "", "digits": 3, "runs": ["exploration", "speed run"], "draws": false,
+    "traits": {"clock": "steps", "unit": "", "digits": 3, "runs": ["search", "speed run"], "draws": false,
                "pictured": true}
   })");
   expected["maze"] = data_of(test::hook());
@@ -99,7 +99,7 @@ TEST(PagePlay, HasTheReasonsOfAMouseThatKeepsThem) {
 TEST(PagePlay, SaysWhyAMouseGaveUp) {
   const json play = play_of("flood", test::without_route());
   EXPECT_EQ(play["outcome"], "forfeit: no way");
-  EXPECT_EQ(play["solved"], false);
+  EXPECT_EQ(play["finished"], false);
   for (const char* field : {"score", "bound", "optimum", "goal_frame", "reset_frame"})
     EXPECT_TRUE(play[field].is_null()) << field;
   EXPECT_EQ(play["action"].back(), "forfeit: no way");
@@ -118,10 +118,10 @@ TEST(PagePlay, TakesABudget) {
   EXPECT_THAT(error_of("contest", request), Says("'budget'", "1 to 1000000"));
 }
 
-TEST(PagePlay, IsOfOneMouseOfTheRoster) {
+TEST(PagePlay, IsOfOneBuiltinMouse) {
   EXPECT_THAT(error_of("contest", running("flod")), Says("'flod'", "'flood'", "`labmouse mice`"));
   EXPECT_THAT(error_of("contest", running("flood,certify")), Says("'flood,certify'", "several"));
-  EXPECT_THAT(error_of("contest", running("guest:ls")), Says("'guest:ls'", "program", "`labmouse race`"));
+  EXPECT_THAT(error_of("contest", running("program:ls")), Says("'program:ls'", "program", "`labmouse race`"));
   EXPECT_THAT(error_of("contest", running("flood,mms:ls")), Says("'mms:ls'", "program"));
   EXPECT_THAT(error_of("contest", running("capstone:r.py")), Says("'capstone:r.py'", "program"));
   EXPECT_THAT(error_of("contest", running("festina")), Says("'festina'", "steps"));

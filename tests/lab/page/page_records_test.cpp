@@ -43,7 +43,7 @@ TEST(PageUnpacks, WhatRunningTheMouseGives) {
 
 TEST(PageUnpacks, WithoutReasonsWhatTheMouseWouldNotDo) {
   json record = packed("flood");
-  for (const char* mouse : {"ariadne", "festina", "guest:./mine", "no mouse"}) {
+  for (const char* mouse : {"ariadne", "festina", "program:./mine", "no mouse"}) {
     record["mouse"] = mouse;
     EXPECT_EQ(answer("unpack", of_maze(test::loop(), {{"record", record}}))["play"]["reasons"], json::array()) << mouse;
   }

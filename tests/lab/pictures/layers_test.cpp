@@ -25,7 +25,7 @@ TEST(Layers, AreReadFromTheirNames) {
 
 TEST(Layers, AreRefusedWithTheNearestName) {
   EXPECT_THAT(read_layers("heat,pth").error, Says("'pth'", "'path'"));
-  EXPECT_THAT(read_layers("heat,").error, Says("layer ''", "heat, path, exploration, "));
+  EXPECT_THAT(read_layers("heat,").error, Says("layer ''", "heat, path, search, "));
   EXPECT_THAT(read_layers("").error, HasSubstr("layer ''"));
   EXPECT_THAT(read_layers("cells,distances").error, Says("distances and cells", "choose one"));
 }
@@ -50,33 +50,33 @@ const Pose goal = {{1, 1}, Heading::south};
 
 TEST(Layers, OnlyThoseChosenAreMade) {
   const DrawingLayers none = layers_of(there_and_back(), {});
-  EXPECT_FALSE(none.coordinates || none.label || none.visits || none.unknown || none.wrong || none.exploration ||
+  EXPECT_FALSE(none.coordinates || none.label || none.visits || none.unknown || none.wrong || none.search_run ||
                none.explored);
   EXPECT_TRUE(none.route.empty());
   const DrawingLayers all =
-      layers_of(there_and_back(), {Layer::heat, Layer::path, Layer::exploration, Layer::known, Layer::wrong,
+      layers_of(there_and_back(), {Layer::heat, Layer::path, Layer::search_run, Layer::known, Layer::wrong,
                                    Layer::shares, Layer::distances, Layer::coordinates});
-  EXPECT_TRUE(all.coordinates && all.label && all.visits && all.unknown && all.wrong && all.exploration &&
+  EXPECT_TRUE(all.coordinates && all.label && all.visits && all.unknown && all.wrong && all.search_run &&
               all.explored);
   EXPECT_EQ(all.route, way_to_goal());
 }
 
 TEST(Layers, ExplorationIsCutAtTheFirstGoalAndEndsAtTheReset) {
-  const ExplorationLegs legs = *layers_of(there_and_back(), {Layer::exploration}).exploration;
+  const SearchLegs legs = *layers_of(there_and_back(), {Layer::search_run}).search_run;
   EXPECT_EQ(legs.to_goal, way_to_goal());
   EXPECT_EQ(legs.onwards, (std::vector<Pose>{goal, {{2, 1}, Heading::east}, {{1, 1}, Heading::east}}));
 }
 
 TEST(Layers, ExplorationWithoutGoalOrResetGoesToTheEnd) {
   const Action north = Action::step(0, 2), east = Action::step(90, 1), south = Action::step(90, 1);
-  const ExplorationLegs lost = *layers_of(recorded({north, east}), {Layer::exploration}).exploration;
+  const SearchLegs lost = *layers_of(recorded({north, east}), {Layer::search_run}).search_run;
   EXPECT_EQ(lost.to_goal.back(), (Pose{{1, 2}, Heading::east}));
   EXPECT_TRUE(lost.onwards.empty());
-  const ExplorationLegs stayed = *layers_of(recorded({north, east, south}), {Layer::exploration}).exploration;
+  const SearchLegs stayed = *layers_of(recorded({north, east, south}), {Layer::search_run}).search_run;
   EXPECT_EQ(stayed.onwards, std::vector<Pose>{goal});
-  // The reset is the last step: what comes after it is no part of the exploration.
-  const ExplorationLegs reset =
-      *layers_of(recorded({north, east, south, Action::reset()}), {Layer::exploration}).exploration;
+  // The reset is the last step: what comes after it is no part of the search run.
+  const SearchLegs reset =
+      *layers_of(recorded({north, east, south, Action::reset()}), {Layer::search_run}).search_run;
   EXPECT_EQ(reset.onwards, std::vector<Pose>{goal});
   EXPECT_TRUE(layers_of(recorded({north, east}), {Layer::path}).route.empty());
 }
@@ -93,11 +93,11 @@ TEST(Layers, WrongGuessesAreTheUnknownWallsThatAreClosed) {
 }
 
 TEST(Layers, KnowledgeOfTheSpeedRunDoesNotCount) {
-  const std::vector<Action> exploration = {Action::step(0, 1), Action::step(90, 1), Action::reset()};
+  const std::vector<Action> search_run = {Action::step(0, 1), Action::step(90, 1), Action::reset()};
   // The speed run strays into (2,0), where it sees the east.
-  std::vector<Action> both = exploration;
+  std::vector<Action> both = search_run;
   for (const Action& action : {Action::step(90, 2), Action::step(-90, 2)}) both.push_back(action);
-  const RecordFile shorter = recorded(exploration, empty({3, 3})), longer = recorded(both, empty({3, 3}));
+  const RecordFile shorter = recorded(search_run, empty({3, 3})), longer = recorded(both, empty({3, 3}));
   EXPECT_EQ(layers_of(longer, {Layer::known}).unknown, layers_of(shorter, {Layer::known}).unknown);
   EXPECT_EQ(longer.run.steps.back().run, Run::speed);
 }
@@ -121,7 +121,7 @@ TEST(Layers, CandidatesAreThoseOfTheLastChoiceWithTheMouseThere) {
 TEST(Layers, OfAnEarlierStepShowWhatWasSoThen) {
   const RecordFile third = as_of(reasoned(), 3);
   EXPECT_EQ(layers_of(third, {Layer::candidates}).candidates->step, 1);
-  EXPECT_EQ(layers_of(third, {Layer::exploration}).exploration->to_goal, way_to_goal());
+  EXPECT_EQ(layers_of(third, {Layer::search_run}).search_run->to_goal, way_to_goal());
   EXPECT_TRUE(layers_of(third, {Layer::path}).route.empty());
   EXPECT_FALSE(third.ended);
   EXPECT_EQ(score(third.run, third.rules).value, std::nullopt);

@@ -16,10 +16,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A race of one guest with a contest for each of these, in which it started or did not.
+/// A race of one external mouse with a contest for each of these, in which it started or did not.
 Race race_of(const std::vector<bool>& contests) {
   Race race;
-  race.mice.emplace_back().name = "guest:mouse";
+  race.mice.emplace_back().name = "program:mouse";
   for (const bool started : contests) {
     ContestResult& result = race.results.emplace_back();
     result.done = true;
@@ -28,8 +28,8 @@ Race race_of(const std::vector<bool>& contests) {
   return race;
 }
 
-TEST(NeverStarted, IsAGuestThatStartedInNoContest) {
-  EXPECT_THAT(never_started_lines(race_of({false, false})), Says("guest:mouse ", "start", "exit code 2\n"));
+TEST(NeverStarted, IsAExternalThatStartedInNoContest) {
+  EXPECT_THAT(never_started_lines(race_of({false, false})), Says("program:mouse ", "start", "exit code 2\n"));
   EXPECT_EQ(never_started_lines(race_of({false, true})), "");
   EXPECT_EQ(never_started_lines(race_of({true})), "");
 }
@@ -37,12 +37,12 @@ TEST(NeverStarted, IsAGuestThatStartedInNoContest) {
 TEST(NeverStarted, CountsJustTheContestsThatWereHeld) {
   Race stopped = race_of({false, true});
   stopped.results.back().done = false;
-  EXPECT_THAT(never_started_lines(stopped), Says("guest:mouse ", "start"));
+  EXPECT_THAT(never_started_lines(stopped), Says("program:mouse ", "start"));
   stopped.results.front().done = false;
   EXPECT_EQ(never_started_lines(stopped), "");
 }
 
-TEST(NeverStarted, IsNoMouseOfTheRoster) {
+TEST(NeverStarted, IsNoBuiltinMouse) {
   RaceOrder order;
   order.world = first_world();
   EXPECT_EQ(never_started_lines(hold_race(test::mice("flood"), {test::loop(), test::without_route()}, order)), "");

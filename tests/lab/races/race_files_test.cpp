@@ -23,16 +23,16 @@ RecordFile short_of_steps(int budget) {
 
 TEST(ResultLine, SaysWhereAMouseStoodThatDidNotSolveIt) {
   RecordFile file = short_of_steps(2);
-  EXPECT_THAT(result_line(file), SaysAt("flood in loop", "out of steps at (0,4) heading north", "2 exploration",
+  EXPECT_THAT(result_line(file), SaysAt("flood in loop", "out of steps at (0,4) heading north", "2 search",
                                         "0 speed", "bound 4.167"));
   file.run.end = {{3, 1}, Heading::west};
   EXPECT_THAT(result_line(file), HasSubstr("out of steps at (3,1) heading west"));
   EXPECT_THAT(result_line(test::recorded("flood", test::without_route())),
-              SaysAt("flood in without-route", "forfeit (no way) at (0,0) heading north", "1 exploration", "0 speed",
+              SaysAt("flood in without-route", "forfeit (no way) at (0,0) heading north", "1 search", "0 speed",
                      "; the goal"));
 }
 
-TEST(ResultLine, DoesNotForASolvedContestOrACutRecord) {
+TEST(ResultLine, DoesNotForAFinishedContestOrACutRecord) {
   EXPECT_THAT(result_line(test::recorded("flood")), Not(HasSubstr("heading")));
   RecordFile cut = short_of_steps(2);
   cut.ended = false;
@@ -42,7 +42,7 @@ TEST(ResultLine, DoesNotForASolvedContestOrACutRecord) {
 TEST(Title, ShortensALongCommand) {
   RecordFile file = short_of_steps(2);
   EXPECT_EQ(title_of(file), "flood in loop: out of steps");
-  file.mouse = "guest:python3 /home/somebody/mice/robot.py";
+  file.mouse = "program:python3 /home/somebody/mice/robot.py";
   EXPECT_EQ(title_of(file), "... /home/somebody/mice/robot.py in loop: out of steps");
   EXPECT_THAT(picture_of(file), HasSubstr(": out of steps</text>"));
 }

@@ -95,7 +95,7 @@ TEST(DriveRecordFile, HoldsDashes) {
     written.maze = test::any_maze(dice, 12);
     written.model = std::make_shared<DriveModel>(make_drive_model(robot));
     const DriveBound bound = drive_bound_of(*written.maze, written.rules, *written.model);
-    for (const RosterEntry* entry : roster())
+    for (const BuiltinMouse* entry : builtin_mice())
       if (entry->name == "certify") {
         const auto mouse =
             entry->drive(brief(*written.maze, written.rules, *written.model, 1), Settings(entry->parameters));

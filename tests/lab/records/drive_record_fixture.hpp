@@ -5,7 +5,7 @@
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/drawn_maze.hpp"
 
 namespace labmouse::test {
@@ -24,7 +24,7 @@ inline DriveRecordFile driven(const std::string& mouse, const Maze& maze = ring(
   file.model = drive_model(robot);
   file.tables_hash = file.model->tables.hash;
   file.rules = find_rules(rules).rules;
-  for (const RosterEntry* entry : roster())
+  for (const BuiltinMouse* entry : builtin_mice())
     if (entry->name == mouse) {
       const auto strategy = entry->drive(brief(maze, file.rules, *file.model, 1), Settings(entry->parameters));
       file.record = drive(maze, file.rules, *file.model, *strategy);

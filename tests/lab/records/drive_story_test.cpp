@@ -28,11 +28,11 @@ DriveRecordFile eventful() {
     file.physical->notes.ends.push_back(how);
   };
   run(DriveRun::Kind::search, 0, 2'000'000, RunEnd::slid, 1.0);
-  run(DriveRun::Kind::search, 7'000'000, 9'000'000, RunEnd::misread, 0.8);
+  run(DriveRun::Kind::search, 7'000'000, 9'000'000, RunEnd::wall_error, 0.8);
   run(DriveRun::Kind::search, 14'000'000, 20'000'000, RunEnd::done, 0.64);
   run(DriveRun::Kind::home, 20'000'000, 25'000'000, RunEnd::done, 0.64);
   run(DriveRun::Kind::fast, 25'000'000, 27'000'000, RunEnd::done, 0.8);
-  run(DriveRun::Kind::fast, 30'000'000, 31'000'000, RunEnd::strayed, 1.0);
+  run(DriveRun::Kind::fast, 30'000'000, 31'000'000, RunEnd::position_lost, 1.0);
   file.record.runs[3].known = 2'000'000;
   file.record.runs[3].hoped = 1'500'000;
   file.record.runs[4].gate_out = 25'200'000;
@@ -72,7 +72,7 @@ TEST(DriveStory, TellsWhyItWentHomeAndRanFaster) {
 
 TEST(DriveStory, TellsWhyItDroveARunAsASearch) {
   DriveRecordFile file = eventful();
-  file.physical->notes.ends[4] = RunEnd::strayed;
+  file.physical->notes.ends[4] = RunEnd::position_lost;
   DriveRun sure;
   sure.begin = 36'000'000;
   sure.end = 44'000'000;

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/plays/mms_replay.hpp"
+#include "labmouse/lab/replays/mms_replay.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "tests/lab/records/mms_record_fixture.hpp"
 #include "tests/lab/records/record_fixture.hpp"
@@ -52,7 +52,7 @@ TEST(MmsRecordFile, IsReadAsItWasWritten) {
   ASSERT_TRUE(file.end);
   EXPECT_EQ(file.end->outcome, "complete");
   EXPECT_EQ(file.end->end, "exit code 0");
-  EXPECT_TRUE(file.end->statistics.solved);
+  EXPECT_TRUE(file.end->statistics.finished);
   EXPECT_EQ(file.end->statistics.total_turns, 1);
   EXPECT_EQ(file.end->lines, 5);
   EXPECT_EQ(disagreement(mms_recorded(walk)), "");
@@ -109,7 +109,7 @@ TEST(MmsRecordFile, ThatDoesNotFitItsMazeIsToldOf) {
   EXPECT_THAT(disagreement(changed(good, "\"turnRight\"", "\"wallFront\"")),
               SaysAt("event 2", "neither moves", "nor draws"));
   EXPECT_THAT(disagreement(changed(good, "\"total-turns\":1", "\"total-turns\":2")), Says("total-turns 2", "1"));
-  EXPECT_THAT(disagreement(changed(good, "\"solved\":true", "\"solved\":false")), Says("disagree", "goal"));
+  EXPECT_THAT(disagreement(changed(good, "\"finished\":true", "\"finished\":false")), Says("disagree", "goal"));
 }
 
 /// A record of a mouse that never ended, which turns on after it has reached the goal, under that name of its outcome.
@@ -128,12 +128,12 @@ std::string never_ended(const std::string& outcome, const MmsStatistics& statist
 }
 
 MmsStatistics after_turns(int turns) {
-  MmsBooks books;
-  books.book_turn();
-  books.book_move(2, true);
-  books.book_arrival(true, false);
-  for (; turns > 0; --turns) books.book_turn();
-  return books.statistics();
+  MmsLedger ledger;
+  ledger.count_turn();
+  ledger.count_move(2, true);
+  ledger.count_arrival(true, false);
+  for (; turns > 0; --turns) ledger.count_turn();
+  return ledger.statistics();
 }
 
 TEST(MmsRecordFile, OfOneThatNeverEndedHasTheStatisticsOfItsBestRun) {

@@ -9,7 +9,7 @@
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
-#include "labmouse/lab/plays/mms_summary.hpp"
+#include "labmouse/lab/replays/mms_summary.hpp"
 #include "tests/lab/mms/mms_fixture.hpp"
 #include "tests/says.hpp"
 
@@ -39,7 +39,7 @@ TEST(MmsReport, PutsTheScoreBesideTheBound) {
   EXPECT_THAT(text, Says("./mouse in plank: score 5.3", "2 best run", "33 total / 10",
                          fmt::format("bound {:g}", *bound.score)));
   EXPECT_THAT(text, Says("complete", "exit code 0", "20 lines", "12.5 s"));
-  EXPECT_THAT(report_of("./mouse", shaft(), {}), Says("unsolved", "2000", "centre"));
+  EXPECT_THAT(report_of("./mouse", shaft(), {}), Says("unfinished", "2000", "centre"));
 }
 
 TEST(MmsReport, SaysWhatWasWrong) {

@@ -211,7 +211,7 @@ TEST(Record, NumbersOutOfRangeAreRefused) {
   const std::string text = write_record(recorded("certify"));
   problem(changed(text, "\"budget\":1000", "\"budget\":0"));
   problem(changed(text, "\"stride\":3", "\"stride\":1000000"));
-  problem(changed(text, "\"exploration_factor\":30", "\"exploration_factor\":0"));
+  problem(changed(text, "\"search_factor\":30", "\"search_factor\":0"));
   problem(changed(text, "\"reading\":[0,", "\"reading\":[-1,"));
   problem(changed(text, "\"reading\":[0,", "\"reading\":[99999999999999999999,"));
 }
@@ -224,14 +224,14 @@ TEST(Record, AMissingStepIsRefused) {
 
 TEST(Record, LinesBehindTheEndAreRefused) {
   const std::string text = write_record(recorded("flood"));
-  problem(text + "{\"outcome\":\"solved\",\"cell\":[0,0],\"heading\":\"north\"}\n");
+  problem(text + "{\"outcome\":\"finished\",\"cell\":[0,0],\"heading\":\"north\"}\n");
 }
 
 TEST(Record, UnknownWordsAreRefused) {
   const std::string text = write_record(recorded("flood"));
   problem(changed(text, "\"heading\":\"north\"", "\"heading\":\"up\""));
-  problem(changed(text, "\"run\":\"exploration\"", "\"run\":\"walk\""));
-  problem(changed(text, "\"outcome\":\"solved\"", "\"outcome\":\"won\""));
+  problem(changed(text, "\"run\":\"search\"", "\"run\":\"walk\""));
+  problem(changed(text, "\"outcome\":\"finished\"", "\"outcome\":\"won\""));
   problem(changed(text, "\"action\":[0,", "\"action\":[\"left\","));
   problem(changed(text, "\"blocked\":false", "\"blocked\":0"));
 }
@@ -257,7 +257,7 @@ TEST(Replay, RefusesAChangedReadingActionOrFlag) {
 
 TEST(Replay, RefusesAnotherOutcomeOrEnd) {
   const std::string text = write_record(recorded("flood"));
-  EXPECT_THAT(disagreement(changed(text, "\"outcome\":\"solved\"", "\"outcome\":\"never reset\"")),
+  EXPECT_THAT(disagreement(changed(text, "\"outcome\":\"finished\"", "\"outcome\":\"never reset\"")),
               HasSubstr("never reset"));
 }
 
@@ -283,7 +283,7 @@ TEST(Replay, RefusesAnEndWithoutAContest) {
 
 TEST(Record, AForfeitAtTheEndNeedsAStepThatForfeits) {
   const std::string text = write_record(recorded("flood"));
-  EXPECT_THAT(problem(changed(text, "\"outcome\":\"solved\"", "\"outcome\":\"forfeit\"")).reason, HasSubstr("forfeit"));
+  EXPECT_THAT(problem(changed(text, "\"outcome\":\"finished\"", "\"outcome\":\"forfeit\"")).reason, HasSubstr("forfeit"));
 }
 
 TEST(Record, AWrongSeedIsRefused) {

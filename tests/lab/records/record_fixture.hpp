@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/plays/steps_text.hpp"
+#include "labmouse/lab/replays/steps_text.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 
@@ -19,8 +19,8 @@ inline RecordFile recorded(std::string_view spec, const NamedMaze& maze = loop()
   const Contestant mouse = mice(spec).front();
   Briefing briefing = brief(maze.maze, {}, seed);
   briefing.reasons = reasons;
-  const auto mind = mouse.strategy(maze.maze, briefing);
-  return record_file_of(mouse, maze, Rules(), seed, run(maze.maze, Rules(), *mind));
+  const auto strategy = mouse.strategy(maze.maze, briefing);
+  return record_file_of(mouse, maze, Rules(), seed, run(maze.maze, Rules(), *strategy));
 }
 
 inline RecordFile read(const std::string& text) {

@@ -70,7 +70,7 @@ TEST(RecordedReasons, AreNotMentionedWhereThereAreNone) {
 
 /// A record whose second step has these reasons, as JSON.
 std::string reasoned(const std::string& reasons) {
-  const std::string next = "}\n{\"run\":\"exploration\",\"step\":3";
+  const std::string next = "}\n{\"run\":\"search\",\"step\":3";
   return changed(write_record(recorded("flood")), next, ",\"reasons\":" + reasons + next);
 }
 

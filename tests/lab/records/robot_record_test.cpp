@@ -33,7 +33,7 @@ const std::string walk =
     "{\"reading\":[0,0,3],\"action\":[90,3]}\n"
     "{\"reading\":[1,0,0],\"action\":[-90,1]}\n"
     "{\"reading\":[3,0,0],\"action\":[-90,3]}\n";
-const std::string end = "{\"outcome\":\"solved\"}\n";
+const std::string end = "{\"outcome\":\"finished\"}\n";
 
 /// Two rows, with the goal above the start and the only way at the far end.
 Maze two_rows() {
@@ -73,9 +73,9 @@ TEST(RobotRecord, IsFilledByPlayingIt) {
   EXPECT_EQ(result.disagreement, "");
   ASSERT_EQ(result.run.steps.size(), 7U);
   const Pose corner = {{3, 0}, Heading::east};
-  EXPECT_EQ(result.run.steps[1], (StepRecord{Run::exploration, 2, corner, {1, 0, 0}, Action::step(-90, 1), false}));
+  EXPECT_EQ(result.run.steps[1], (StepRecord{Run::search_run, 2, corner, {1, 0, 0}, Action::step(-90, 1), false}));
   EXPECT_EQ(result.run.steps[6].run, Run::speed);
-  EXPECT_EQ(result.run.outcome, Outcome::solved);
+  EXPECT_EQ(result.run.outcome, Outcome::finished);
   EXPECT_EQ(result.run.end, (Pose{{0, 1}, Heading::west}));
 }
 
@@ -126,16 +126,16 @@ TEST(RobotRecord, MayGiveSomeOfTheRules) {
   const Rules rules = read(with_header("\"rules\":{\"stride\":1}")).rules;
   EXPECT_EQ(rules.stride, 1);
   EXPECT_EQ(rules.budget, Rules().budget);
-  EXPECT_EQ(rules.exploration_factor, Rules().exploration_factor);
+  EXPECT_EQ(rules.search_factor, Rules().search_factor);
   EXPECT_EQ(read(with_header("\"rules\":{\"budget\":5}")).rules.budget, 5);
 }
 
 TEST(RobotRecord, IsComparedInEachFieldThatItGives) {
   const auto told = [](const std::string& field) { return disagreement(with_step(field)); };
-  for (const char* good : {"\"run\":\"exploration\"", "\"step\":2", "\"cell\":[3,0]", "\"heading\":\"east\"",
+  for (const char* good : {"\"run\":\"search\"", "\"step\":2", "\"cell\":[3,0]", "\"heading\":\"east\"",
                            "\"reading\":[1,0,0]", "\"blocked\":false"})
     EXPECT_EQ(told(good), "") << good;
-  EXPECT_THAT(told("\"run\":\"speed\""), Says("speed run", "exploration", "(3,0)"));
+  EXPECT_THAT(told("\"run\":\"speed\""), Says("speed run", "search", "(3,0)"));
   EXPECT_THAT(told("\"cell\":[2,0]"), Says("at (2,0)", "at (3,0) heading east", "reading 1 0 0"));
   EXPECT_THAT(told("\"heading\":\"west\""), SaysAt("step 2", "heading west", "at (3,0) heading east"));
   EXPECT_THAT(told("\"reading\":[1,0,1]"), SaysAt("step 2", "reading 1 0 1", "at (3,0) heading east"));
@@ -153,9 +153,9 @@ TEST(RobotRecord, NamesTheWallThatAReadingContradicts) {
 }
 
 TEST(RobotRecord, SpeaksOfRunAndBlocksOnlyWhereTheyDiffer) {
-  EXPECT_THAT(disagreement(with_step("\"run\":\"exploration\",\"blocked\":false,\"reading\":[1,1,0]")),
+  EXPECT_THAT(disagreement(with_step("\"run\":\"search\",\"blocked\":false,\"reading\":[1,1,0]")),
               AllOf(SaysAt("step 2", "reading 1 1 0", "at (3,0) heading east", "reading 1 0 0", "a wall east of (3,0)"),
-                    Not(HasSubstr("exploration")), Not(HasSubstr("blocked"))));
+                    Not(HasSubstr("search")), Not(HasSubstr("blocked"))));
 }
 
 TEST(RobotRecord, NamesNoWallWhereItStoodElsewhere) {
@@ -167,17 +167,17 @@ TEST(RobotRecord, NamesNoWallWhereItStoodElsewhere) {
 
 TEST(RobotRecord, EndsWithAsMuchAsItGives) {
   const auto told = [](const std::string& last) { return disagreement(header + walk + last); };
-  for (const char* good : {"", R"({"outcome":"solved","cell":[0,1]})", R"({"outcome":"solved","heading":"west"})"})
+  for (const char* good : {"", R"({"outcome":"finished","cell":[0,1]})", R"({"outcome":"finished","heading":"west"})"})
     EXPECT_EQ(told(good), "");
-  EXPECT_THAT(told(R"({"outcome":"never reset"})"), Says("'never reset'", "'solved' at (0,1) heading west"));
-  EXPECT_THAT(told(R"({"outcome":"solved","cell":[0,0]})"),
-              Says("'solved' at (0,0)", "'solved' at (0,1) heading west"));
-  EXPECT_THAT(told(R"({"outcome":"solved","heading":"east"})"),
-              Says("'solved' heading east", "'solved' at (0,1) heading west"));
+  EXPECT_THAT(told(R"({"outcome":"never reset"})"), Says("'never reset'", "'finished' at (0,1) heading west"));
+  EXPECT_THAT(told(R"({"outcome":"finished","cell":[0,0]})"),
+              Says("'finished' at (0,0)", "'finished' at (0,1) heading west"));
+  EXPECT_THAT(told(R"({"outcome":"finished","heading":"east"})"),
+              Says("'finished' heading east", "'finished' at (0,1) heading west"));
 }
 
 TEST(RobotRecord, SaysHowTheContestEndedBeforeItsLastStep) {
-  EXPECT_THAT(disagreement(header + walk + "{\"action\":[0,1]}\n"), Says("step 8", "ended", "(solved)"));
+  EXPECT_THAT(disagreement(header + walk + "{\"action\":[0,1]}\n"), Says("step 8", "ended", "(finished)"));
   const std::string short_of_time = with_header("\"rules\":{\"budget\":2}");
   EXPECT_THAT(disagreement(short_of_time + walk), Says("step 3", "ended", "(out of steps)"));
 }
@@ -212,7 +212,7 @@ TEST(RobotRecord, OnlyALastLineWithoutItsEndCountsAsCut) {
 }
 
 TEST(RobotRecord, HoldsOneContest) {
-  const std::string named = "{\"labmouse\":1,\"action\":[0,0]}\n{\"labmouse\":1,\"outcome\":\"solved\"}\n";
+  const std::string named = "{\"labmouse\":1,\"action\":[0,0]}\n{\"labmouse\":1,\"outcome\":\"finished\"}\n";
   EXPECT_EQ(read(header + named).run.steps.size(), 1U);
   EXPECT_THAT(problem(header + walk + header + walk).reason, HasSubstr("second header"));
 }
@@ -244,7 +244,7 @@ TEST(CheckedLine, CountsWhatAReplayCompares) {
   EXPECT_THAT(checked_line(read(header + walk + end)), AllOf(Says("7 steps: 7 readings"), EndsWith("outcome")));
   EXPECT_THAT(checked_line(read(header + "{\"action\":[0,0]}\n")), EndsWith("1 step: no readings"));
   const std::string all_but_reading =
-      R"({"action":[0,0],"cell":[0,0],"heading":"north","run":"exploration","blocked":false})";
+      R"({"action":[0,0],"cell":[0,0],"heading":"north","run":"search","blocked":false})";
   EXPECT_THAT(checked_line(read(header + all_but_reading + "\n" + R"({"action":[0,0],"cell":[0,0]})" + "\n")),
               EndsWith("2 steps: no readings, 2 cells, 1 heading, 1 run, 1 blocked flag"));
 }
@@ -254,7 +254,7 @@ TEST(CheckedLine, SaysNothingOfAWholeRecord) {
   EXPECT_EQ(checked_line(read(text)), "");
   EXPECT_EQ(checked_line(recorded("flood")), "");
   EXPECT_EQ(checked_line(read(text.substr(0, text.rfind('\n', text.size() - 2) + 1))), "");
-  EXPECT_NE(checked_line(read(text.substr(0, text.rfind('\n', text.size() - 2) + 1) + "{\"outcome\":\"solved\"}")), "");
+  EXPECT_NE(checked_line(read(text.substr(0, text.rfind('\n', text.size() - 2) + 1) + "{\"outcome\":\"finished\"}")), "");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/records/packed_record.hpp"
@@ -39,7 +39,7 @@ class AReport : public testing::Test {
     std::optional<RaceFolder> kept;
     RaceHooks hooks;
     hooks.keep = RaceFolder::keep;
-    hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
+    hooks.finished = [&](const Race& race, const ContestResult& contest, const ContestOutput& held) {
       if (!kept) kept.emplace(folder_.path(), race);
       EXPECT_EQ(kept->save(contest, held), "");
     };

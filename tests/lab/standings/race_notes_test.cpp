@@ -31,7 +31,7 @@ class Mourner final : public Strategy {
 
 std::string notes_on_a_mourner_in(std::vector<NamedMaze> mazes) {
   Contestant mouse;
-  mouse.name = "guest:./mourner";
+  mouse.name = "program:./mourner";
   const auto make = [](const Maze& maze, const Briefing&) { return std::make_unique<Mourner>(maze.size()); };
   mouse.kind = Decider{make};
   return notes_of(hold_race({mouse}, std::move(mazes), test::in_steps()));

@@ -57,13 +57,13 @@ TEST_F(RaceAsJson, HasAllFieldsOfAMaze) {
 }
 
 TEST_F(RaceAsJson, HasAllFieldsOfAMouse) {
-  EXPECT_THAT(keys(mouse("random")), IsSupersetOf({"name", "parameters", "solved", "runs", "mean_score",
-                                                   "penalised_mean", "interval", "mean_ratio", "results"}));
+  EXPECT_THAT(keys(mouse("random")), IsSupersetOf({"name", "parameters", "finished", "runs", "mean_score",
+                                                   "mean_par1", "interval", "mean_ratio", "results"}));
 }
 
 TEST_F(RaceAsJson, HasAllFieldsOfAResult) {
   EXPECT_THAT(keys(result("random", "loop")),
-              UnorderedElementsAre("maze", "seed", "outcome", "score", "exploration_steps", "speed_steps",
+              UnorderedElementsAre("maze", "seed", "outcome", "score", "search_steps", "speed_steps",
                                    "discovered_share", "visited_share", "microseconds_per_decision"));
 }
 
@@ -92,11 +92,11 @@ TEST_F(RaceAsJson, AFailedContestLacksItsScoreAndSpeedSteps) {
   EXPECT_TRUE(failed.at("speed_steps").is_null());
 }
 
-TEST_F(RaceAsJson, ASolvedContestHasItsScore) {
-  const Json& solved = result("flood:stride=1", "corridor");
-  EXPECT_EQ(solved.at("outcome"), "solved");
-  EXPECT_DOUBLE_EQ(solved.at("score"),
-                   solved.at("speed_steps").get<int>() + solved.at("exploration_steps").get<int>() / 30.0);
+TEST_F(RaceAsJson, AFinishedContestHasItsScore) {
+  const Json& finished = result("flood:stride=1", "corridor");
+  EXPECT_EQ(finished.at("outcome"), "finished");
+  EXPECT_DOUBLE_EQ(finished.at("score"),
+                   finished.at("speed_steps").get<int>() + finished.at("search_steps").get<int>() / 30.0);
 }
 
 TEST_F(RaceAsJson, SharesAreOfTheReachableCells) {
@@ -116,8 +116,8 @@ TEST_F(RaceAsJson, ParametersAreNamesAndValues) {
 TEST_F(RaceAsJson, TheIntervalIsLowAndHighOfThePenalisedMean) {
   const Json& interval = mouse("random").at("interval");
   ASSERT_EQ(interval.size(), 2U);
-  EXPECT_LE(interval[0], mouse("random").at("penalised_mean"));
-  EXPECT_GE(interval[1], mouse("random").at("penalised_mean"));
+  EXPECT_LE(interval[0], mouse("random").at("mean_par1"));
+  EXPECT_GE(interval[1], mouse("random").at("mean_par1"));
 }
 
 TEST_F(RaceAsJson, SeedsAreWholeNumbers) { EXPECT_TRUE(result("random", "loop").at("seed").is_number_unsigned()); }
@@ -138,7 +138,7 @@ TEST_F(RaceAsJson, HasTheNotesOfTheTable) {
 TEST(RaceAsJsonToo, AMouseWithoutARouteAnywhereHasNullMeans) {
   const Json json = Json::parse(json_of(hold_race(test::mice("flood"), {test::without_route()}, test::in_steps()), {}));
   for (const char* field :
-       {"mean_score", "penalised_mean", "interval", "mean_ratio", "mean_discovered_share", "mean_visited_share"})
+       {"mean_score", "mean_par1", "interval", "mean_ratio", "mean_discovered_share", "mean_visited_share"})
     EXPECT_TRUE(json.at("groups").at(0).at("mice")[0].at(field).is_null()) << field;
   EXPECT_TRUE(json.at("skipped").empty());
 }
@@ -205,7 +205,7 @@ TEST(RaceAsTable, ColoursOnlyWhereAsked) {
   EXPECT_THAT(table_of(race, true), HasSubstr("\x1b["));
 }
 
-TEST(RaceAsTable, SaysWhereSolvedMeansCoverDifferentMazes) {
+TEST(RaceAsTable, SaysWhereMeansOfFinishedContestsCoverDifferentMazes) {
   Rules rules;
   rules.budget = 15;  // too little for a flood of the loop
   const Race race = hold_race(test::mice("oracle,flood"), {test::loop(), test::corridor()}, test::in_steps(rules));
@@ -256,15 +256,15 @@ TEST(Standings, LeaveMazesWithoutARouteOut) {
   const Standing standing = standing_of(race, "flood");
   EXPECT_EQ(race.results.size(), 3U);
   EXPECT_EQ(standing.runs, 2);
-  EXPECT_EQ(standing.solved, 2);
-  EXPECT_EQ(standing.mean_all, standing.mean_solved);
+  EXPECT_EQ(standing.finished, 2);
+  EXPECT_EQ(standing.mean_all, standing.mean_finished);
 }
 
 TEST(Standings, WithoutAnyRouteHaveNoMeans) {
   const Race race = hold_race(test::mice("flood"), {test::without_route()}, test::in_steps());
   const Standing standing = standing_of(race, "flood");
   EXPECT_EQ(standing.runs, 0);
-  EXPECT_EQ(standing.mean_solved, std::nullopt);
+  EXPECT_EQ(standing.mean_finished, std::nullopt);
   EXPECT_EQ(standing.mean_all, std::nullopt);
 }
 
@@ -275,25 +275,25 @@ TEST(Standings, OfTheOracleAreTheBound) {
   EXPECT_DOUBLE_EQ(figure(race, "oracle", "optimal_share"), 1.0);
 }
 
-/// A race made up: two mice in two mazes, the second maze unsolved by the first mouse.
+/// A race made up: two mice in two mazes, the second maze unfinished by the first mouse.
 Race made_up() {
   Race race;
   race.order = test::in_steps();
   race.mice = test::mice("certify,flood");
   race.mazes = {test::corridor(), test::loop()};
   race.facts = {{3.0, {3}, {}}, {8.0, {4}, {}}};
-  const auto add = [&](std::size_t mouse, std::size_t maze, std::int64_t exploration, std::int64_t speed,
+  const auto add = [&](std::size_t mouse, std::size_t maze, std::int64_t search_run, std::int64_t speed,
                        std::optional<double> score) {
     ContestResult result;
     result.mouse = mouse;
     result.maze = maze;
     result.done = true;
-    result.outcome = score ? "solved" : "out of steps";
+    result.outcome = score ? "finished" : "out of steps";
     result.score = score;
     result.counted = score.value_or(100);
     if (score) result.ratio = *score / *race.facts[maze].bound;
-    const std::int64_t decisions = exploration + speed;
-    result.figures = {exploration, speed, 0.0, 0.0, {}, {}, {}, {}, 0, {}, {}, decisions, 2.0 * decisions};
+    const std::int64_t decisions = search_run + speed;
+    result.figures = {search_run, speed, 0.0, 0.0, {}, {}, {}, {}, 0, {}, {}, decisions, 2.0 * decisions};
     race.results.push_back(result);
   };
   add(0, 0, 30, 3, 4.0);
@@ -305,8 +305,8 @@ Race made_up() {
 
 TEST(Standings, CountAFailureAsAHundred) {
   const Standing standing = standing_of(made_up(), "certify");
-  EXPECT_EQ(standing.solved, 1);
-  EXPECT_DOUBLE_EQ(standing.mean_solved.value(), 4.0);
+  EXPECT_EQ(standing.finished, 1);
+  EXPECT_DOUBLE_EQ(standing.mean_finished.value(), 4.0);
   EXPECT_DOUBLE_EQ(standing.mean_all.value(), 52.0);
 }
 
@@ -320,7 +320,7 @@ TEST(Standings, AreSortedByTheMeanOverAll) {
 TEST(Standings, CountWhatTheTableShows) {
   const Standing standing = standing_of(made_up(), "flood");
   EXPECT_DOUBLE_EQ(standing.mean_ratio.value(), (6.0 / 3.0 + 8.0 / 8.0) / 2);
-  EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "mean_exploration_steps"), 90.0);
+  EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "mean_search_steps"), 90.0);
   EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "mean_speed_over_optimum"), 0.5);
   EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "optimal_share"), 0.5);
   EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "microseconds_per_decision"), 2.0);

@@ -1,4 +1,4 @@
-// A store of contests: what is there is not held again, and comes back as it was.
+// A store of contests: what is there is not run again, and comes back as it was.
 #include "labmouse/lab/store/store.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@
 #include "labmouse/lab/store/schema.hpp"
 #include "labmouse/lab/store/store_changes.hpp"
 #include "labmouse/lab/store/stored_races.hpp"
-#include "labmouse/lab/store/told_apart.hpp"
+#include "labmouse/lab/store/differences.hpp"
 #include "labmouse/lab/store/verification.hpp"
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
@@ -215,7 +215,7 @@ TEST_F(AStore, HasNoRecords) {
   RaceHooks hooks;
   std::size_t records = 0;
   hooks.keep = [](const ContestResult&) { return Keep{true, false}; };
-  hooks.finished = [&](const Race&, const ContestResult&, const Held& held) { records += held.record.empty() ? 0 : 1; };
+  hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput& held) { records += held.record.empty() ? 0 : 1; };
   hold_race(test::mice("flood"), {test::loop(), test::hook()}, order, hooks);
   EXPECT_EQ(store->finish(), "");
   EXPECT_EQ(records, 2U);
@@ -229,7 +229,7 @@ TEST_F(AStore, TellsOfContestsThatItHad) {
   order.store = std::make_shared<Store>(path());
   RaceHooks hooks;
   std::size_t told = 0;
-  hooks.finished = [&](const Race&, const ContestResult& contest, const Held&) { told += contest.done ? 1 : 0; };
+  hooks.finished = [&](const Race&, const ContestResult& contest, const ContestOutput&) { told += contest.done ? 1 : 0; };
   hold_race(test::mice("flood,certify"), {test::loop(), test::corridor(), test::without_route()}, order, hooks);
   EXPECT_EQ(told, 6U);
 }
@@ -242,7 +242,7 @@ TEST_F(AStore, KeepsWhatWasDoneBeforeAStop) {
   order.jobs = 1;
   RaceHooks hooks;
   hooks.stop = &stop;
-  hooks.finished = [&, done = 0](const Race&, const ContestResult&, const Held&) mutable { stop = ++done == 7; };
+  hooks.finished = [&, done = 0](const Race&, const ContestResult&, const ContestOutput&) mutable { stop = ++done == 7; };
   EXPECT_TRUE(hold_race(test::mice("random"), {test::loop()}, order, hooks).stopped);
   EXPECT_EQ(store->finish(), "");
   EXPECT_EQ(store->added(), 7U);
@@ -510,14 +510,14 @@ TEST_F(AStore, HasTheStandingsInAView) {
   Database database = open();
   for (const Standing& standing : standings_of(held)) {
     Statement find = database.prepare(
-        "SELECT mazes, contests, solved, mean, mean_solved, mean_ratio FROM standings WHERE mouse = ?1");
+        "SELECT mazes, contests, finished, mean, mean_solved, mean_ratio FROM standings WHERE mouse = ?1");
     find.bind(1, held.mice[standing.mouse].name);
     ASSERT_TRUE(find.next());
     EXPECT_EQ(find.whole(0), standing.mazes);
     EXPECT_EQ(find.whole(1), standing.runs);
-    EXPECT_EQ(find.whole(2), standing.solved);
+    EXPECT_EQ(find.whole(2), standing.finished);
     EXPECT_NEAR(*find.real(3), *standing.mean_all, 1e-9);
-    EXPECT_NEAR(*find.real(4), *standing.mean_solved, 1e-9);
+    EXPECT_NEAR(*find.real(4), *standing.mean_finished, 1e-9);
     EXPECT_NEAR(*find.real(5), *standing.mean_ratio, 1e-9);
   }
 }
@@ -547,7 +547,7 @@ TEST_F(AStore, HasPairsInAView) {
 }
 
 TEST(ConditionsOfAStore, AreToldApartByWhatDiffers) {
-  const auto told = [](const std::vector<std::string>& conditions) { return told_apart(conditions); };
+  const auto told = [](const std::vector<std::string>& conditions) { return differences_of(conditions); };
   EXPECT_THAT(told({R"({"budget":500})", R"({"budget":1000})"}), ElementsAre("budget 500", "budget 1000"));
   EXPECT_THAT(told({R"({"budget":500})"}), ElementsAre(""));
   EXPECT_THAT(told({R"({"budget":500})", R"({"budget":500,"sight":1})"}), ElementsAre("sight none", "sight 1"));
@@ -592,7 +592,7 @@ TEST_F(AStore, ListsAndExports) {
             "");
   const ReadJson json = ReadJson::parse(lines);
   EXPECT_EQ(json["maze"], "loop");
-  EXPECT_EQ(json["fields"]["exploration_steps"].is_number_integer(), true);
+  EXPECT_EQ(json["fields"]["search_steps"].is_number_integer(), true);
   EXPECT_FALSE(json["fields"].contains("microseconds_per_decision"));
   EXPECT_EQ(export_store(path(), {}, ExportFormat::csv, 7, [&](const std::string& part) { return csv += part, true; }),
             "");

@@ -99,21 +99,21 @@ TEST(Variants, AreRefusedAsASpecIs) {
   EXPECT_THAT(refusal("oracle", "stride", "1"), Says("oracle", "no parameters"));
 }
 
-TEST(Variants, OfAGuestStandInItsCommand) {
+TEST(Variants, OfAExternalStandInItsCommand) {
   const std::vector<std::string> values = {"4", "04", "4"};
-  const SpecResult result = read_variants("guest:sh -c 'x={a}; y={a}{b}'", "a", values);
+  const SpecResult result = read_variants("program:sh -c 'x={a}; y={a}{b}'", "a", values);
   ASSERT_EQ(result.contestants.size(), 2U) << result.error;
-  EXPECT_EQ(result.contestants[0].name, "guest:sh -c 'x=4; y=4{b}'");
-  EXPECT_EQ(result.contestants[1].name, "guest:sh -c 'x=04; y=04{b}'");
+  EXPECT_EQ(result.contestants[0].name, "program:sh -c 'x=4; y=4{b}'");
+  EXPECT_EQ(result.contestants[1].name, "program:sh -c 'x=04; y=04{b}'");
   EXPECT_EQ(std::get<MmsProgram>(read_variants("mms:sh -c {a}", "a", values).contestants[0].kind).words,
             (std::vector<std::string>{"sh", "-c", "4"}));
-  GuestOptions options;
+  ExternalOptions options;
   options.runs = 7;
-  EXPECT_EQ(read_variants("guest:sh {a}", "a", values, options).contestants[0].runs, 7);
-  EXPECT_THAT(refusal("guest:sh -c {b}", "a", "1"), Says("'guest:sh -c {b}'", "{a}"));
-  EXPECT_THAT(refusal("guest:{a}", "a", "./nothing"), Says("no file", "'./nothing'"));
-  EXPECT_EQ(read_variants("guest:sh {a}", "a", std::vector<std::string>{"{a}{a}"}).contestants[0].name,
-            "guest:sh {a}{a}");
+  EXPECT_EQ(read_variants("program:sh {a}", "a", values, options).contestants[0].runs, 7);
+  EXPECT_THAT(refusal("program:sh -c {b}", "a", "1"), Says("'program:sh -c {b}'", "{a}"));
+  EXPECT_THAT(refusal("program:{a}", "a", "./nothing"), Says("no file", "'./nothing'"));
+  EXPECT_EQ(read_variants("program:sh {a}", "a", std::vector<std::string>{"{a}{a}"}).contestants[0].name,
+            "program:sh {a}{a}");
 }
 
 Sweep sweep(std::string_view spec, std::string_view vary, const std::vector<NamedMaze>& mazes,

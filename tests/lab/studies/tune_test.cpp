@@ -70,7 +70,7 @@ TEST(Tune, EvaluatesEachCandidateAsItIsWritten) {
     const Race race = hold_race(test::mice(evaluation.mouse), mazes(), order.race);
     const Standing standing = standings_of(race).front();
     EXPECT_DOUBLE_EQ(evaluation.value, standing.mean_all.value()) << evaluation.mouse;
-    EXPECT_EQ(evaluation.failures, standing.runs - standing.solved);
+    EXPECT_EQ(evaluation.failures, standing.runs - standing.finished);
     EXPECT_EQ(race.mice.front().settings.choice("random_share"), evaluation.values[0]);
     EXPECT_EQ(race.mice.front().settings.choice("coverage"), evaluation.values[1]);
     EXPECT_GE(race.mice.front().settings.real("coverage"), 0.2);

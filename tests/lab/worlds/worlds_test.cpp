@@ -8,7 +8,7 @@
 #include <atomic>
 #include <nlohmann/json.hpp>
 
-#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/page/calls.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
@@ -20,7 +20,7 @@
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 #include "labmouse/mouse/forwarding_strategy.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/lab/mms/mms_fixture.hpp"
 #include "tests/lab/reports/unpacking.hpp"
 #include "tests/lab/xml_scanner.hpp"
@@ -42,7 +42,7 @@ using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 
-const std::string program = "mms:\"" LABMOUSE_MMS_GUEST "\"";
+const std::string program = "mms:\"" LABMOUSE_MMS_PROGRAM "\"";
 
 /// What to try in a world: two mice, another setting that its results depend on, and a parameter of a mouse.
 struct Trial {
@@ -68,8 +68,8 @@ const Trial& trial_of(const WorldEntry& entry) {
 /// In one of them no mouse can score.
 std::vector<NamedMaze> mazes() { return {test::loop(), test::plank(), test::corridor(), test::shaft()}; }
 
-GuestOptions patient() {
-  GuestOptions options;
+ExternalOptions patient() {
+  ExternalOptions options;
   options.limits.silence = std::chrono::seconds(20);  // on a busy machine
   return options;
 }
@@ -145,7 +145,7 @@ TEST_P(AWorld, HasStandingsBestFirst) {
     EXPECT_GE(standing.interval.high, *standing.mean_all);
     EXPECT_EQ(figure_of(held, standing, "runs"), Value(standing.runs));
   }
-  EXPECT_GT(standings[0].solved, 0);
+  EXPECT_GT(standings[0].finished, 0);
   EXPECT_GE(*standings[0].mean_ratio, 1.0 - 1e-9);
 }
 
@@ -232,7 +232,7 @@ TEST_P(AWorld, LeavesRecordsAndPicturesForAReport) {
   std::optional<RaceFolder> kept;
   RaceHooks hooks;
   hooks.keep = RaceFolder::keep;
-  hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
+  hooks.finished = [&](const Race& race, const ContestResult& contest, const ContestOutput& held) {
     if (!kept) kept.emplace(folder.path(), race);
     EXPECT_EQ(held.picture.empty(), contest.run > 0);
     EXPECT_EQ(kept->save(contest, held), "");
@@ -257,7 +257,7 @@ TEST_P(AWorld, HasRecordsThatAreOpenedAndShown) {
   int drawings = 0;
   RaceHooks hooks;
   hooks.keep = [](const ContestResult&) { return Keep{.record = true, .picture = true}; };
-  hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
+  hooks.finished = [&](const Race& race, const ContestResult& contest, const ContestOutput& held) {
     const RecordKind& kind = kind_of_record(held.record);
     EXPECT_EQ(&kind, GetParam()->records);
     const OpenedRecord opened = kind.open(held.record, nullptr);
@@ -290,7 +290,7 @@ TEST_P(AWorld, HasRecordsThatDoNotFitEveryMaze) {
   if (GetParam()->name == "failures") LABMOUSE_SKIP_SANITIZED();  // the physical world does the same and more
   RaceHooks hooks;
   hooks.keep = [](const ContestResult&) { return Keep{.record = true}; };
-  hooks.finished = [&](const Race&, const ContestResult&, const Held& held) {
+  hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput& held) {
     const RecordKind& kind = *GetParam()->records;
     const NamedMaze other = test::hook();
     const OpenedRecord opened = kind.open(held.record, &other);
@@ -318,7 +318,7 @@ TEST_P(AWorld, IsOpenedByThePage) {
 TEST_P(AWorld, KeepsNothingThatIsNotAskedFor) {
   int told = 0;
   RaceHooks hooks;
-  hooks.finished = [&](const Race&, const ContestResult& contest, const Held& held) {
+  hooks.finished = [&](const Race&, const ContestResult& contest, const ContestOutput& held) {
     ++told;
     EXPECT_TRUE(contest.done);
     EXPECT_EQ(held.record + held.picture, "");
@@ -331,7 +331,7 @@ TEST_P(AWorld, IsLeftHalfDoneWhereItIsStopped) {
   std::atomic<bool> stop = false;
   RaceHooks hooks;
   hooks.stop = &stop;
-  hooks.finished = [&](const Race&, const ContestResult&, const Held&) { stop = true; };
+  hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput&) { stop = true; };
   const Race held = hold_race(mice(), mazes(), order(1), hooks);
   EXPECT_TRUE(held.stopped);
   EXPECT_EQ(std::count_if(held.results.begin(), held.results.end(), [](const auto& r) { return r.done; }), 1);
@@ -356,7 +356,7 @@ TEST_P(AWorld, KnowsNothingWhereItIsStoppedAtOnce) {
   EXPECT_THAT(part_of(json_of(held, {})).at("mazes"), SizeIs(mazes().size()));
 }
 
-/// Does what another mind does, and stops its race with a decision.
+/// Does what another strategy does, and stops its race with a decision.
 template <class Forwarder, class Kind>
 class Stopper final : public Forwarder {
  public:
@@ -451,10 +451,10 @@ TEST(Race, SeedsDoNotDependOnTheFolder) {
 
 TEST(Race, TellsExternalMiceASeedThatNamesNoMaze) {
   Contestant mouse;
-  mouse.name = "guest:./mouse";
+  mouse.name = "program:./mouse";
   mouse.external = true;
   mouse.runs = 2;
-  const std::atomic<bool> stopped = true;  // before any contest is held
+  const std::atomic<bool> stopped = true;  // before any contest is run
   RaceHooks hooks;
   hooks.stop = &stopped;
   RaceOrder order = test::in_steps();
@@ -464,7 +464,7 @@ TEST(Race, TellsExternalMiceASeedThatNamesNoMaze) {
   EXPECT_EQ(results[1].told, results[3].told);
   EXPECT_NE(results[0].told, results[1].told);
   for (const ContestResult& result : results) EXPECT_EQ(result.seed, result.told);
-  // A world that throws dice throws others in each maze.
+  // A world that is stochastic throws others in each maze.
   order.world = default_world("physical");
   const auto physical = hold_race({mouse}, {test::corridor(), test::loop()}, order, hooks).results;
   EXPECT_EQ(physical[0].told, physical[2].told);
@@ -532,8 +532,8 @@ TEST(Entering, LeavesOutMazesInWhichAWorldHoldsNoContests) {
   EXPECT_THAT(leave_out(*default_world("seconds"), {"large"}, collection), SaysAt("large", "60x60", "32x32"));
 }
 
-TEST(Entering, ResidentsAreTheMiceOfTheRosterThatAWorldTakes) {
-  EXPECT_EQ(residents_of(*first_world()).size(), roster().size());
+TEST(Entering, ResidentsAreTheBuiltinMiceThatAWorldTakes) {
+  EXPECT_EQ(residents_of(*first_world()).size(), builtin_mice().size());
   EXPECT_THAT(residents_of(*default_world("seconds")), Not(IsEmpty()));
   EXPECT_LT(residents_of(*default_world("seconds")).size(), all_contestants().size());
   EXPECT_THAT(residents_of(*default_world("mms")), IsEmpty());

@@ -41,12 +41,12 @@ def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") 
     Where there are several logs, numbers are pooled (`pooled`). The doubt is of what a log has columns for and does not tell.
     """
     name, robot = robot_numbers(base)
-    head, doubts = "", []
+    head, weakens = "", []
     for fit in fits:
         lines = _head(fit, robot)
         head += f"# Fitted to {_plain(fit.log.name)}; all else is from {_plain(name)}. +- is a standard error.\n"
         head += "".join(f"# {line}\n" for line, _ in lines)
-        doubts += [line.replace(": nothing fitted, ", ": ", 1) for line, doubtful in lines if doubtful]
+        weakens += [line.replace(": nothing fitted, ", ": ", 1) for line, doubtful in lines if doubtful]
     numbers, remarks = pooled(fits), {}
     ranges = _native.robot_ranges()
     for key, number in numbers.items():
@@ -61,9 +61,9 @@ def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") 
             remarks[f"motors.{axis}_gain"] += ", for the time below"
             remarks[f"motors.{axis}_time"] = f"from {_plain(name)}: the log does not tell it from the gain"
     text, problem = _native.robot_file(json.dumps(robot), remarks, f"from {_plain(name)}: the log does not determine it")
-    if problem and not doubts:
-        doubts.append(f"the robot is refused as it stands: {problem}")
-    return FittedRobot(f"{head}\n{text}", doubts[0] if doubts else "", numbers, fits)
+    if problem and not weakens:
+        weakens.append(f"the robot is refused as it stands: {problem}")
+    return FittedRobot(f"{head}\n{text}", weakens[0] if weakens else "", numbers, fits)
 
 
 def base_numbers(base: "Union[str, os.PathLike[str]]") -> Numbers:

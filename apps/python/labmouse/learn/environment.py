@@ -17,7 +17,7 @@ class ContestEnv(gymnasium.Env[NDArray[Any], np.int64]):
     """The capstone contest: explore a maze, reset, run to the goal. The return is minus the score.
 
     Actions: Discrete(22), see labmouse.learn.action_of. Rewards: -1 for a step of the speed run, -1/30 for
-    one of the exploration; of a failed contest the return is -100. A contest that uses up its steps has
+    one of the search run; of a failed contest the return is -100. A contest that uses up its steps has
     failed: it terminates, and is never truncated.
 
     Args:
@@ -29,7 +29,7 @@ class ContestEnv(gymnasium.Env[NDArray[Any], np.int64]):
         budget: steps of a contest.
 
     Every info has 'action_mask' (int8, 1 where an action is valid), 'return' (so far), 'state' (0 running,
-    1 solved, 2 out of steps, 3 never reset, 4 speed run unfinished) and 'maze' (its number).
+    1 finished, 2 out of steps, 3 never reset, 4 speed run unfinished) and 'maze' (its number).
     """
 
     metadata: Dict[str, Any] = {"render_modes": []}

@@ -1,6 +1,6 @@
 """A mind that learns to explore: a weight for each thing that it notices about a move, and nothing else.
 
-In the exploration it goes where the weighted sum of the features of a move is largest, among the moves that it knows to
+In the search run it goes where the weighted sum of the features of a move is largest, among the moves that it knows to
 be free. The features are local: what it knows of the cell in which the move would end, of the passages on the way there,
 where it walked before, and in which direction the goal lies. There is no search and no distance field. After it has
 entered the goal it goes on with a second list of weights, which has the start for its goal, until it stands in the start or

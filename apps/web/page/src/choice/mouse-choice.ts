@@ -56,7 +56,7 @@ export function createMouseChoice(mice: Mouse[], changed: () => void) {
   function update() {
     list.value = mouse;
     summary.replaceChildren(entry()?.summary ?? '');
-    const whole = entry() ?? { name: mouse, summary: '', throws_dice: false, parameters: [] };
+    const whole = entry() ?? { name: mouse, summary: '', is_stochastic: false, parameters: [] };
     parameters.show({ ...whole, parameters: whole.parameters.filter(counts) }, values);
     copyable.show(spec());
     reset.disabled = spec() === mouse;

@@ -18,7 +18,7 @@ export interface Reply {
   failure?: Failure;
 }
 
-/** What the core's C++ library asks of a system; a mind asks for nothing of it. */
+/** What the core's C++ library asks of a system; a strategy asks for nothing of it. */
 function system(memory: () => WebAssembly.Memory) {
   const badf = 8;
   const nosys = 52;

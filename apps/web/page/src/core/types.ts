@@ -58,7 +58,7 @@ export interface Inspection {
 
 export interface Rules {
   budget: number;
-  exploration_factor: number;
+  search_factor: number;
   stride: number;
 }
 
@@ -81,7 +81,7 @@ export interface Parameter {
 export interface Mouse {
   name: string;
   summary: string;
-  throws_dice: boolean;
+  is_stochastic: boolean;
   /** Whether it plays in steps. */
   walks?: boolean;
   /** Whether it drives in the worlds in seconds. */
@@ -106,8 +106,8 @@ export interface WorldInPage {
   in_steps: boolean;
   /** Whether `contest` runs a contest there with its play. */
   plays: boolean;
-  /** Whether contests differ for mice, too, that throw no dice themselves. */
-  throws_dice: boolean;
+  /** Whether contests differ for mice, too, that are deterministic themselves. */
+  is_stochastic: boolean;
   /** Contests in each maze of a mouse that meets dice, where nobody says. */
   usual_runs: number;
   /** What a race there is asked besides. */
@@ -224,14 +224,14 @@ export interface Play {
   seed: number | null;
   /** In words, with the reason of a forfeit. */
   outcome: string;
-  solved: boolean;
+  finished: boolean;
   score: number | null;
   /**
    * The best possible score and speed run here (in seconds: from rest to the centre); null where there is no way.
    */
   bound: number | null;
   optimum: number | null;
-  exploration_steps: number;
+  search_steps: number;
   speed_steps: number;
   /** Shares, 0 to 1, of the cells that can be reached; null in mms. */
   discovered: number | null;
@@ -294,12 +294,12 @@ export interface Play {
   reasons: Reasons[];
   events: MmsEvent[];
   /**
-   * What each step falls behind a shortest way, in steps; after the goal each step of the exploration does. Empty
+   * What each step falls behind a shortest way, in steps; after the goal each step of the search run does. Empty
    * where a step has no such measure.
    */
   loses: number[];
   /**
-   * What had been scored by each frame, whether or not it was solved in the end; in seconds null before the first
+   * What had been scored by each frame, whether or not it was finished in the end; in seconds null before the first
    * run.
    */
   scores: (number | null)[];
@@ -696,10 +696,10 @@ export interface PackedRecord extends Fields {
 /** `losses`: where contests lose their steps. */
 export interface Losses {
   contests: number;
-  solved: number;
+  finished: number;
   bound: number | null;
   mean_score: number | null;
-  exploration: number[];
+  search: number[];
   speed: number[];
   points: number[];
 }
@@ -718,7 +718,7 @@ export interface PlayedMouse {
 }
 
 /** What is to be said to the program of a contest, line by line, and how far the contest is. */
-export interface GuestLines {
+export interface ProgramLines {
   contest: number;
   lines: string[];
   ended: boolean;
@@ -829,13 +829,13 @@ export interface Calls {
     request: Fields & { world?: string; mouse: string; maze: MazeData; seed: number; conditions?: Fields };
     answer: { play: Play; record: string };
   };
-  /** A packed record of a report. A mouse of the roster has its reasons again. */
+  /** A packed record of a report. A mouse of the list of built-in mice has its reasons again. */
   unpack: {
     request: { record: PackedRecord; maze: MazeData };
     answer: { play: Play; record: string };
   };
   /**
-   * A race in the one thread that the page has: keep it small. Without mice: all of the roster. The settings of its
+   * A race in the one thread that the page has: keep it small. Without mice: all of the list of built-in mice. The settings of its
    * world stand beside `world`, by their names.
    */
   race: {
@@ -855,8 +855,8 @@ export interface Calls {
     answer: PairedDifference;
   };
   /**
-   * Where contests in steps in one maze lose their steps; labmouse/lab/plays/lost_steps.hpp says what that means.
-   * Lists run over cells; those that were not solved are left out of all but `contests`. `points` is what the mean
+   * Where contests in steps in one maze lose their steps; labmouse/lab/replays/lost_steps.hpp says what that means.
+   * Lists run over cells; those that were not finished are left out of all but `contests`. `points` is what the mean
    * contest loses of its score in that cell; they add up to `mean_score` - `bound`.
    */
   losses: {
@@ -881,7 +881,7 @@ export interface Calls {
    * Begins a contest in steps of a program that the page runs. `name` may be empty; `spec` is the program for the
    * command line. With `races` the seed is that of a race, from which the contest has its own.
    */
-  guest_begin: {
+  program_begin: {
     request: {
       name: string;
       spec: string;
@@ -890,17 +890,17 @@ export interface Calls {
       races?: boolean;
       budget?: number;
     };
-    answer: GuestLines;
+    answer: ProgramLines;
   };
   /**
    * What the program wrote, to its standard output and to its standard error, with all line ends; or how it ended.
    */
-  guest_hear: {
+  program_hear: {
     request: { contest: number; output?: string; printed?: string; end?: GuestEnd };
-    answer: GuestLines;
+    answer: ProgramLines;
   };
   /** Ends a contest, which counts as interrupted where it was not over. */
-  guest_end: {
+  program_end: {
     request: { contest: number };
     answer: {
       play: Play;

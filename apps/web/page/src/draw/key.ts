@@ -7,7 +7,7 @@ export type Key = ReturnType<typeof createKey>;
 const entry = (name: SampleName, words: string) => h('li', sample(name), h('span', words));
 
 export function createKey() {
-  const route = entry('exploration', 'a shortest run');
+  const route = entry('search', 'a shortest run');
   route.classList.add('route');
   const element = h(
     'ul.draw-key',

@@ -18,7 +18,7 @@ export type Driven = { world: string; robot: string; rules: string };
 
 /** The world of which links name robot and rules alone: that of driving robots without chance. */
 export const drivingWorld = ({ worlds }: About) =>
-  worlds.find(({ throws_dice, settings }) => !throws_dice && settings.some(({ name }) => name === 'robot'));
+  worlds.find(({ is_stochastic, settings }) => !is_stochastic && settings.some(({ name }) => name === 'robot'));
 
 /** Runs it. */
 export const contestOf = (core: Core, { mouse, maze, seed, budget, drive }: Contest) =>

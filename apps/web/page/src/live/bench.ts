@@ -62,7 +62,7 @@ export function createBench(page: Page, refused: (message: string) => void) {
     lead.prepend(outcome);
     refused('');
     stale(false);
-    outcome.dataset.state = walk.play.solved ? 'good' : 'bad';
+    outcome.dataset.state = walk.play.finished ? 'good' : 'bad';
     outcome.title = `best possible: ${walk.play.traits.bound}`;
     outcome.replaceChildren(outcomeInWords(walk));
     words.replaceChildren(before ? comparisonInWords(before, walk) : '');

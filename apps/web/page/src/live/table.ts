@@ -35,9 +35,9 @@ const nameOf = ({ spec, result, isReference }: Row) =>
 
 const columns: Column<Row>[] = [
   { title: 'Mouse', meaning: '', value: ({ spec }) => spec, show: nameOf, best: 'ascending' },
-  figure('Score', 'steps of the speed run, and a thirtieth of those of the exploration', (row) => row.result?.score, 3),
+  figure('Score', 'steps of the speed run, and a thirtieth of those of the search run', (row) => row.result?.score, 3),
   figure('Score / best', `divided by ${boundMeaning}`, ({ ratio }) => ratio, 3),
-  figure('Exploration', 'steps', (row) => row.result?.exploration_steps, 0),
+  figure('Search', 'steps', (row) => row.result?.search_steps, 0),
   figure('Speed run', 'steps', (row) => row.result?.speed_steps, 0),
   { title: 'Outcome', meaning: '', value: ({ outcome }) => outcome, best: 'ascending', class: 'words' },
 ];

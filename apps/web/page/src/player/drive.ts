@@ -104,9 +104,9 @@ export const kinds: Record<DriveRun['kind'], string> = { search: 'search', home:
 const endings: Record<string, string> = {
   'given up': 'gave up',
   slid: 'tyres slipped',
-  strayed: 'localization error',
-  misread: 'wall detection error',
-  'walled in': 'no route left',
+  position_lost: 'localization error',
+  wall_error: 'wall detection error',
+  'no route left': 'no route left',
   'out of time': 'time limit',
 };
 

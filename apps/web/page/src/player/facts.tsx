@@ -57,8 +57,8 @@ const visited = shareOf('cells visited', ({ visited: share }) => share);
 function madeOf(side: Side): string {
   const { track, scene } = side;
   const { frame } = scene.past;
-  const factor = track.play.rules?.exploration_factor;
-  return factor ? `${track.speed[frame]} + ${track.exploration[frame]} / ${factor}` : '';
+  const factor = track.play.rules?.search_factor;
+  return factor ? `${track.speed[frame]} + ${track.search[frame]} / ${factor}` : '';
 }
 
 const now: Row[] = [
@@ -71,8 +71,8 @@ const now: Row[] = [
   { label: 'mouse at', text: poseText },
   { label: 'left, ahead, right', text: readingText, has: ({ track }) => track.play.left.length > 0 },
   {
-    label: 'speed + exploration',
-    meaning: () => 'what the score is made of: steps of the speed run, and a share of those of the exploration',
+    label: 'speed + search',
+    meaning: () => 'what the score is made of: steps of the speed run, and a share of those of the search run',
     text: madeOf,
     has: ({ track }) => track.play.rules !== null,
   },
@@ -89,7 +89,7 @@ const whole: Row[] = [
   outcome,
   score,
   best,
-  countOf('exploration', (play) => play.exploration_steps, { has: hasRuns }),
+  countOf('search', (play) => play.search_steps, { has: hasRuns }),
   countOf('speed run', (play) => play.speed_steps, { has: hasRuns }),
   countOf('shortest run', (play) => play.optimum, { meaning: () => optimumMeaning }),
   {

@@ -10,7 +10,7 @@ export interface Layers {
   visits: boolean;
   distances: DistanceMode;
   rays: boolean;
-  exploration: boolean;
+  search: boolean;
   speed: boolean;
   best: boolean;
   candidates: boolean;
@@ -22,7 +22,7 @@ export type LayerName = keyof Layers;
 /** In the order of the legend; the keys 1 to 9 and 0 are those of its lines. */
 export const layerNames: LayerName[] = [
   ...(['walls', 'wrong', 'visits', 'distances', 'rays'] as const),
-  ...(['exploration', 'speed', 'best', 'candidates', 'mms'] as const),
+  ...(['search', 'speed', 'best', 'candidates', 'mms'] as const),
 ];
 
 export const usualLayers: Readonly<Layers> = {
@@ -31,7 +31,7 @@ export const usualLayers: Readonly<Layers> = {
   visits: true,
   distances: 'none',
   rays: true,
-  exploration: false,
+  search: false,
   speed: true,
   best: false,
   candidates: false,
@@ -44,7 +44,7 @@ export function has(play: Play, layer: LayerName): boolean {
   switch (layer) {
     case 'rays':
       return play.left.length > 0 || play.drive?.bodies !== undefined;
-    case 'exploration':
+    case 'search':
       return !play.drive;
     case 'wrong':
       return !draws;

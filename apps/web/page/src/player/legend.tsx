@@ -68,7 +68,7 @@ const beams: Sign[] = [
   ['rays', 'infrared beams, as far as what they read says'],
   ['believed', 'the mouse that it thinks it is; where it differs it may crash'],
   ['wrong', 'a wall that it read about the cell, and a cross where it touched one'],
-  ['exploration', 'no wall that it read there; paler where it was less sure'],
+  ['search', 'no wall that it read there; paler where it was less sure'],
 ];
 
 /** What each layer's signs say. */
@@ -79,10 +79,10 @@ const signsOf: Record<LayerName, (shown: Shown) => Sign[]> = {
   distances: distanceSigns,
   rays: ({ play: { drive } }) =>
     drive ? beams : [['rays', 'open cells to the left, ahead and to the right, read before the next step']],
-  exploration({ play: { traits } }) {
+  search({ play: { traits } }) {
     const isOne = traits.runs.length < 2;
     return [
-      ['exploration', isOne ? 'way to the goal' : 'path of the exploration to the goal'],
+      ['search', isOne ? 'way to the goal' : 'path of the search run to the goal'],
       ['onwards', isOne ? 'way from there on' : 'its path from there on'],
     ];
   },
@@ -108,7 +108,7 @@ const titles: Record<LayerName, string> = {
   visits: 'Visits',
   distances: 'Distances',
   rays: 'Sensor rays',
-  exploration: 'Exploration',
+  search: 'Search',
   speed: 'Speed run',
   best: 'Best possible run',
   candidates: 'Candidates',

@@ -12,7 +12,7 @@ import { paintMmsTexts } from './paint/mms-texts';
 import { paintMouse, paintRays } from './paint/mouse';
 import { paintPlan } from './paint/plan';
 import { paintWalls } from './paint/walls';
-import { paintBest, paintExploration, paintSpeedRun } from './paint/ways';
+import { paintBest, paintSearchRun, paintSpeedRun } from './paint/ways';
 import type { Track } from './track';
 
 /** Of a cell: paths between posts are to be seen. */
@@ -42,13 +42,13 @@ export function createPlace(track: Track) {
 export function paintBelow(brush: Brush, plan = false) {
   const { context, g, palette, track, layers, past } = brush;
   const { draws } = track.play.traits;
-  const crowded = plan || layers.exploration || layers.speed || layers.distances !== 'none' || draws;
+  const crowded = plan || layers.search || layers.speed || layers.distances !== 'none' || draws;
   paintGround(context, g, palette);
   paintFloor(brush);
   paintLetters(context, g, palette, track.maze, crowded);
   paintWalls(brush);
   if (layers.best) (track.drive ? paintFastest : paintBest)(brush);
-  if (layers.exploration && !track.drive) paintExploration(brush);
+  if (layers.search && !track.drive) paintSearchRun(brush);
   if (layers.speed) (track.drive ? paintDriven : paintSpeedRun)(brush);
   if (layers.mms && draws) paintMmsTexts(brush);
   if (layers.distances !== 'none') paintDistances(brush);

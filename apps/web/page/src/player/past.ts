@@ -2,7 +2,7 @@
 import { directionOf, waySlots } from './ways';
 import type { Track } from './track';
 
-/** Categories of ways; those of the exploration are parted by the first frame in the goal. */
+/** Categories of ways; those of the search run are parted by the first frame in the goal. */
 export const toGoal = 0;
 export const onwards = 1;
 export const speedRun = 2;

@@ -34,7 +34,7 @@ const shapes: Record<
   believed: () => (
     <rect class="s-candidate" x={8} y={3} width={20} height={12} fill="none" stroke-width={2} stroke-dasharray="3 3" />
   ),
-  exploration: () => line('s-to-goal'),
+  search: () => line('s-to-goal'),
   onwards: () => line('s-onwards', { 'stroke-dasharray': '6 4' }),
   speed: () => [
     line('s-route', { 'stroke-width': 4 }),

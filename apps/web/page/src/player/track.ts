@@ -20,7 +20,7 @@ export interface Track {
   /** 1 for a step that puts the mouse back, which is no way through the maze; in seconds for all: see `drive`. */
   jump: Uint8Array;
   /** Steps of each run up to each frame. */
-  exploration: Int32Array;
+  search: Int32Array;
   speed: Int32Array;
   score: Float64Array;
   closed: Uint8Array;
@@ -108,7 +108,7 @@ export function prepare(play: Play): Track {
   const enteredFrom = new Int32Array(last + 1);
   for (let i = 0; i < last; ++i) enteredFrom[i + 1] = enteredFrom[i] + (play.entered[i]?.length ?? 0);
   const enteredCells = Int32Array.from(play.entered.flat());
-  const exploration = counted(play, last, 0);
+  const search = counted(play, last, 0);
   const speed = counted(play, last, 1);
   return {
     play,
@@ -121,7 +121,7 @@ export function prepare(play: Play): Track {
     heading: Int8Array.from(play.heading),
     run: Uint8Array.from(play.run),
     jump: jumps(play, last),
-    exploration,
+    search,
     speed,
     score: Float64Array.from(play.scores, (score) => score ?? NaN),
     closed: closedWalls(play.maze),

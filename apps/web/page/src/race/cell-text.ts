@@ -3,11 +3,11 @@ import { isNumber, number, scoreText } from '../ui/format';
 import type { Board, Cell, Contest } from '../results/contests';
 import { meanOf } from '../results/contests';
 
-/** One contest: "solved, score 39.100 = exploration 117, speed 35 (1 beyond the shortest)". */
+/** One contest: "finished, score 39.100 = search 117, speed 35 (1 beyond the shortest)". */
 export function contestText(contest: Contest, optimum: number | null): string {
-  if (!contest.solved) return contest.outcome;
-  const parts = [`solved, score ${scoreText(contest.score)}`];
-  if (contest.exploration !== null) parts.push(`exploration ${contest.exploration} steps`);
+  if (!contest.finished) return contest.outcome;
+  const parts = [`finished, score ${scoreText(contest.score)}`];
+  if (contest.search !== null) parts.push(`search ${contest.search} steps`);
   if (contest.speed !== null) {
     const beyond = isNumber(optimum) ? contest.speed - optimum : null;
     parts.push(
@@ -18,9 +18,9 @@ export function contestText(contest: Contest, optimum: number | null): string {
 }
 
 function several(cell: Cell): string {
-  const scores = cell.contests.flatMap(({ score, solved }) => (solved && score !== null ? [score] : []));
+  const scores = cell.contests.flatMap(({ score, finished }) => (finished && score !== null ? [score] : []));
   const mean = meanOf(scores);
-  return `solved ${cell.solved} of ${cell.contests.length}${mean === null ? '' : `, mean score of these ${number(mean, 3)}`}`;
+  return `finished ${cell.finished} of ${cell.contests.length}${mean === null ? '' : `, mean score of these ${number(mean, 3)}`}`;
 }
 
 /** All of a cell: "ariadne in 13ye (16×16): …; bound 35.167, score / bound 1.112". */

@@ -5,7 +5,7 @@ const samples = 480;
 /** Beyond this, a curve says no more than that it ends there. */
 const farthest = 100;
 
-/** The ratios of a mouse's solved contests, ascending, and how many contests there were in mazes with a route. */
+/** The ratios of a mouse's finished contests, ascending, and how many contests there were in mazes with a route. */
 export function ratiosOf({ cells, mazes }: Board, mouse: number): { ratios: number[]; contests: number } {
   const counted = cells[mouse].filter((_, maze) => mazes[maze].bound !== null).flatMap(({ contests }) => contests);
   const ratios = counted.flatMap(({ ratio }) => (ratio === null ? [] : [ratio]));

@@ -18,7 +18,7 @@ import { isOurs } from './contest-play';
 /** What a cell is coloured by: all that is lost of the score, or the steps of one of the runs. */
 const kinds = {
   points: { label: 'of the score', unit: 'points' },
-  exploration: { label: 'steps of the exploration', unit: 'steps' },
+  search: { label: 'steps of the search run', unit: 'steps' },
   speed: { label: 'steps of the speed run', unit: 'steps' },
 } as const;
 type Kind = keyof typeof kinds;
@@ -32,7 +32,7 @@ const line = 44;
 
 /** What the mean contest loses in each cell. */
 const lossesOf = (found: Losses, kind: Kind): number[] =>
-  kind === 'points' ? found.points : found[kind].map((steps) => steps / Math.max(1, found.solved));
+  kind === 'points' ? found.points : found[kind].map((steps) => steps / Math.max(1, found.finished));
 
 const placeOf = (cell: number, maze: MazeData) => `(${cell % maze.width},${Math.floor(cell / maze.width)})`;
 const amount = (loss: number, kind: Kind) => `${loss.toFixed(2)} ${kinds[kind].unit}`;
@@ -104,7 +104,7 @@ function lossWords({ maze, found }: Shown, losses: number[], kind: Kind): string
     .slice(0, told);
   const where = worst.map(({ loss, cell }) => `${placeOf(cell, maze)} ${amount(loss, kind)}`).join(', ');
   const sum = losses.reduce((all, loss) => all + loss, 0);
-  const failed = found.contests - found.solved;
+  const failed = found.contests - found.finished;
   const without = failed > 0 ? ` ${counted(failed, 'contest')} without a score left out.` : '';
   if (sum <= 0) return `Nothing is lost here.${without}`;
   return `The mean contest loses ${amount(sum, kind)}, most of it in ${where}.${without}`;

@@ -76,7 +76,7 @@ function createOrderForm(page: EarlyPage, about: About) {
     const { usual_runs: before } = where;
     where = world.chosen().world;
     if (runs.read() === before) runs.write(where.usual_runs);
-    whose.textContent = where.throws_dice ? 'runs of each mouse' : 'runs of stochastic mice';
+    whose.textContent = where.is_stochastic ? 'runs of each mouse' : 'runs of stochastic mice';
     mice.offer(entrants());
   }
   enter();

@@ -25,13 +25,13 @@ function nameColumn(own: string[]): Column<RacedMouse> {
   };
 }
 
-const solvedColumn = (key: string): Column<RacedMouse> => ({
-  title: key,
+const finishedColumn: Column<RacedMouse> = {
+  title: 'finished',
   meaning: 'Contests that ended with a score, out of all contests in mazes with a route.',
-  value: (row) => orNull(Number(row[key]) / row.runs),
-  show: (row) => `${number(row[key], 0)} of ${number(row.runs, 0)}`,
+  value: (row) => orNull(Number(row.finished) / row.runs),
+  show: (row) => `${number(row.finished, 0)} of ${number(row.runs, 0)}`,
   best: 'descending',
-});
+};
 
 /** The column of intervals; one maze says nothing of others, so it has none. */
 function intervalColumn(rows: RacedMouse[], { mean: { key }, unit }: RacedWorld, mazes: number): Column<RacedMouse> {
@@ -60,7 +60,7 @@ export function columnsOf(group: RaceGroup, mazes: number, own: string[] = []): 
   const world = worldOf(group);
   return [
     nameColumn(own),
-    solvedColumn(world.solved),
+    finishedColumn,
     world.mean,
     intervalColumn(group.mice, world, mazes),
     ...world.columns,

@@ -13,8 +13,8 @@ const quick = { first: 150, others: 12 };
 
 /** The number of contests in all its races; one in each maze if neither the mouse nor the world is stochastic. */
 function contestsOf(about: About, { mice, mazes, runs, world }: Order): number {
-  const dicey = about.worlds.find(({ name }) => name === world?.world)?.throws_dice ?? false;
-  const throwing = (mouse: string) => dicey || (about.mice.find(({ name }) => name === mouse)?.throws_dice ?? true);
+  const dicey = about.worlds.find(({ name }) => name === world?.world)?.is_stochastic ?? false;
+  const throwing = (mouse: string) => dicey || (about.mice.find(({ name }) => name === mouse)?.is_stochastic ?? true);
   const races = eachOf(world, about.worlds).length;
   return mice.reduce((sum, mouse) => sum + (throwing(mouse) ? runs : 1), 0) * mazes.length * races;
 }

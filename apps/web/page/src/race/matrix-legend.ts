@@ -20,7 +20,7 @@ export function matrixLegend(): HTMLElement {
   const swatches = toneLabels.map((label, step) => h('li', h('span', { class: `swatch ${toneName(step)}` }), label));
   return h(
     'div.scale',
-    h('span', 'score / best, mean over the solved contests:'),
+    h('span', 'score / best, mean over the finished contests:'),
     h(
       'ul',
       ...swatches,

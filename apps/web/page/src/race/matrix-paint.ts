@@ -77,14 +77,14 @@ export function paintMatrix(canvas: HTMLCanvasElement, picture: MatrixPicture) {
       context!.fillStyle = muted;
       return dash(context!, box, ratio);
     }
-    if (cell.solved === 0) {
+    if (cell.finished === 0) {
       context!.strokeStyle = ink;
       return cross(context!, box, ratio);
     }
     const step = toneOf(cell.ratio ?? 1);
     context!.fillStyle = tones[step];
     context!.fillRect(...box);
-    if (cell.solved === cell.contests.length) return;
+    if (cell.finished === cell.contests.length) return;
     context!.fillStyle = step > 3 ? paper : ink;
     corner(context!, box, ratio);
   }

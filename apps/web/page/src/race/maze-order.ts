@@ -11,7 +11,7 @@ export function hardness({ cells, mice }: Board, maze: number): number | null {
   const column = mice.filter(({ reference }) => !reference).map(({ index }) => cells[index][maze]);
   const shares = column
     .filter(({ contests }) => contests.length > 0)
-    .map(({ contests, solved }) => 1 - solved / contests.length);
+    .map(({ contests, finished }) => 1 - finished / contests.length);
   const ratio = meanOf(column.flatMap((cell) => (cell.ratio === null ? [] : [cell.ratio])));
   const failed = meanOf(shares);
   // A ratio counts less than any difference in the shares that a race can have.

@@ -34,7 +34,7 @@ function lossPart(page: EarlyPage, race: LoadedRace, board: Board): { painted: P
   if (!inSteps) return { painted: [], element: part(`Where steps are lost${title}`, elsewhere) };
   const lost = heat(page, race, board);
   const about =
-    'What the contests of a maze cost beyond the best possible score, by the cell in which it was lost. A step loses what it leaves the mouse behind a shortest way; after the goal, every step of the exploration counts.';
+    'What the contests of a maze cost beyond the best possible score, by the cell in which it was lost. A step loses what it leaves the mouse behind a shortest way; after the goal, every step of the search run counts.';
   return { painted: [lost], element: part('Where steps are lost', about, lost.element) };
 }
 

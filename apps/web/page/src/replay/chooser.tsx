@@ -39,7 +39,7 @@ export const usualSettings = ({ settings }: WorldInPage) =>
     ]),
   );
 
-/** A world in which single contests are held, by its name; the first one where it is none. */
+/** A world in which single contests are run, by its name; the first one where it is none. */
 export const worldNamed = ({ worlds }: About, name: string): WorldInPage =>
   worlds.find((one) => one.name === name && one.plays) ?? worlds[0];
 

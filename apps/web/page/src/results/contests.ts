@@ -6,19 +6,19 @@ import { worldOf, type RacedWorld } from './worlds';
 
 export interface Contest {
   outcome: string;
-  solved: boolean;
+  finished: boolean;
   score: number | null;
   /** Its score over the best possible one; null where it failed. */
   ratio: number | null;
   seed: number | null;
-  exploration: number | null;
+  search: number | null;
   speed: number | null;
 }
 
 export interface Cell {
   contests: Contest[];
-  solved: number;
-  /** The mean over the solved contests; null where none was. */
+  finished: number;
+  /** The mean over the finished contests; null where none was. */
   ratio: number | null;
 }
 
@@ -78,7 +78,7 @@ export const meanOf = (values: number[]) =>
 
 function cellOf(contests: Contest[]): Cell {
   const ratios = contests.flatMap(({ ratio }) => (ratio === null ? [] : [ratio]));
-  return { contests, solved: contests.filter(({ solved }) => solved).length, ratio: meanOf(ratios) };
+  return { contests, finished: contests.filter(({ finished }) => finished).length, ratio: meanOf(ratios) };
 }
 
 /** The contests of one mouse, sorted into the mazes. */
@@ -105,17 +105,17 @@ function mazesOf({ mazes }: RaceGroup, { bound }: RacedWorld): BoardMaze[] {
   }));
 }
 
-/** Some worlds say of a contest whether it was solved, and how its program ended. */
+/** Some worlds say of a contest whether it was finished, and how its program ended. */
 function contestOf(world: RacedWorld, result: ContestResult, maze: BoardMaze): Contest {
   const score = world.score(result);
-  const solved = 'solved' in result ? result.solved === true : score !== null;
+  const finished = 'finished' in result ? result.finished === true : score !== null;
   return {
     outcome: String(result.end || result.outcome),
-    solved,
+    finished,
     score,
-    ratio: solved && score !== null && maze.bound ? score / maze.bound : null,
+    ratio: finished && score !== null && maze.bound ? score / maze.bound : null,
     seed: orNull(result.seed),
-    exploration: orNull(result.exploration_steps),
+    search: orNull(result.search_steps),
     speed: orNull(result.speed_steps),
   };
 }

@@ -6,9 +6,9 @@ import { worldOf } from './worlds';
 
 /** Where a contest without a score has no place in means, mice that scored in more contests come first. */
 function inOrder(group: RaceGroup, mice: RaceGroup['mice']): RaceGroup['mice'] {
-  const { mean, solved, countsFailures } = worldOf(group);
+  const { mean, countsFailures } = worldOf(group);
   const byMean = sorted(mice, (mouse) => orNull(mouse[mean.key]), 'ascending');
-  return countsFailures ? byMean : sorted(byMean, (mouse) => orNull(mouse[solved]), 'descending');
+  return countsFailures ? byMean : sorted(byMean, (mouse) => orNull(mouse.finished), 'descending');
 }
 
 /** All mice of those races in the same mazes, best first; null where there is no race. */

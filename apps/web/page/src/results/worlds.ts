@@ -21,8 +21,6 @@ export interface RacedWorld {
   bestMeaning: string;
   /** The column of the mean score over all contests, and its key. */
   mean: Column<Fields> & { key: string };
-  /** The key of how many contests were scored. */
-  solved: string;
   /** The other columns of the leaderboard. */
   columns: Column<Fields>[];
   bound: (maze: Fields) => number | null;
@@ -65,7 +63,7 @@ const namedColumns = ({ columns }: RaceGroup): Column<Fields>[] =>
     best: 'ascending',
   }));
 
-const isMean = ({ key }: ShownColumn) => key === 'penalised_mean' || key === 'mean_score';
+const isMean = ({ key }: ShownColumn) => key === 'mean_par1' || key === 'mean_score';
 const usualMean: ShownColumn = {
   key: 'mean_score',
   title: 'score',
@@ -76,7 +74,7 @@ const usualMean: ShownColumn = {
 const ratio = columnOf({
   key: 'mean_ratio',
   title: 'score / best',
-  meaning: 'Mean over the solved contests of the score divided by the best possible one in that maze.',
+  meaning: 'Mean over the finished contests of the score divided by the best possible one in that maze.',
   digits: 3,
 });
 
@@ -104,7 +102,6 @@ export function worldOf(group: RaceGroup): RacedWorld {
     unit,
     bestMeaning: table?.bound_meaning ?? 'best possible score',
     mean: columnOf(mean),
-    solved: group.mice.some((mouse) => 'scored' in mouse) ? 'scored' : 'solved',
     columns: [ratio, ...(own ?? namedColumns(group))],
     bound: (maze) => scaled(maze[bound], table ? factor : 1) ?? scaled(maze.bound_us, 1e-6),
     score: (result) => scaled(field === '' ? result[key] : inner(result[key], field), factor),

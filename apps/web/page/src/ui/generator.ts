@@ -31,7 +31,7 @@ export function createGenerator(about: About, { first, more = [] }: { first: str
     loops: field('Loops', loops, h('span', 'share of the remaining walls to open, 0 to 1')),
   };
   const seeded = h('div.field-row', fields.seed, fields.loops);
-  // What throws no dice needs no seed.
+  // What is deterministic needs no seed.
   const fit = () => {
     help.replaceChildren(summary());
     seeded.hidden = ['empty', ...more.map(({ name }) => name)].includes(kind.value);

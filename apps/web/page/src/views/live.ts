@@ -25,7 +25,7 @@ export interface LiveView extends View {
 const oracle: Mouse = {
   name: 'oracle',
   summary: 'knows the maze: a reference, not a contestant',
-  throws_dice: false,
+  is_stochastic: false,
   parameters: [],
 };
 

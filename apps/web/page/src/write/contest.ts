@@ -1,6 +1,6 @@
 // A contest of a program that runs in the page: lines from the core to the program and back.
 import type { Core } from '../core/client';
-import type { GuestEnd, GuestLines, MazeData, PackedRecord, Play } from '../core/types';
+import type { GuestEnd, ProgramLines, MazeData, PackedRecord, Play } from '../core/types';
 import type { Language } from './runtime';
 import type { Cage, Said, Session } from './sandbox/cage';
 import { createPatience } from './sandbox/patience';
@@ -17,7 +17,7 @@ export interface Print {
   text: string;
 }
 
-export interface Held {
+export interface ContestOutput {
   play: Play;
   record: string;
   packed: PackedRecord;
@@ -53,7 +53,7 @@ function endOf(said: Said | null, silence: number): GuestEnd | null {
 }
 
 /** The talk of one contest, until it has ended or nobody wants it any more. */
-async function talk(core: Core, session: Session, entry: Entry, first: GuestLines, kept: Kept, wanted: () => boolean) {
+async function talk(core: Core, session: Session, entry: Entry, first: ProgramLines, kept: Kept, wanted: () => boolean) {
   let now = first;
   let printed = '';
   let rest = '';
@@ -78,7 +78,7 @@ async function talk(core: Core, session: Session, entry: Entry, first: GuestLine
       rest = said.rest ?? '';
       if (said.lines.length === 0) continue;
       const output = wellFormed(`${said.lines.join('\n')}\n`);
-      now = await core.call('guest_hear', { contest: now.contest, output, printed: wellFormed(printed) });
+      now = await core.call('program_hear', { contest: now.contest, output, printed: wellFormed(printed) });
       printed = '';
       tell(now.lines);
     }
@@ -86,7 +86,7 @@ async function talk(core: Core, session: Session, entry: Entry, first: GuestLine
     if (!end) continue;
     kept.ended = end;
     const last = { output: wellFormed(rest), printed: wellFormed(printed), end };
-    now = await core.call('guest_hear', { contest: now.contest, ...last });
+    now = await core.call('program_hear', { contest: now.contest, ...last });
   }
 }
 
@@ -104,15 +104,15 @@ class Kept {
   }
 }
 
-/** Holds the contest to its end; null where it was no longer wanted. Whatever the program does is part of the contest. */
+/** Runs the contest to its end; null where it was no longer wanted. Whatever the program does is part of the contest. */
 export async function holdContest(
   core: Core,
   cage: Cage,
   entry: Entry,
   wanted: () => boolean = () => true,
-): Promise<Held | null> {
+): Promise<ContestOutput | null> {
   const { language, name, maze, seed, races = false } = entry;
-  const first = await core.call('guest_begin', { name, spec: language.commandLine, maze, seed, races });
+  const first = await core.call('program_begin', { name, spec: language.commandLine, maze, seed, races });
   const kept = new Kept();
   const session = await cage.start(language, entry.program);
   try {
@@ -120,6 +120,6 @@ export async function holdContest(
   } finally {
     session.end();
   }
-  const held = await core.call('guest_end', { contest: first.contest });
+  const held = await core.call('program_end', { contest: first.contest });
   return wanted() ? { ...held, prints: kept.prints, ended: kept.ended } : null;
 }

@@ -4,7 +4,7 @@ import { placeOf } from '../link/mazes';
 import type { Page } from '../page/page';
 import { createPlayer } from '../player/player';
 import { h } from '../ui/dom';
-import type { Held } from './contest';
+import type { ContestOutput } from './contest';
 import type { Controls } from './controls';
 import type { Desk } from './desk';
 import type { Prints } from './prints';
@@ -20,7 +20,7 @@ export function createDisplay(page: Page, desk: Desk, controls: Controls, prints
   controls.verdict.after(prints);
   const standings = h('section.race.pictures.standings', { 'aria-label': 'Its race', hidden: true });
   /** What the player shows, and of which program. */
-  let shown: { held: Held; text: string } | null = null;
+  let shown: { held: ContestOutput; text: string } | null = null;
 
   /** What a link says of it, beside the program. */
   async function moment() {
@@ -43,10 +43,10 @@ export function createDisplay(page: Page, desk: Desk, controls: Controls, prints
     desk.fail(null);
   }
   /** A contest of that program. What was asked for last stands first. */
-  function show(held: Held, text: string, at?: Moment) {
+  function show(held: ContestOutput, text: string, at?: Moment) {
     player.element.after(standings);
     controls.hint.hidden = true;
-    controls.say(outcomeInWords(held, shown?.held.play), held.play.solved ? 'good' : 'bad');
+    controls.say(outcomeInWords(held, shown?.held.play), held.play.finished ? 'good' : 'bad');
     prints.show(held.prints);
     if (at?.time !== undefined) player.show([held], 'start', at.time, at.look);
     else player.show([held], 'end', 0, at?.look);
@@ -55,7 +55,7 @@ export function createDisplay(page: Page, desk: Desk, controls: Controls, prints
     void keep();
   }
   /** Of a program that races nowhere there is nothing on the stage, and what was there is of another one. */
-  function showNoStart(held: Held) {
+  function showNoStart(held: ContestOutput) {
     clear();
     controls.say(outcomeInWords(held), 'bad');
     prints.show(held.prints);
@@ -77,19 +77,19 @@ export function createDisplay(page: Page, desk: Desk, controls: Controls, prints
 interface Stage {
   player: HTMLElement;
   standings: HTMLElement;
-  show(held: Held, text: string): void;
+  show(held: ContestOutput, text: string): void;
 }
 
 /** Shows the race of that program above the player. */
 function showRace(page: Page, desk: Desk, controls: Controls, stage: Stage, raced: Raced, text: string) {
   const { contests } = raced.now;
   const { player, standings } = stage;
-  const [words, solvedAll] = placeInWords(raced);
-  const worst = contests.find(({ play }) => !play.solved);
-  controls.say(words, solvedAll ? 'good' : 'bad');
+  const [words, finishedAll] = placeInWords(raced);
+  const worst = contests.find(({ play }) => !play.finished);
+  controls.say(words, finishedAll ? 'good' : 'bad');
   standings.hidden = false;
   player.before(standings);
-  const open = (held: Held) => {
+  const open = (held: ContestOutput) => {
     stage.show(held, text);
     controls.mazes.refresh(held.play.maze.name);
     player.scrollIntoView();

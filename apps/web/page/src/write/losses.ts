@@ -2,14 +2,14 @@
 import { button } from '../ui/controls';
 import { number } from '../ui/format';
 import { scrolling, table } from '../ui/table';
-import type { Held } from './contest';
+import type { ContestOutput } from './contest';
 
 /** How far a contest stayed behind the best possible score; a failed one lost all. */
-const lossOf = ({ play }: Held) => (play.score === null || play.bound === null ? Infinity : play.score - play.bound);
+const lossOf = ({ play }: ContestOutput) => (play.score === null || play.bound === null ? Infinity : play.score - play.bound);
 
 const heads: [head: string, title: string][] = [
   ['maze', 'Choose one to see the contest'],
-  ['score', 'speed-run steps + exploration steps / 30; lower is better'],
+  ['score', 'speed-run steps + search steps / 30; lower is better'],
   ['best', 'the best possible score of this maze'],
   ['lost', 'the score above the best possible'],
   ['explor. steps', 'each costs a thirtieth of a step of the speed run'],
@@ -17,18 +17,18 @@ const heads: [head: string, title: string][] = [
 ];
 
 /** The most costly maze first. `open` shows a contest. */
-export function losses(contests: Held[], open: (held: Held) => void): HTMLElement {
+export function losses(contests: ContestOutput[], open: (held: ContestOutput) => void): HTMLElement {
   const sorted = [...contests].sort((a, b) => lossOf(b) - lossOf(a));
-  const row = (held: Held) => {
+  const row = (held: ContestOutput) => {
     const { play } = held;
     const loss = lossOf(held);
     return [
       button(play.maze.name, () => open(held)),
-      play.solved ? number(play.score, 1) : play.outcome,
+      play.finished ? number(play.score, 1) : play.outcome,
       number(play.bound, 1),
       number(loss, 1),
-      play.solved ? String(play.exploration_steps) : '–',
-      play.solved && play.optimum !== null ? String(play.speed_steps - play.optimum) : '–',
+      play.finished ? String(play.search_steps) : '–',
+      play.finished && play.optimum !== null ? String(play.speed_steps - play.optimum) : '–',
     ];
   };
   return scrolling('What it lost where', table({}, heads, sorted.map(row)), 'losses');

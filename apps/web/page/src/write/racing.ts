@@ -1,10 +1,10 @@
-// A race of a program of the page against mice of the roster, and against what it was before.
+// A race of a program of the page against mice of the list of built-in mice, and against what it was before.
 import type { Core } from '../core/client';
 import type { MazeData, PackedRecord, PlayedMouse, RaceResults } from '../core/types';
 import { isSameMaze } from '../maze/same';
 import { holdRace, type Order, type Progress } from '../results/holding';
 import { joined } from '../results/joining';
-import { holdContest, type Entry, type Held } from './contest';
+import { holdContest, type Entry, type ContestOutput } from './contest';
 import type { Cage } from './sandbox/cage';
 
 export type Runner = Omit<Entry, 'maze' | 'seed' | 'races'>;
@@ -12,7 +12,7 @@ export type Runner = Omit<Entry, 'maze' | 'seed' | 'races'>;
 /** A program as it raced: what it did where. */
 export interface Version {
   runner: Runner;
-  contests: Held[];
+  contests: ContestOutput[];
 }
 
 export interface Raced {
@@ -30,7 +30,7 @@ export const nameBefore = (before: string, now: string): string =>
   before === now ? `${now.slice(0, 33)}-before` : before;
 
 /** That contest under another name. */
-function renamed(held: Held, name: string): Held {
+function renamed(held: ContestOutput, name: string): ContestOutput {
   if (held.packed.mouse === name) return held;
   // As the header has it, ahead of all else that could say so.
   const named = (mouse: string) => `"mouse":{"name":${JSON.stringify(mouse)}`;
@@ -56,7 +56,7 @@ export async function raceProgram(
   report: (progress: Progress) => void,
   wanted: () => boolean,
   last: Version | null = null,
-): Promise<Raced | { failed: Held } | null> {
+): Promise<Raced | { failed: ContestOutput } | null> {
   const { mazes, seed, runs } = order;
   const raced = [runner, ...(last ? [{ ...last.runner, name: nameBefore(last.runner.name, runner.name) }] : [])];
   const all = order.mice.length + raced.length * mazes.length;
@@ -64,7 +64,7 @@ export async function raceProgram(
   let done = 0;
   for (const one of raced) {
     const known = one === runner ? [] : last!.contests;
-    const contests: Held[] = [];
+    const contests: ContestOutput[] = [];
     for (const maze of mazes) {
       report({ done: done++, all, doing: `${one.name} in ${maze.name}` });
       const same = known.find(({ play }) => play.maze.name === maze.name && isSameMaze(play, { maze }));

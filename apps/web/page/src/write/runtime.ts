@@ -15,7 +15,7 @@ export interface Language {
   name: string;
   /** Of a program that is saved: "mouse.js". */
   fileName: string;
-  /** The SPEC under which the same file races on the command line: "guest:node mouse.js". */
+  /** The SPEC under which the same file races on the command line: "program:node mouse.js". */
   commandLine: string;
   /** At least one; the first is what an editor begins with. */
   templates: Template[];

@@ -2,7 +2,7 @@
 import { leaderboard } from '../race/leaderboard';
 import { groupsOf } from '../results/contests';
 import { h } from '../ui/dom';
-import type { Held } from './contest';
+import type { ContestOutput } from './contest';
 import { losses } from './losses';
 import type { Raced } from './racing';
 
@@ -12,22 +12,22 @@ const nameOf = ({ now, before }: Raced) => ({
   old: before?.contests[0].play.mouse,
 });
 
-/** "my-mouse is number 2 of 6: solved 9 of 10 mazes", and whether that was all of them. */
-export function placeInWords(raced: Raced): [words: string, solvedAll: boolean] {
+/** "my-mouse is number 2 of 6: finished 9 of 10 mazes", and whether that was all of them. */
+export function placeInWords(raced: Raced): [words: string, finishedAll: boolean] {
   const [group] = groupsOf(raced.results);
   const { name, old } = nameOf(raced);
   const place = (of: string) => group.mice.findIndex((mouse) => mouse.name === of) + 1;
   const contests = contestsOf(raced);
-  const solved = contests.filter(({ play }) => play.solved).length;
+  const finished = contests.filter(({ play }) => play.finished).length;
   const than = old === undefined ? '' : `; ${old} is number ${place(old)}`;
   return [
-    `${name} is number ${place(name)} of ${group.mice.length}: solved ${solved} of ${contests.length} mazes${than}`,
-    solved === contests.length,
+    `${name} is number ${place(name)} of ${group.mice.length}: finished ${finished} of ${contests.length} mazes${than}`,
+    finished === contests.length,
   ];
 }
 
 /** `open` shows a contest of the program. */
-export function standingsOf(raced: Raced, open: (held: Held) => void): HTMLElement[] {
+export function standingsOf(raced: Raced, open: (held: ContestOutput) => void): HTMLElement[] {
   const [group] = groupsOf(raced.results);
   const { name, old } = nameOf(raced);
   const race = h('a', { href: '#race' }, 'Race');

@@ -1,13 +1,13 @@
 // What came of a contest of one's program, in words.
 import type { Play } from '../core/types';
 import { isSameMaze } from '../maze/same';
-import { patience, type Held } from './contest';
+import { patience, type ContestOutput } from './contest';
 
 /** The line of the program in which it failed; null where it did not, or nobody knows. */
-export const failedAt = ({ ended }: Held) => (ended?.kind === 'failed' && ended.line) || null;
+export const failedAt = ({ ended }: ContestOutput) => (ended?.kind === 'failed' && ended.line) || null;
 
 /** Why a contest was a forfeit; empty where nobody knows. */
-function whyInWords({ play, ended, started }: Held): string {
+function whyInWords({ play, ended, started }: ContestOutput): string {
   const [said] = play.last_words.split('\n');
   if (ended?.kind === 'silent' && !started)
     return `it did not begin within ${patience.start / 1000} s; is there a loop without an end outside of its steps?`;
@@ -18,14 +18,14 @@ function whyInWords({ play, ended, started }: Held): string {
 }
 
 /** What came of a contest, in a line, and of the one before it; of a program that did not begin, wherever it was. */
-export function outcomeInWords(held: Held, before?: Play): string {
+export function outcomeInWords(held: ContestOutput, before?: Play): string {
   const { play } = held;
   if (!held.started) return `${play.mouse} did not start: ${whyInWords(held) || play.outcome}`;
   const where = `${play.mouse} in ${play.maze.name || 'this maze'}`;
-  if (play.solved) {
-    const was = before?.solved && before.score !== play.score && isSameMaze(before, play);
+  if (play.finished) {
+    const was = before?.finished && before.score !== play.score && isSameMaze(before, play);
     const scores = `score ${play.score?.toFixed(3)}${was ? `, before ${before.score?.toFixed(3)}` : ''}`;
-    return `${where}: solved, ${scores}; best possible ${play.bound?.toFixed(3) ?? 'none'}, lower is better`;
+    return `${where}: finished, ${scores}; best possible ${play.bound?.toFixed(3) ?? 'none'}, lower is better`;
   }
   const why = whyInWords(held);
   return `${where}: ${play.outcome}${play.outcome.startsWith('forfeit') && why ? `; ${why}` : ''}`;

@@ -167,7 +167,7 @@ test('a mouse runs in what was drawn', async () => {
   await name.fill('my maze');
   await page.getByRole('button', { name: 'Run a mouse here' }).click();
   const live = page.getByRole('region', { name: 'Live' });
-  await live.getByText('ariadne in my maze: solved').waitFor();
+  await live.getByText('ariadne in my maze: finished').waitFor();
   await live.getByRole('button', { name: 'Edit in Draw' }).click();
   await board(page).waitFor();
   expect(await name.inputValue()).toBe('my maze');

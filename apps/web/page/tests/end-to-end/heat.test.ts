@@ -27,16 +27,16 @@ test('what is lost in all cells is what the scores are above the best possible o
     mice: { results: { score: number | null; speed_steps: number }[] }[];
     mazes: { bound: number; optimum: number }[];
   }[];
-  const scored = mice.flatMap(({ results }) => results).filter(({ score }) => score !== null);
-  expect(scored.length).toBeGreaterThan(2);
+  const finished = mice.flatMap(({ results }) => results).filter(({ score }) => score !== null);
+  expect(finished.length).toBeGreaterThan(2);
   const mean = (list: number[]) => list.reduce((sum, one) => sum + one, 0) / list.length;
-  const loss = mean(scored.map(({ score }) => score! - mazes[0].bound));
+  const loss = mean(finished.map(({ score }) => score! - mazes[0].bound));
   const words = part(page).locator('.words');
   expect(await words.textContent()).toContain(`loses ${loss.toFixed(2)} points`);
   // The picture says the same to those who do not see it.
   expect(await part(page).getByRole('img').getAttribute('aria-label')).toContain(await words.textContent());
   await part(page).getByLabel('Show what is lost').selectOption('speed');
-  const steps = mean(scored.map(({ speed_steps }) => speed_steps - mazes[0].optimum));
+  const steps = mean(finished.map(({ speed_steps }) => speed_steps - mazes[0].optimum));
   await expect.poll(() => words.textContent()).toContain(`loses ${steps.toFixed(2)} steps`);
   expect(await part(page).locator('.scale li').count()).toBe(6);
 });

@@ -46,7 +46,7 @@ test('what is wrong stands at its field, in the words of the core', async () => 
   expect(await outcome(page).textContent()).toMatch(/^Not run: .*of parameter 'travel'/);
   await travel.fill('20');
   await refusal.waitFor({ state: 'detached' });
-  await expect.poll(() => outcome(page).textContent()).toContain('ariadne:travel=20 in capstone-1: solved');
+  await expect.poll(() => outcome(page).textContent()).toContain('ariadne:travel=20 in capstone-1: finished');
   const maze = page.getByRole('region', { name: 'Maze', exact: true });
   await maze.getByLabel('From').selectOption('generator');
   await maze.getByLabel('Kind').selectOption('contest');
@@ -76,7 +76,7 @@ test('an empty number is not taken for 0', async () => {
   await contest.getByText("'seed' is not a number").waitFor();
   await expect.poll(() => outcome(page).textContent()).toContain("'seed' is not a number");
   await contest.getByLabel('Seed').fill('2');
-  await expect.poll(() => outcome(page).textContent()).toContain('solved');
+  await expect.poll(() => outcome(page).textContent()).toContain('finished');
 });
 
 test('all mice race; a click on one shows its walk', async () => {
@@ -86,9 +86,9 @@ test('all mice race; a click on one shows its walk', async () => {
   await page.getByText(/^\d+ mice have raced/).waitFor();
   const first = table.getByRole('rowheader').first();
   expect(await first.textContent()).toBe('oracle reference');
-  await table.getByRole('button', { name: 'Exploration' }).click();
-  await table.getByRole('button', { name: 'Exploration' }).click();
-  expect(await table.locator('[aria-sort=descending]').textContent()).toBe('Exploration');
+  await table.getByRole('button', { name: 'Search' }).click();
+  await table.getByRole('button', { name: 'Search' }).click();
+  expect(await table.locator('[aria-sort=descending]').textContent()).toBe('Search');
   expect(await first.textContent()).toBe('random-move');
   await picture(page, 'live-all-mice');
   await table.getByRole('button', { name: 'two-way' }).click();
@@ -130,7 +130,7 @@ test('a strange address breaks nothing', async () => {
   await page.locator('.field-error', { hasText: /unknown mouse 'nobody'/ }).waitFor();
   expect(await outcome(page).textContent()).toMatch(/^Not run: .*unknown mouse 'nobody'/);
   await mouse(page).selectOption('flood');
-  await expect.poll(() => outcome(page).textContent()).toContain('flood in capstone-1: solved');
+  await expect.poll(() => outcome(page).textContent()).toContain('flood in capstone-1: finished');
 });
 
 test('it works on a phone, in the dark', async () => {

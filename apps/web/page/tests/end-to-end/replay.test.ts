@@ -32,12 +32,12 @@ const pixels = (page: Page, at = 0) =>
 
 test('an example is played, and the keys lead through it', async () => {
   const page = await opened();
-  expect(await moment(page)).toContain('ariadne after 0 of 112 steps, exploration: at (0,0) north.');
+  expect(await moment(page)).toContain('ariadne after 0 of 112 steps, search: at (0,0) north.');
   await press(page, 'ArrowRight', 1);
   await press(page, 'Shift+ArrowRight', 11);
   await press(page, 'ArrowLeft', 10);
   await press(page, 'End', 112);
-  expect(await moment(page)).toContain('solved');
+  expect(await moment(page)).toContain('finished');
   expect([await fact(page, 'score so far'), await fact(page, 'score')]).toEqual(['20.167', '20.167']);
   await press(page, 'r', 95);
   expect(await fact(page, 'run')).toBe('speed run');
@@ -199,7 +199,7 @@ test('the record is saved as it was made', async () => {
     .trim()
     .split('\n');
   expect(lines).toHaveLength(114);
-  expect(JSON.parse(lines[113])).toMatchObject({ outcome: 'solved', exploration_steps: 95 });
+  expect(JSON.parse(lines[113])).toMatchObject({ outcome: 'finished', search_steps: 95 });
 });
 
 test('keys are left to fields that need them, and to other views', async () => {

@@ -80,11 +80,11 @@ describe(`a race in ${race.mazes.length} mazes`, () => {
     const rows = await leaderboard(page).locator('tbody tr').all();
     const shown = await Promise.all(rows.map((row) => row.locator('th .name, td').allTextContents()));
     const digits = (value: number | null, count: number) => (value === null ? '–' : value.toFixed(count));
-    expect(shown.map(([name, solved, all, , ratio, solvedMean]) => [name, solved, all, ratio, solvedMean])).toEqual(
+    expect(shown.map(([name, finished, all, , ratio, finishedMean]) => [name, finished, all, ratio, finishedMean])).toEqual(
       race.results.groups[0].mice.map((mouse) => [
         mouse.name,
-        `${mouse.solved} of ${mouse.runs}`,
-        ...[mouse.penalised_mean, mouse.mean_ratio, mouse.mean_score].map((mean) => digits(mean as number | null, 3)),
+        `${mouse.finished} of ${mouse.runs}`,
+        ...[mouse.mean_par1, mouse.mean_ratio, mouse.mean_score].map((mean) => digits(mean as number | null, 3)),
       ]),
     );
     expect(await leaderboard(page, 'Leaderboard, mms').locator('tbody tr').count()).toBe(1);
@@ -212,7 +212,7 @@ describe('files and links', () => {
       const file = temporary(`of-${format}`);
       native('convert', 'contest-03', file, '--format', format);
       await drop(page, { name: `of-${format}`, content: readFileSync(file) });
-      await page.getByRole('region', { name: 'Live' }).getByText(`ariadne in of-${format}: solved`).waitFor();
+      await page.getByRole('region', { name: 'Live' }).getByText(`ariadne in of-${format}: finished`).waitFor();
     }
     const made = /score ([\d.]+)/.exec(native('run', 'ariadne', 'contest-03'))![1];
     expect(await page.getByRole('region', { name: 'Live' }).locator('.verdict').textContent()).toContain(
@@ -288,7 +288,7 @@ describe('files and links', () => {
     const bare = JSON.stringify({ ...JSON.parse(header), maze: undefined });
     const page = await open('#race');
     await drop(page, { name: 'contest-01.txt', content: readFileSync(maze) });
-    await page.getByRole('region', { name: 'Live' }).getByText('ariadne in contest-01.txt: solved').waitFor();
+    await page.getByRole('region', { name: 'Live' }).getByText('ariadne in contest-01.txt: finished').waitFor();
     await drop(page, { name: 'robot.jsonl', content: [bare, ...lines].join('\n') });
     await page.getByRole('button', { name: 'Play it in the maze of Live' }).click();
     await replay(page).locator('.player canvas').waitFor();

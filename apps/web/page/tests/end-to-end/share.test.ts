@@ -77,7 +77,7 @@ test('a race sets its form up, and is held where it is quick', async () => {
 /** What is set of a world in the link of a test: nothing that is usual there, but its names, for not all can drive in all worlds. */
 const unusual = ({ settings }: WorldInPage) =>
   settings.map(({ name, choices, default: usual }): [string, string] => {
-    if (name === 'robot' || name === 'hazards') return [name, usual];
+    if (name === 'robot' || name === 'failure_rates') return [name, usual];
     return [name, choices?.at(-1) ?? String(name === 'pace' ? 0.5 : 2 * Number(usual))];
   });
 
@@ -88,7 +88,7 @@ test.runIf(proof)(
     const others = about.worlds.slice(1);
     expect(others.length).toBeGreaterThan(1);
     for (const world of others) {
-      const { name, mice, throws_dice } = world;
+      const { name, mice, is_stochastic } = world;
       const [first, second] = mice;
       const set = unusual(world);
       const told = set.filter(([key, value]) => value !== world.settings.find((one) => one.name === key)!.default);
@@ -130,9 +130,9 @@ test.runIf(proof)(
       // The table is that of the terminal: the same mice in the same order, with the same figures.
       const lines = native(...asked, 'table').split('\n');
       const expected = lines.flatMap((line) => {
-        const [mouse, scored, ...figures] = line.split(/ +/);
+        const [mouse, finished, ...figures] = line.split(/ +/);
         return mice.includes(mouse)
-          ? [[mouse, scored.replace('/', ' of '), figures.find((one) => /\.\d{3}$/.test(one))]]
+          ? [[mouse, finished.replace('/', ' of '), figures.find((one) => /\.\d{3}$/.test(one))]]
           : [];
       });
       expect(expected).toHaveLength(2);
@@ -147,7 +147,7 @@ test.runIf(proof)(
       for (const [mouse] of shown)
         for (const [column, maze] of mazes.entries()) {
           const results = groups[0].mice.find(({ name }) => name === mouse)!.results.filter((one) => one.maze === maze);
-          expect(results).toHaveLength(throws_dice ? 2 : 1);
+          expect(results).toHaveLength(is_stochastic ? 2 : 1);
           const scores = results.map(
             ({ score }) => (score as unknown as Record<string, number>)[place.inner] * place.unit,
           );
@@ -313,9 +313,9 @@ test('a hostile link says one line and does no harm', async () => {
 
 test('a record that the page cannot run again has no link, and says so', async () => {
   const page = await opened('#replay');
-  const record = native('run', 'flood', 'capstone-1', '--record', '-').replaceAll('"flood"', '"guest:my-mouse"');
+  const record = native('run', 'flood', 'capstone-1', '--record', '-').replaceAll('"flood"', '"program:my-mouse"');
   await drop(page, { name: 'record.jsonl', content: record.slice(record.indexOf('{')) });
-  await replayed(page, 'guest:my-mouse');
+  await replayed(page, 'program:my-mouse');
   await page.getByRole('button', { name: 'Copy link' }).click();
   await page
     .getByRole('alert')

@@ -71,7 +71,7 @@ test('one change, a name, and it stands on the leaderboard', async () => {
   const words = [
     'race',
     '--mice',
-    'long-legs=guest:node mouse.js',
+    'long-legs=program:node mouse.js',
     '--mazes',
     'capstone-1',
     'contest-01',
@@ -80,7 +80,7 @@ test('one change, a name, and it stands on the leaderboard', async () => {
   const results = JSON.parse(
     execFileSync(program, [...words, '--format', 'json', '--directory', folder], { encoding: 'utf8' }),
   );
-  const mean = results.groups[0].mice[0].penalised_mean.toFixed(3);
+  const mean = results.groups[0].mice[0].mean_par1.toFixed(3);
   await page.getByRole('link', { name: 'Race', exact: true }).first().click();
   const race = page.getByRole('region', { name: 'Race' });
   await race.getByText('long-legs').first().waitFor();
@@ -133,7 +133,7 @@ test('records are those of the command line, byte for byte', async () => {
         view(page).getByRole('button', { name: 'Save record' }).click(),
       ]);
       const file = join(folder, 'record.jsonl');
-      native('run', `${name}=guest:node mouse.js`, maze, '--directory', folder, '--record', file);
+      native('run', `${name}=program:node mouse.js`, maze, '--directory', folder, '--record', file);
       expect(readFileSync((await download.path())!, 'utf8'), `${name} in ${maze}`).toBe(readFileSync(file, 'utf8'));
     }
   }
@@ -218,7 +218,7 @@ test('its failure is its forfeit, and the page goes on', async () => {
   for (const [what, text, outcome] of [...failures, ...(proof ? longFailures : [])])
     expect(await run(page, text), what).toMatch(outcome);
   provoked(/Content Security Policy|Refused|out of memory/i);
-  expect(await run(page, template('flood-fill'))).toContain('solved');
+  expect(await run(page, template('flood-fill'))).toContain('finished');
 }, 120_000);
 
 test('the failing line is marked, and what it printed stands at its step', async () => {
@@ -298,7 +298,7 @@ test('in a fresh browser nothing runs beside the program of a link, and back to 
   expect(await verdict(page).isVisible()).toBe(false);
   expect(await button(page, 'Run').isDisabled()).toBe(true);
   await button(page, 'Back to mine').click();
-  await expect.poll(() => verdict(page).textContent()).toContain('my-mouse in capstone-1: solved');
+  await expect.poll(() => verdict(page).textContent()).toContain('my-mouse in capstone-1: finished');
   expect(await view(page).getByRole('img', { name: 'Maze capstone-1' }).isVisible()).toBe(true);
   expect(new URL(page.url()).hash).toBe('#write');
 });
@@ -310,7 +310,7 @@ test('another program begins with nothing of the one before', async () => {
   await view(page).getByLabel('Language').selectOption('python');
   await expect.poll(() => editor(page).textContent()).toContain('class Robot');
   expect(await editor(page).evaluate((content) => content.parentElement!.scrollTop)).toBe(0);
-  await expect.poll(() => verdict(page).textContent(), { timeout: 20_000 }).toContain('solved');
+  await expect.poll(() => verdict(page).textContent(), { timeout: 20_000 }).toContain('finished');
   expect(await stage.isVisible()).toBe(true);
   // What somebody wrote waits to be asked for.
   await view(page).getByLabel('Language').selectOption('javascript');
@@ -352,7 +352,7 @@ test('a link leads to the maze and the step where one was', async () => {
   await page.waitForFunction(() => document.title === 'Live · labmouse');
   await page.getByRole('link', { name: 'Write', exact: true }).click();
   await view(page).getByRole('combobox', { name: 'Maze' }).selectOption('own.txt');
-  expect(await run(page, `// mine\n${template('flood-fill')}`)).toContain('in own.txt: solved');
+  expect(await run(page, `// mine\n${template('flood-fill')}`)).toContain('in own.txt: finished');
   const slider = (of: Page) => view(of).getByRole('slider', { name: 'Moment of the replay' });
   await slider(page).fill('3');
   await button(page, 'Share').click();
@@ -365,7 +365,7 @@ test('a link leads to the maze and the step where one was', async () => {
   expect(await slider(other).isVisible()).toBe(false);
   await button(other, 'Let it run').click();
   await expect.poll(() => slider(other).inputValue()).toBe('3');
-  expect(await verdict(other).textContent()).toContain('solved');
+  expect(await verdict(other).textContent()).toContain('finished');
   // Another program has no step there.
   await write(other, `// other\n${template('flood-fill')}`);
   await button(other, 'Share').click();
@@ -414,14 +414,14 @@ test.each([
 test('a run says what the score was before, in the same maze', async () => {
   const page = await openWrite();
   const said = () => verdict(page).textContent();
-  await expect.poll(said).toContain('solved, score');
+  await expect.poll(said).toContain('finished, score');
   const [, before] = /score (\d+\.\d{3});/.exec((await said())!)!;
   await write(page, template('flood-fill').replace('LONGEST_STEP_OF_SEARCH = 1', 'LONGEST_STEP_OF_SEARCH = 3'));
   await button(page, 'Run').click();
   await expect.poll(said).toContain(`, before ${before}; best possible`);
   await view(page).getByRole('combobox', { name: 'Maze' }).selectOption('contest-05');
   await button(page, 'Run').click();
-  await expect.poll(said).toMatch(/in contest-05: solved, score \d+\.\d{3}; best possible/);
+  await expect.poll(said).toMatch(/in contest-05: finished, score \d+\.\d{3}; best possible/);
 });
 
 test('keys run the program and save it as a file, and change nothing in it', async () => {

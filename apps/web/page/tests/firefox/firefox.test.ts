@@ -83,7 +83,7 @@ test('a race has the leaderboard of the command line', async () => {
   // While it is held it shows what there is so far.
   await expect
     .poll(shown, { timeout: 30_000 })
-    .toEqual(results.groups[0].mice.map(({ name, penalised_mean }) => [name, Number(penalised_mean).toFixed(3)]));
+    .toEqual(results.groups[0].mice.map(({ name, mean_par1 }) => [name, Number(mean_par1).toFixed(3)]));
 });
 
 test('what the policy forbids is held back, and heard of here', async () => {

@@ -10,9 +10,9 @@ const group = {
   world: 'steps',
   budget: 500,
   mazes: [{ name: 'a', width: 8, height: 8, bound: 10, optimum: 9 }],
-  mice: ['ariadne', 'guest:x', 'oracle'].map((name) => ({
+  mice: ['ariadne', 'program:x', 'oracle'].map((name) => ({
     name,
-    results: [{ maze: 'a', seed: 7, outcome: 'solved', score: 12 }],
+    results: [{ maze: 'a', seed: 7, outcome: 'finished', score: 12 }],
   })),
 };
 const results = { groups: [group] } as unknown as RaceResults;
@@ -30,7 +30,7 @@ function setup({
   maze?: boolean;
 }) {
   const asked: [string, Record<string, unknown>][] = [];
-  const play = (action: string[]) => ({ play: { action, score, outcome: 'solved' } as Play, record: 'text' });
+  const play = (action: string[]) => ({ play: { action, score, outcome: 'finished' } as Play, record: 'text' });
   const core = {
     async call(name: string, request: Record<string, unknown>) {
       asked.push([name, request]);
@@ -81,7 +81,7 @@ describe('the replay of a contest', () => {
   });
   it('runs the oracle too', async () => expect((await setup({ run: ['o'] }).open(2)).play.action).toEqual(['o']));
   it('says what to do about a guest without a record, and about a maze that is missing', async () => {
-    await expect(setup({}).open(1)).rejects.toThrow(/no record of guest:x in a.*Drop its record/);
+    await expect(setup({}).open(1)).rejects.toThrow(/no record of program:x in a.*Drop its record/);
     await expect(setup({ run: ['a'], maze: false }).open(0)).rejects.toThrow(/maze a is not in this page/);
     await expect(setup({}).open(0)).rejects.toThrow(/cannot run it/);
   });

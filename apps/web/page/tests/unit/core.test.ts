@@ -49,7 +49,7 @@ describe.skipIf(!existsSync(file))('the core', () => {
     expect(about.mazes.map((each) => each.name)).toContain('contest-01');
     expect(about.formats).toHaveLength(4);
     expect(about.generators.length).toBeGreaterThan(5);
-    expect(about.rules).toEqual({ budget: 1000, exploration_factor: 30, stride: 3, failure_score: 100 });
+    expect(about.rules).toEqual({ budget: 1000, search_factor: 30, stride: 3, failure_score: 100 });
   });
 
   test.skipIf(!signature)(
@@ -78,8 +78,8 @@ describe.skipIf(!existsSync(file))('the core', () => {
 
   test('plays a contest frame by frame', () => {
     const frames = play.clock.length;
-    expect(play.solved).toBe(true);
-    expect(frames).toBe(play.exploration_steps + play.speed_steps + 1);
+    expect(play.finished).toBe(true);
+    expect(frames).toBe(play.search_steps + play.speed_steps + 1);
     for (const list of [play.x, play.y, play.heading, play.run]) expect(list).toHaveLength(frames);
     for (const list of [play.action, play.blocked, play.left, play.entered]) expect(list).toHaveLength(frames - 1);
     expect(play.known).toHaveLength(2 * maze.walls.length);
@@ -99,7 +99,7 @@ describe.skipIf(!existsSync(file))('the core', () => {
 
   test('holds races and reads their results', () => {
     const { results } = answer('race', { mice: ['flood', 'certify'], mazes: [maze], seed: 1, runs: 1 });
-    expect(results.groups[0].mice.map((mouse) => mouse.solved)).toEqual([1, 1]);
+    expect(results.groups[0].mice.map((mouse) => mouse.finished)).toEqual([1, 1]);
     expect(results.processor).toBe('WebAssembly');
     expect(answer('open', { name: 'race.json' }, text(JSON.stringify(results)))).toEqual({ kind: 'results', results });
   });
@@ -141,7 +141,7 @@ describe.skipIf(!existsSync(file))('the core', () => {
 
   test('says what is wrong with a request or a file, and lives on', () => {
     expect(failure('contest', { mouse: 'flod', maze, seed: 1 }).error).toContain("did you mean 'flood'?");
-    expect(failure('contest', { mouse: 'guest:ls', maze, seed: 1 }).error).toContain('which the page cannot start');
+    expect(failure('contest', { mouse: 'program:ls', maze, seed: 1 }).error).toContain('which the page cannot start');
     expect(failure('contest', { mouse: 'ariadne:prior=mine', maze, seed: 1 }).error).toContain(
       'which the page cannot read',
     );

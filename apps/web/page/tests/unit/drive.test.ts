@@ -89,7 +89,7 @@ describe('a play in seconds', () => {
 
   it('has no layers that only steps have', () => {
     const off = layerNames.filter((layer) => has(steps(), layer) && !has(seconds(), layer));
-    expect(off).toEqual(['rays', 'exploration', 'best']);
+    expect(off).toEqual(['rays', 'search', 'best']);
     const { drive } = seconds();
     expect(has(seconds({ drive: { ...drive!, best: drive!.path } }), 'best')).toBe(true);
   });

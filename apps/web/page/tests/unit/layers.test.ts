@@ -6,8 +6,8 @@ import { mms, steps } from './plays';
 describe('layers', () => {
   it('are offered where a play has something for them', () => {
     const offered = (play: ReturnType<typeof steps>) => layerNames.filter((layer) => has(play, layer));
-    expect(offered(steps())).toEqual(['walls', 'wrong', 'visits', 'distances', 'rays', 'exploration', 'speed', 'best']);
-    expect(offered(mms())).toEqual(['walls', 'visits', 'distances', 'exploration', 'best', 'mms']);
+    expect(offered(steps())).toEqual(['walls', 'wrong', 'visits', 'distances', 'rays', 'search', 'speed', 'best']);
+    expect(offered(mms())).toEqual(['walls', 'visits', 'distances', 'search', 'best', 'mms']);
     const reasons = [{ frame: 0, ground: '', candidates: [], chosen: -1, known: 0, hope: 0, price: 0 }];
     expect(offered(steps({ reasons }))).toContain('candidates');
   });

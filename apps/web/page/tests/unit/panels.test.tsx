@@ -47,7 +47,7 @@ describe('numbers', () => {
     const facts = factsOf(sideOf(steps(), 4));
     expect(facts.get('steps')).toEqual(['4 of 8']);
     expect(facts.get('mouse at')).toEqual(['(2,1) south']);
-    expect(facts.get('speed + exploration')).toEqual(['0 + 4 / 30']);
+    expect(facts.get('speed + search')).toEqual(['0 + 4 / 30']);
     expect(facts.get('score so far')).toEqual(['0.133']);
     expect(facts.get('first lost step')).toEqual(['4']);
   });
@@ -61,7 +61,7 @@ describe('numbers', () => {
   });
   it('leave out what a world does not have', () => {
     const drawer = factsOf(sideOf(mms({ discovered: null, visited: null }), 1.25));
-    for (const name of ['left, ahead, right', 'speed + exploration', 'speed run', 'cells visited', 'first lost step'])
+    for (const name of ['left, ahead, right', 'speed + search', 'speed run', 'cells visited', 'first lost step'])
       expect(drawer.has(name), name).toBe(false);
     expect(drawer.get('time')).toEqual(['1.3 of 2.0 s']);
     expect(drawer.get('best possible')).toEqual(['3.1']);
@@ -291,7 +291,7 @@ describe('what stands beside', () => {
   });
   it('the score as it ticks', () => {
     const caption = (play: Play, time: number) => texts(drawn(<Caption {...sideOf(play, time)} />), '.ticker span');
-    expect(caption(steps(), 4)).toEqual(['0.133', 'score so far', 'best possible 3.133', '4 of 8 steps, exploration']);
+    expect(caption(steps(), 4)).toEqual(['0.133', 'score so far', 'best possible 3.133', '4 of 8 steps, search']);
     expect(caption(mms(), 2).slice(2)).toEqual(['best possible 3.1', '4 of 4 steps, ended']);
     expect(caption(seconds(), 4)).toEqual([
       ...['4.000', 's on the clock', 'no run so far', 'best possible 1.250', '3 of 5 moves, fast run'],

@@ -57,9 +57,9 @@ describe('the scale', () => {
 const result = (maze: string, score: number | null, seed = 1) => ({
   maze,
   seed,
-  outcome: score === null ? 'out of budget' : 'solved',
+  outcome: score === null ? 'out of budget' : 'finished',
   score,
-  exploration_steps: 30,
+  search_steps: 30,
   speed_steps: score === null ? null : 20,
 });
 const inSteps = {
@@ -89,19 +89,19 @@ const results = { groups: [inSteps] } as unknown as RaceResults;
 describe('the contests of a race', () => {
   const [board] = boardsOf(results);
 
-  it('are sorted into cells, with the mean ratio of the solved ones', () => {
-    expect(board.cells[1][0]).toMatchObject({ solved: 2, ratio: 1.25 });
-    expect(board.cells[1][2]).toMatchObject({ solved: 1, ratio: 2 });
-    expect(board.cells[0][2]).toMatchObject({ solved: 0, ratio: null });
+  it('are sorted into cells, with the mean ratio of the finished ones', () => {
+    expect(board.cells[1][0]).toMatchObject({ finished: 2, ratio: 1.25 });
+    expect(board.cells[1][2]).toMatchObject({ finished: 1, ratio: 2 });
+    expect(board.cells[0][2]).toMatchObject({ finished: 0, ratio: null });
     expect(board.cells[0][1].contests).toEqual([]);
   });
   it('say in words what a cell shows', () => {
     expect(cellText(board, 0, 0)).toBe(
-      'one in easy (16×16): solved, score 22, exploration 30 steps, speed run 20 steps (1 beyond the shortest); best 20, score / best 1.100',
+      'one in easy (16×16): finished, score 22, search 30 steps, speed run 20 steps (1 beyond the shortest); best 20, score / best 1.100',
     );
     expect(cellText(board, 0, 2)).toBe('one in hard (16×16): out of budget; best 10');
     expect(cellText(board, 1, 2)).toBe(
-      'dice in hard (16×16): solved 1 of 2, mean score of these 20.000; best 10, score / best 2.000',
+      'dice in hard (16×16): finished 1 of 2, mean score of these 20.000; best 10, score / best 2.000',
     );
     expect(cellText(board, 0, 1)).toBe('one in closed (8×8): the goal cannot be reached');
     expect(cellText(board, 2, 2)).toBe('oracle in hard (16×16): no contest');
@@ -120,7 +120,7 @@ describe('the contests of a race', () => {
     const [board] = boardsOf(odd);
     expect(board.mazes[0].bound).toBeNull();
     expect(board.cells[0][2].contests).toHaveLength(2);
-    expect(board.cells[0][2].solved).toBe(0);
+    expect(board.cells[0][2].finished).toBe(0);
   });
   it('have boards for seconds and for worlds that nobody knows', () => {
     const maze = { name: 'a', width: 16, height: 16, bound_us: 5_000_000, bound: 5, fastest_us: 5_500_000 };
@@ -146,7 +146,7 @@ describe('the contests of a race', () => {
     expect(boards.map(({ world }) => world)).toEqual(['seconds', 'toy']);
     for (const { mazes, cells } of boards) {
       expect(mazes[0].bound).toBe(5);
-      expect(cells[0][0]).toMatchObject({ solved: 1, ratio: 1.2 });
+      expect(cells[0][0]).toMatchObject({ finished: 1, ratio: 1.2 });
       expect(cells[0][0].contests.map(({ score, seed }) => [score, seed])).toEqual([
         [6, 3],
         [null, 3],
@@ -166,7 +166,7 @@ describe('the contests of a race', () => {
               maze: 'a',
               outcome: 'gave-up',
               end: 'gave up',
-              solved: false,
+              finished: false,
               score: 2000,
               possible_score: 20,
               ratio: null,
@@ -178,7 +178,7 @@ describe('the contests of a race', () => {
     };
     const boards = boardsOf({ ...results, groups: [group] } as unknown as RaceResults);
     expect(boards.map(({ world }) => world)).toEqual(['mms']);
-    expect(boards[0].cells[0][0]).toMatchObject({ solved: 0, ratio: null });
+    expect(boards[0].cells[0][0]).toMatchObject({ finished: 0, ratio: null });
     expect(cellText(boards[0], 0, 0)).toBe('mms:x in a (16×16): gave up; best 20');
   });
 });

@@ -13,7 +13,7 @@ const race = (noise: unknown, mice: Record<string, ReturnType<typeof ended>[]>) 
 describe('races under several noises', () => {
   it('make a curve for each mouse, by increasing noise', () => {
     const curves = noiseCurves([
-      race(3, { two: [ended(null, 'slid'), ended(null, 'misread')], one: [ended(9, null), ended(null, 'slid')] }),
+      race(3, { two: [ended(null, 'slid'), ended(null, 'wall_error')], one: [ended(9, null), ended(null, 'slid')] }),
       race(1, { one: [ended(7, null), ended(8, null)], two: [ended(5, null), ended(null, 'slid')] }),
     ]);
     expect(curves?.noises).toEqual([1, 3]);
@@ -23,7 +23,7 @@ describe('races under several noises', () => {
     ]);
     expect(curves?.mice[1].ended.map((counts) => Object.fromEntries(counts))).toEqual([
       { slid: 1 },
-      { slid: 1, misread: 1 },
+      { slid: 1, wall_error: 1 },
     ]);
   });
   it('leave a gap where a mouse did not race', () =>

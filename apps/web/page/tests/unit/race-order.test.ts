@@ -28,14 +28,14 @@ const race = (name: string, mean: number | null, stopped = false) =>
     labmouse: '1',
     seed: 1,
     stopped,
-    groups: [{ world: 'steps', mazes: [{ name: 'one' }], mice: [{ name, penalised_mean: mean }] }],
+    groups: [{ world: 'steps', mazes: [{ name: 'one' }], mice: [{ name, mean_par1: mean }] }],
   }) as unknown as RaceResults;
 
 describe('joined', () => {
   it('ranks by how many contests have a score first, where a contest without one has no place in means', () => {
-    const piece = (name: string, scored: number, mean_score: number | null, failure_score: number | null) => ({
+    const piece = (name: string, finished: number, mean_score: number | null, failure_score: number | null) => ({
       ...race(name, null),
-      groups: [{ world: 'elsewhere', failure_score, mazes: [], mice: [{ name, scored, mean_score }] }],
+      groups: [{ world: 'elsewhere', failure_score, mazes: [], mice: [{ name, finished, mean_score }] }],
     });
     const order = (failure: number | null) => {
       const mice: [string, number, number | null][] = [
@@ -44,7 +44,7 @@ describe('joined', () => {
         ['slow', 4, 9],
         ['fast', 4, 5],
       ];
-      const pieces = mice.map(([name, scored, mean]) => piece(name, scored, mean, failure) as unknown as RaceResults);
+      const pieces = mice.map(([name, finished, mean]) => piece(name, finished, mean, failure) as unknown as RaceResults);
       return joined(pieces, false)!.groups[0].mice.map(({ name }) => name);
     };
     expect(order(null)).toEqual(['fast', 'slow', 'lucky', 'none']);

@@ -69,7 +69,7 @@ describe('dropped files', () => {
 
 describe('what was opened', () => {
   const record = (ended: boolean) => ({
-    play: { mouse: 'flood', ended, outcome: ended ? 'solved' : 'the record breaks off after step 3' } as Play,
+    play: { mouse: 'flood', ended, outcome: ended ? 'finished' : 'the record breaks off after step 3' } as Play,
     record: '',
   });
   const summaryOf = (...plays: ReturnType<typeof record>[]) =>

@@ -4,11 +4,11 @@ import { readSpec, specOf, valueOf } from '../../src/choice/spec';
 
 const parameter = (name: string, usual: string): Parameter => ({ name, type: 'choice', default: usual, meaning: '' });
 const mice: Mouse[] = [
-  { name: 'flood', summary: '', throws_dice: false, parameters: [] },
+  { name: 'flood', summary: '', is_stochastic: false, parameters: [] },
   {
     name: 'phases',
     summary: '',
-    throws_dice: true,
+    is_stochastic: true,
     parameters: [parameter('searching', 'goal'), parameter('weights', '2/5/2')],
   },
 ];

@@ -101,7 +101,7 @@ describe.skipIf(!existsSync(program))('robots in the page and on the command lin
       const words = ['race', '--mice', commandLine, '--format', 'json', '--mazes', ...small];
       const { stdout } = await promisify(execFile)(program, words, { cwd: folder, maxBuffer: 1 << 28 });
       const [{ mazes, mice }] = (JSON.parse(stdout) as RaceResults).groups;
-      expect([mice[0].solved, mazes.length]).toEqual([small.length, small.length]);
+      expect([mice[0].finished, mazes.length]).toEqual([small.length, small.length]);
     },
   );
 });

@@ -81,7 +81,7 @@ describe.skipIf(!existsSync(wasm))('a contest of a world that nobody has told th
     expect(facts.get('steps')).toBe(`${last} of ${last}`);
     expect(layerNames.filter((layer) => has(play, layer))).toContain('speed');
     const bar = drawn(<Transport state={stateOf([sideOf(play)])} actions={nothing} />);
-    expect(texts(bar, '.mark:not([disabled])')).toEqual(['Exploration', 'Goal', 'Speed run']);
+    expect(texts(bar, '.mark:not([disabled])')).toEqual(['Search', 'Goal', 'Speed run']);
     expect(texts(bar, '.rate')).toEqual(['4 steps/s']);
   });
   it('is the same from the file of its record', async () => {
@@ -103,7 +103,7 @@ describe.skipIf(!existsSync(wasm))('a contest of a world that nobody has told th
   });
   it('is ordered by what the core says of its world', async () => {
     const toy: WorldInPage = {
-      ...{ name: 'toy', summary: 'mice that stumble', in_steps: false, plays: true, throws_dice: true, usual_runs: 3, mice: ['flood'] },
+      ...{ name: 'toy', summary: 'mice that stumble', in_steps: false, plays: true, is_stochastic: true, usual_runs: 3, mice: ['flood'] },
       settings: [
         { name: 'clumsiness', type: 'whole', default: '50', meaning: 'How often', low: 0, high: 100 },
         { name: 'asleep', type: 'flag', default: 'false', meaning: 'Whether it sleeps' },
@@ -175,7 +175,7 @@ describe('a world whose clock counts seconds, with one kind of run', () => {
     ]);
     expect(texts(drawn(<Transport state={state} actions={nothing} />), '.mark')).toEqual(['Goal']);
     expect(layerNames.filter((layer) => has(play, layer))).toEqual([
-      ...['walls', 'wrong', 'visits', 'distances', 'exploration', 'best'],
+      ...['walls', 'wrong', 'visits', 'distances', 'search', 'best'],
     ]);
   });
 });

@@ -25,17 +25,15 @@ describe('a world that nobody has told the page of', () => {
       expect([own.value(mouse), own.show!(mouse)]).toEqual([Number(cell), cell]);
     }
   });
-  it('has its bounds in microseconds, too, and contests with a score under either name', () => {
+  it('has its bounds in microseconds, too', () => {
     const mazes = group.mazes.map((maze) => ({ ...maze, bound: undefined, bound_us: 2e6 }));
-    const mice = group.mice.map((mouse) => ({ ...mouse, solved: undefined, scored: 1 }));
+    const mice = group.mice.map((mouse) => ({ ...mouse, finished: 1 }));
     const other = { ...group, mazes, mice } as unknown as RaceGroup;
     expect(boardOf(other).mazes.map(({ bound }) => bound)).toEqual(mazes.map(() => 2));
-    expect(worldOf(other).solved).toBe('scored');
-    expect(worldOf(group).solved).toBe('solved');
   });
   it('ranks as the program does: by how many contests have a score, where the others have no place in means', () => {
     const columns = columnsOf(group, 2);
-    expect(columns[orderedBy(group)].title).toBe('solved');
+    expect(columns[orderedBy(group)].title).toBe('finished');
     expect(orderedBy({ ...group, world: 'steps', failure_score: undefined })).toBe(2);
     expect(columns[orderedBy({ ...group, failure_score: 100 })].title).toContain('score');
   });
@@ -48,8 +46,8 @@ describe('a world that nobody has told the page of', () => {
     expect(cellText(board, 0, 0)).toContain(board.mazes[0].short);
   });
   it('has distributions of all its contests, and duels without those that have no score', () => {
-    const scored = group.mice[0].results.filter(({ score }) => score !== null).length;
-    expect(ratiosOf(board, 0).ratios).toHaveLength(scored);
+    const finished = group.mice[0].results.filter(({ score }) => score !== null).length;
+    expect(ratiosOf(board, 0).ratios).toHaveLength(finished);
     expect(ratiosOf(board, 0).contests).toBe(group.mice[0].results.length);
     for (const { a, b, difference } of pairsOf(board, 0, 1, board.shows.limit)) expect(a - b).toBe(difference);
   });

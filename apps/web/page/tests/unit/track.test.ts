@@ -5,7 +5,7 @@ import { mms, steps } from './plays';
 describe('a track', () => {
   it('counts the steps of both runs and the score up to each frame', () => {
     const track = prepare(steps());
-    expect([...track.exploration]).toEqual([0, 1, 2, 3, 4, 5, 5, 5, 5]);
+    expect([...track.search]).toEqual([0, 1, 2, 3, 4, 5, 5, 5, 5]);
     expect([...track.speed]).toEqual([0, 0, 0, 0, 0, 0, 1, 2, 3]);
     expect(track.score[4]).toBeCloseTo(4 / 30);
     expect(track.score[8]).toBeCloseTo(3 + 5 / 30);

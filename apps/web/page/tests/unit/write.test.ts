@@ -112,7 +112,7 @@ async function contest(said: Said[]) {
   const lines = (ended: boolean) => ({ contest: 1, lines: ['sense 0 0 0'], ended, steps: heard.length });
   const core = {
     call: async (name: string, request: Record<string, unknown>) => {
-      if (name !== 'guest_hear') return name === 'guest_begin' ? lines(false) : {};
+      if (name !== 'program_hear') return name === 'program_begin' ? lines(false) : {};
       heard.push(request);
       return lines('end' in request);
     },

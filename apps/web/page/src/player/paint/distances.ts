@@ -38,7 +38,7 @@ export function paintDistanceTones(brush: Brush) {
 export function paintDistances(brush: Brush) {
   const { context, g, track, layers } = brush;
   if (tooSmall(brush)) return;
-  const lined = layers.exploration || layers.best || (layers.speed && track.resetFrame >= 0);
+  const lined = layers.search || layers.best || (layers.speed && track.resetFrame >= 0);
   prepareWriting(brush, Math.round(g.pitch * (lined ? 0.28 : 0.34)));
   context.textAlign = lined ? 'right' : 'center';
   const across = Math.round(g.pitch * (lined ? 0.9 : 0.5));

@@ -23,8 +23,8 @@ function tracePieces({ context, g, past }: Brush, category: number, shift: numbe
 const solid: number[] = [];
 const broken = [0, 0];
 
-/** Both ways of the exploration, beside each other; the second one broken, so that not only its colour tells it. */
-export function paintExploration(brush: Brush) {
+/** Both ways of the search run, beside each other; the second one broken, so that not only its colour tells it. */
+export function paintSearchRun(brush: Brush) {
   const { context, g, palette } = brush;
   const lane = Math.round(g.pitch * 0.07);
   context.lineWidth = thick(g, 0.08);

@@ -10,7 +10,7 @@ export const javascript: Language = {
   id: 'javascript',
   name: 'JavaScript',
   fileName: 'mouse.js',
-  commandLine: 'guest:node mouse.js',
+  commandLine: 'program:node mouse.js',
   templates: [
     { name: 'Flood fill', text: floodFill },
     { name: 'Flood and return', text: floodAndReturn },

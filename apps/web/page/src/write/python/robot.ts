@@ -1,6 +1,6 @@
 // A robot.py of the capstone project, played by MicroPython.
-import dialogue from '../../../../../../labmouse/guests/bridge/dialogue.py?raw';
-import otherPython from '../../../../../../labmouse/guests/bridge/other_python.py?raw';
+import dialogue from '../../../../../../labmouse/external/bridge/dialogue.py?raw';
+import otherPython from '../../../../../../labmouse/external/bridge/other_python.py?raw';
 import type { FromWorker } from '../runtime';
 import { startInterpreter, type Interpreter } from './interpreter';
 import page from './page.py?raw';

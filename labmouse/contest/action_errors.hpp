@@ -1,0 +1,39 @@
+// Steps that were not performed as the mouse asked for them: a function of its record. A mouse that does not notice
+// them takes itself to be where it is not.
+#pragma once
+
+#include "labmouse/contest/record.hpp"
+#include "labmouse/contest/rules.hpp"
+#include "labmouse/mouse/motion.hpp"
+
+namespace labmouse {
+
+/// Steps of one kind.
+struct ActionErrorCount {
+  int steps = 0;
+  /// The first of them, as a count of the clock; 0 where there is none.
+  int first = 0;
+
+  friend constexpr bool operator==(const ActionErrorCount&, const ActionErrorCount&) = default;
+};
+
+/// All kinds; one step can be of several.
+struct ActionErrors {
+  ActionErrorCount blocked;         ///< a wall ended the movement early
+  ActionErrorCount void_rotations;  ///< a rotation other than -90, 0 and 90, which turns nothing
+  ActionErrorCount cut_movements;   ///< a movement beyond the stride of the rules
+  ActionErrorCount idle_resets;     ///< a reset before a goal was entered, or in the speed run
+
+  friend constexpr bool operator==(const ActionErrors&, const ActionErrors&) = default;
+};
+
+/// Whether a step asks for a rotation that is not performed.
+constexpr bool has_void_rotation(const Action& action) {
+  return action.kind == Action::Kind::step && action.rotation != 0 &&
+         rotated(Heading::north, action.rotation) == Heading::north;
+}
+
+/// Counts them over both runs of a whole record, as a contest or a replay gives it.
+ActionErrors action_errors_of(const RunRecord& record, const Rules& rules);
+
+}  // namespace labmouse

@@ -1,0 +1,36 @@
+#include "labmouse/controller/axis_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace labmouse {
+namespace {
+
+/// The duty that a motor needs to go at a rate and to change it.
+double needed(const MotorAxis& axis, double rate, double change) {
+  const double almost = 0.005 * axis.gain;
+  return (rate + axis.time * change) / axis.gain + axis.dead_zone * std::clamp(rate / almost, -1.0, 1.0);
+}
+
+/// A proportional and an integral term; the sum goes no farther than to a part of full duty.
+double corrected(const AxisGains& gains, double error, double& sum) {
+  constexpr double most = 0.5;
+  sum += error * tick_seconds;
+  if (gains.integral > 0.0) sum = std::clamp(sum, -most / gains.integral, most / gains.integral);
+  return gains.proportional * error + gains.integral * sum;
+}
+
+}  // namespace
+
+Drive AxisControl::control(const Command& command, double speed, double turning, double volts) {
+  const double onwards = needed(gains_.drive_model, command.speed, command.speeding) +
+                         motors_.turning * std::abs(command.turning) * std::clamp(command.speed, -1.0, 1.0) +
+                         corrected(gains_.drive, command.speed - speed, drive_sum_);
+  const double around = needed(gains_.turn_model, command.turning, command.twisting) +
+                        corrected(gains_.turn, command.turning - turning, turn_sum_);
+  const double full = volts > 0.0 ? motors_.volts / volts : 1.0;
+  const double left = full * (onwards - around / 2.0), right = full * (onwards + around / 2.0);
+  return {static_cast<float>(std::clamp(left, -1.0, 1.0)), static_cast<float>(std::clamp(right, -1.0, 1.0))};
+}
+
+}  // namespace labmouse

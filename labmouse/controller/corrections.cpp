@@ -1,0 +1,157 @@
+#include "labmouse/controller/corrections.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "labmouse/functions/whole.hpp"
+#include "labmouse/hardware/beam.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A beam corrects each eighth tick: what makes its readings wrong (the wall, its gain) is the same all along a wall,
+/// so more of them would not say more.
+constexpr unsigned ticks_between = 8;
+/// Nor do those of the next walls say all that is new, by the gain.
+constexpr double alike = 1.5;
+/// A mouse that is slower counts as one of that speed, in mm/s.
+constexpr double slow = 50.0;
+
+WallState state_of(const Knowledge* known, Cell cell, Heading side, Size size) {
+  const Wall wall = wall_at(cell, side);
+  if (on_border(wall, size)) return WallState::closed;
+  return known == nullptr ? WallState::unknown : known->state(wall);
+}
+
+}  // namespace
+
+std::optional<Corridor> corridor_of(const Target& target, double cell) {
+  constexpr double straight = 0.978;  // the cosine of 12 degrees
+  const double c = target.ahead.cosine, s = target.ahead.sine;
+  if (std::max(std::abs(c), std::abs(s)) < straight) return std::nullopt;
+  const Heading axis = std::abs(c) > std::abs(s) ? (c > 0.0 ? Heading::east : Heading::west)
+                                                 : (s > 0.0 ? Heading::north : Heading::south);
+  return Corridor{{whole_below(target.position.x / cell), whole_below(target.position.y / cell)}, axis};
+}
+
+Corrections::Corrections(const Hardware& hardware, double cell, Size size, const CorrectionChoice& choice)
+    : hardware_(hardware),
+      cell_(cell),
+      size_(size),
+      choice_(choice),
+      views_(hardware.sensors.infrared, cell),
+      finders_{EdgeFinder(cell / 5.0, half_wall_of(cell)), EdgeFinder(cell / 5.0, half_wall_of(cell)),
+               EdgeFinder(cell / 5.0, half_wall_of(cell)), EdgeFinder(cell / 5.0, half_wall_of(cell))} {}
+
+void Corrections::forget() {
+  for (EdgeFinder& finder : finders_) finder.forget();
+}
+
+Cell Corrections::cell_along(const Corridor& corridor, double along) const {
+  const int number = whole_below(along / cell_);
+  switch (corridor.axis) {
+    case Heading::north:
+      return {corridor.cell.x, number};
+    case Heading::east:
+      return {number, corridor.cell.y};
+    case Heading::south:
+      return {corridor.cell.x, -number - 1};
+    case Heading::west:
+      break;
+  }
+  return {-number - 1, corridor.cell.y};
+}
+
+void Corrections::apply(const Sense& sense, const Target& target, const Knowledge* known, Estimator& estimator) {
+  const auto corridor = corridor_of(target, cell_);
+  if (!corridor) {
+    forget();
+    return;
+  }
+  for (const BeamPlace beam : {BeamPlace::right, BeamPlace::left})
+    see_side(static_cast<std::size_t>(beam), sense, *corridor, known, estimator);
+  if (choice_.front && sense.range_new && sense.range > 0) see_front(sense, *corridor, known, estimator);
+}
+
+void Corrections::see_side(std::size_t beam, const Sense& sense, const Corridor& corridor, const Knowledge* known,
+                           Estimator& estimator) {
+  const Heading side = views_.looks_left(beam) ? left_of(corridor.axis) : right_of(corridor.axis);
+  const WallLine wall_line = line_on(corridor.cell, side, corridor.axis, cell_);
+  View view;
+  if (!views_.see(beam, estimator.position(), estimator.ahead(), wall_line, view)) {
+    finders_[beam].forget();
+    return;
+  }
+  const auto slopes = [&] { return views_.slopes(beam, estimator.ahead(), wall_line, view); };
+  const double level = std::max<double>(1.0, sense.infrared[beam]);
+  const int line = whole_below(view.along / cell_ + 0.5);
+  const double behind = view.along - line * cell_;
+  const Cell cell = cell_along(corridor, view.along);
+  if (choice_.edges && finders_[beam].needs(behind)) {
+    const double share = std::min(1.5, level / views_.level_of(beam, view));
+    if (const auto edge = finders_[beam].pass(line, behind, share))
+      see_edge(*edge, view, slopes(), cell_along(corridor, (line + 0.5) * cell_), side, corridor.axis, known,
+               estimator);
+  }
+  // Away from posts.
+  if (choice_.sides && (sense.tick + beam) % ticks_between == 0 && std::abs(behind) > cell_ / 4.0 &&
+      size_.contains(cell) && state_of(known, cell, side, size_) != WallState::open)
+    see_wall(beam, level, view, slopes(), estimator);
+}
+
+void Corrections::see_wall(std::size_t beam, double level, const View& view, const ViewSlopes& slopes,
+                           Estimator& estimator) const {
+  const Infrared& infrared = hardware_.sensors.infrared;
+  constexpr double least = 0.12, most = 0.95;
+  if (level < least * infrared.gain || level > most * infrared.most) return;
+  const Noise& noise = hardware_.noise;
+  // Each counts as less exact than it is, by how many there are in passing a wall.
+  const double between = std::max(slow, std::abs(estimator.speed())) * ticks_between * tick_seconds;
+  const double many = std::max(1.0, alike * cell_ / 2.0 / between);
+  const double share = square(noise.reflectance) + square(noise.infrared_gain) + square(noise.infrared / level);
+  estimator.correct({views_.distance_of(beam, level, view) - view.distance, slopes.distance[0], slopes.distance[1],
+                     slopes.distance[2], many * square(infrared.fall) * share + 0.25});
+}
+
+/// The cell is the one behind the line, on the corridor.
+void Corrections::see_edge(const SeenEdge& seen, const View& view, const ViewSlopes& slopes, Cell behind, Heading side,
+                           Heading axis, const Knowledge* known, Estimator& estimator) const {
+  const Cell before = neighbour(behind, axis, -1);
+  const auto fits = [&](Cell cell, bool stands) {
+    if (!size_.contains(cell)) return false;
+    const WallState state = state_of(known, cell, side, size_);
+    return state == WallState::unknown || (state == WallState::closed) == stands;
+  };
+  if (!fits(before, seen.edge == Edge::falls) || !fits(behind, seen.edge == Edge::rises)) return;
+  // What the mouse takes for so much behind the line is at the line; but a slanted beam also sees the side of a post:
+  // before it a wall seems to begin, and behind it to go on. How far is by sums over the light of such beams.
+  const double post_side = 2.0 * half_wall_of(cell_) * std::sqrt(std::max(0.0, 1.0 / square(view.cosine) - 1.0));
+  const double seeming = seen.edge == Edge::rises   ? -0.38 * post_side
+                         : seen.edge == Edge::falls ? 0.2 * post_side
+                                                    : 0.0;
+  constexpr double deviation = 0.02;  // of a cell
+  estimator.correct(
+      {seeming - seen.behind, slopes.along[0], slopes.along[1], slopes.along[2], square(deviation * cell_)});
+}
+
+void Corrections::see_front(const Sense& sense, const Corridor& corridor, const Knowledge* known,
+                            Estimator& estimator) const {
+  const Ranger& ranger = hardware_.sensors.ranger;
+  const Position on = way_in(corridor.axis);
+  const double ahead = dot({estimator.ahead().cosine, estimator.ahead().sine}, on);
+  const double from = dot(estimator.position(), on), face = from + (ranger.ahead + sense.range) * ahead;
+  const int line = whole_below((face + half_wall_of(cell_)) / cell_ + 0.5);
+  const double error = line * cell_ - half_wall_of(cell_) - face;
+  const Cell before = cell_along(corridor, (line - 0.5) * cell_);
+  // A mouse that knows that it may be far off takes a wall for the nearest one all the same, up to where it could be
+  // another.
+  const double weaken = 2.5 * std::sqrt(estimator.variance_of(on.x, on.y, 0.0));
+  const double most = std::clamp(weaken, 0.2 * cell_, 0.42 * cell_);
+  if (sense.range > 2.0 * cell_ || std::abs(error) > most || !size_.contains(before)) return;
+  if (state_of(known, before, corridor.axis, size_) == WallState::open) return;
+  const Noise& noise = hardware_.noise;
+  // Seen less expected: a wall that is farther than it should be says that the mouse is less far.
+  estimator.correct({-error, -on.x, -on.y, 0.0, square(2.0 * noise.ranger) + square(0.01 * cell_)});
+}
+
+}  // namespace labmouse

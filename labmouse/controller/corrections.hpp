@@ -1,0 +1,58 @@
+// What a mouse makes of the walls that it sees for where it is: side walls say how far aside and how much turned it is,
+// the edges of walls and posts how far along, and so do walls ahead.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/controller/edge_finder.hpp"
+#include "labmouse/controller/estimator.hpp"
+#include "labmouse/controller/target.hpp"
+#include "labmouse/controller/view.hpp"
+
+namespace labmouse {
+
+/// Which of them a mouse makes use of.
+struct CorrectionChoice {
+  bool sides = true;
+  bool edges = true;
+  bool front = true;
+};
+
+/// A row or column of cells that a mouse drives along.
+struct Corridor {
+  Cell cell;
+  Heading axis = Heading::north;
+};
+/// Along which it drives, or would once it has turned a little; none in the middle of a turn.
+std::optional<Corridor> corridor_of(const Target& target, double cell);
+
+class Corrections {
+ public:
+  /// The hardware must outlive it.
+  Corrections(const Hardware& hardware, double cell, Size size, const CorrectionChoice& choice);
+
+  /// One tick. Walls that are known may not contradict what is seen; null where none are.
+  void apply(const Sense& sense, const Target& target, const Knowledge* known, Estimator& estimator);
+  void forget();
+  const Views& views() const { return views_; }
+
+ private:
+  void see_side(std::size_t beam, const Sense& sense, const Corridor& corridor, const Knowledge* known,
+                Estimator& estimator);
+  void see_wall(std::size_t beam, double level, const View& view, const ViewSlopes& slopes, Estimator& estimator) const;
+  void see_edge(const SeenEdge& seen, const View& view, const ViewSlopes& slopes, Cell behind, Heading side,
+                Heading axis, const Knowledge* known, Estimator& estimator) const;
+  void see_front(const Sense& sense, const Corridor& corridor, const Knowledge* known, Estimator& estimator) const;
+  Cell cell_along(const Corridor& corridor, double along) const;
+
+  const Hardware& hardware_;
+  double cell_;
+  Size size_;
+  CorrectionChoice choice_;
+  Views views_;
+  std::array<EdgeFinder, beam_count> finders_;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,28 @@
+#include "labmouse/controller/gains.hpp"
+
+#include <algorithm>
+
+namespace labmouse {
+namespace {
+
+/// An axis whose error dies away at that frequency (rad/s), almost without swinging.
+AxisGains axis_gains(const MotorAxis& axis, double frequency) {
+  constexpr double damping = 0.9;
+  return {std::max(0.0, 2.0 * damping * frequency * axis.time - 1.0) / axis.gain,
+          frequency * frequency * axis.time / axis.gain};
+}
+
+}  // namespace
+
+Gains gains_for(const Hardware& hardware, double cell) {
+  Gains gains;
+  gains.drive_model = hardware.motors.drive;
+  gains.turn_model = hardware.motors.turn;
+  gains.drive = axis_gains(hardware.motors.drive, 40.0);
+  gains.turn = axis_gains(hardware.motors.turn, 50.0);
+  gains.tracker.slow_speed = cell;
+  gains.tracker.slow_stiffness = 8.0 / (cell * cell);
+  return gains;
+}
+
+}  // namespace labmouse

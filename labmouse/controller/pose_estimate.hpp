@@ -1,0 +1,31 @@
+// Where a mouse believes to be, and how sure it is of that: all that the other parts of a controller know of an estimator.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "labmouse/functions/angles.hpp"
+#include "labmouse/functions/position.hpp"
+
+namespace labmouse {
+
+struct PoseEstimate {
+  Position position;
+  Direction ahead;       ///< where it points
+  double slip = 0.0;     ///< rad to the left, from there to where it goes
+  double speed = 0.0;    ///< mm/s
+  double turning = 0.0;  ///< rad/s to the left
+  /// Of x, y (in mm) and the angle (in rad). The half above the diagonal is read.
+  std::array<std::array<double, 3>, 3> covariance{};
+
+  /// Where it goes.
+  Direction way() const { return turned_by(ahead, slip); }
+  /// The variance of a sum of x, y and the angle with those weights.
+  double variance_of(double x, double y, double angle) const {
+    const auto& p = covariance;
+    return std::max(0.0, x * (x * p[0][0] + 2.0 * (y * p[0][1] + angle * p[0][2])) +
+                             y * (y * p[1][1] + 2.0 * angle * p[1][2]) + angle * angle * p[2][2]);
+  }
+};
+
+}  // namespace labmouse

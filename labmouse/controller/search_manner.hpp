@@ -1,0 +1,22 @@
+// How a mouse drives the moves of a search.
+#pragma once
+
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/robot/turn_shape.hpp"
+#include "labmouse/controller/ramps.hpp"
+
+namespace labmouse {
+
+struct SearchManner {
+  double speed = 0.0;                                  ///< mm/s, straight on
+  double turn_speed = 0.0;                             ///< mm/s, in the curve of a quarter turn
+  TurnShape turn;                                      ///< of a quarter turn inside of a cell
+  double acceleration = 0.0;                           ///< mm/s², from and to rest
+  double known_speed = 0.0, known_acceleration = 0.0;  ///< over known cells; 0 where they are driven as others are
+  RampLimits pivot;                                    ///< rad/s and rad/s²
+};
+
+/// Of a robot with limits; speed in mm/s other than its own where it is not 0.
+SearchManner search_manner(const DriveModel& model, double speed = 0.0);
+
+}  // namespace labmouse

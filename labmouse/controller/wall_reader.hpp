@@ -1,0 +1,59 @@
+// Whether walls stand about a cell: what readings say, weighed by how sure a mouse is of its place.
+//
+// Method: over a stretch each beam's readings are averaged, where it should meet the wall and no post. How likely that
+// mean is with the wall, and without it, is summed over places at which the mouse may be, near where it believes to be:
+// a mouse that may be off by a post's width does not take a post for a wall.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "labmouse/mouse/evidence.hpp"
+#include "labmouse/mouse/pose.hpp"
+#include "labmouse/controller/parts.hpp"
+#include "labmouse/controller/view.hpp"
+
+namespace labmouse {
+
+class WallReader final : public ReaderPart {
+ public:
+  /// The hardware must outlive it.
+  WallReader(const Hardware& hardware, double cell);
+
+  void begin(const Pose& pose) override;
+  void read(const Sense& sense, const PoseEstimate& estimate) override;
+  WallEvidence evidence(const PoseEstimate& estimate) const override;
+
+ private:
+  /// What a beam looks at: the line on a side of the cell, and where on it the cell begins.
+  struct Sight {
+    Heading side = Heading::north;
+    WallLine line;
+    double begin = 0.0;
+  };
+  /// A beam's readings of it.
+  struct Stretch {
+    int count = 0;
+    double level = 0.0, expected = 0.0, along = 0.0;  ///< sums: read, of a whole wall, and where behind the beginning
+    View view;                                        ///< the last one, and where the mouse pointed then
+    Direction ahead;
+  };
+
+  void read_beam(std::size_t beam, const Sense& sense, const PoseEstimate& estimate);
+  void read_range(const Sense& sense, const PoseEstimate& estimate);
+  Sight sight_of(std::size_t beam, const Pose& pose) const;
+  double nats_of(std::size_t beam, const PoseEstimate& estimate) const;
+  double likelihood(double level, double expected) const;
+  double post_share(double along, double cosine) const;
+
+  const Hardware& hardware_;
+  double cell_;
+  Views views_;
+  std::optional<Pose> pose_;
+  std::array<Sight, beam_count> sights_;
+  std::array<Stretch, beam_count> stretches_;
+  WallLine front_;
+  double ranged_ = 0.0;  ///< what the ranger says: nats for a wall ahead
+};
+
+}  // namespace labmouse

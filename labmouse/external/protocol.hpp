@@ -1,0 +1,26 @@
+// The lines between us and an external mouse of the capstone world. docs/reference/protocols.md has them in words.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "labmouse/mouse/action.hpp"
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/sighting.hpp"
+
+namespace labmouse {
+
+/// The first line of both sides: the protocol and its version.
+inline constexpr std::string_view program_greeting = "labmouse 1";
+
+/// What an external mouse is told before the contest, in lines from the greeting to `begin`.
+std::string briefing_text(const Briefing& briefing);
+
+/// The question of one step, as a line.
+std::string question(const Sighting& seen);
+
+/// Reads an answer, a line without its end: `move ROTATION MOVEMENT`, `reset` or `forfeit`; nothing where it is none.
+std::optional<Action> read_answer(std::string_view line);
+
+}  // namespace labmouse

@@ -1,0 +1,314 @@
+/* A controller for labmouse in C: the whole program of a mouse, from what its sensors read to what its motors do.
+ *
+ * Define `const struct labmouse_controller labmouse_controller`. Where LABMOUSE_CONTROLLER_MAIN is defined, this has a main() for it,
+ * which speaks labmouse's protocol over standard input and output; so it races. docs/reference/protocols.md shows how.
+ *
+ * C99 and C++, with the standard library alone. Lengths are in mm, angles in rad to the left, x counts eastwards and y
+ * northwards from the south-western corner of the maze.
+ */
+#ifndef LABMOUSE_CONTROLLER_H
+#define LABMOUSE_CONTROLLER_H
+
+/* NOLINTBEGIN: C has other habits than C++. */
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  LABMOUSE_FULL = 32767,       /* a duty of all that the battery can give */
+  LABMOUSE_LONGEST_BATCH = 64, /* ms */
+  LABMOUSE_MOST_GOALS = 1024   /* cells */
+};
+
+enum labmouse_heading { LABMOUSE_NORTH, LABMOUSE_EAST, LABMOUSE_SOUTH, LABMOUSE_WEST };
+
+/* What the hardware reads at a tick; units are those of the numbers of the robot. */
+struct labmouse_sense {
+  uint32_t tick;           /* ms since the mouse was switched on */
+  int32_t counts[2];       /* of the encoders since then: left, right */
+  int16_t gyro;            /* to the left */
+  int16_t acceleration[2]; /* ahead, to the left */
+  int16_t infrared[4];     /* right, right ahead, left, left ahead */
+  uint16_t range;          /* mm to what is ahead; 0 where nothing is seen */
+  uint16_t range_new;      /* 1 where `range` was read just now */
+  uint16_t millivolts;     /* of the battery */
+};
+
+/* What it says beside its duties. Where runs begin and end is seen from outside; this is what it takes them for. */
+enum labmouse_word {
+  LABMOUSE_DRIVE,  /* nothing */
+  LABMOUSE_FAST,   /* the next run to begin is a fast one */
+  LABMOUSE_GOAL,   /* this run is over, once it has been in a goal: what follows is the way home */
+  LABMOUSE_CARRY,  /* a hand shall carry the mouse to the start, in place of the duties */
+  LABMOUSE_FORFEIT /* the contest is over, in place of the duties */
+};
+
+/* What it has the motors do until the next tick: duties from -LABMOUSE_FULL to LABMOUSE_FULL; beside them a labmouse_word, and
+   any other number is LABMOUSE_FORFEIT. */
+struct labmouse_drive {
+  int32_t left, right, word;
+};
+
+/* What the robot is built of, as in its file (docs/reference/files.md): body.front, in mm, is body_front. */
+#define LABMOUSE_ROBOT_NUMBERS(number)                                                                                \
+  number(body, front) number(body, back) number(body, half_width) number(body, half_track)                            \
+  number(body, slip_stiffness) number(body, grip) number(motors, drive_gain) number(motors, drive_time)               \
+  number(motors, drive_dead_zone) number(motors, turn_gain) number(motors, turn_time) number(motors, turn_dead_zone)  \
+  number(motors, turning) number(motors, sag) number(motors, volts) number(sensors, count)                            \
+  number(sensors, gyro_step) number(sensors, gyro_most) number(sensors, acceleration_step)                            \
+  number(sensors, side_ahead) number(sensors, side_aside) number(sensors, side_angle) number(sensors, front_ahead)    \
+  number(sensors, front_aside) number(sensors, front_angle) number(sensors, infrared_gain)                            \
+  number(sensors, infrared_fall) number(sensors, infrared_most) number(sensors, infrared_footprint)                   \
+  number(sensors, ranger_ahead) number(sensors, ranger_reach) number(sensors, ranger_period)                          \
+  number(noise, motor_gain) number(noise, slip_stiffness) number(noise, grip) number(noise, encoder_scale)            \
+  number(noise, gyro_scale) number(noise, gyro_bias) number(noise, infrared_gain) number(noise, reflectance)          \
+  number(noise, floor_steps) number(noise, floor_turn) number(noise, floor_shift) number(noise, ripple)               \
+  number(noise, ripple_length) number(noise, encoder) number(noise, gyro) number(noise, gyro_walk)                    \
+  number(noise, acceleration) number(noise, infrared) number(noise, infrared_share) number(noise, infrared_memory)    \
+  number(noise, ranger_rest) number(noise, ranger) number(noise, shaking) number(noise, shaking_speed)                \
+  number(noise, shaking_pitch) number(noise, shaking_loss) number(noise, placement) number(noise, placement_turn)
+
+#define LABMOUSE_ROBOT_FIELD(section, name) double section##_##name;
+struct labmouse_robot {
+  LABMOUSE_ROBOT_NUMBERS(LABMOUSE_ROBOT_FIELD)
+};
+#undef LABMOUSE_ROBOT_FIELD
+
+struct labmouse_cell {
+  int x, y; /* column and row, from 0 */
+};
+
+/* What it is told before the mouse is put into the maze. Times are in ms. */
+struct labmouse_briefing {
+  int width, height; /* of the maze, in cells */
+  struct labmouse_cell start;
+  enum labmouse_heading start_heading;
+  int goals; /* how many */
+  struct labmouse_cell goal[LABMOUSE_MOST_GOALS];
+  double time_limit;
+  int runs;              /* that may begin at the start */
+  int gate_to_gate;      /* 1 where the clock of a run goes from gate to gate, 0 from rest to the middle of the goal */
+  int maze_time_divisor; /* a run counts 1/so much of the time in the maze before it; 0: none */
+  double touch_penalty, untouched_bonus;
+  double handling; /* that it takes to carry the mouse to the start */
+  uint64_t seed;   /* for dice of its own */
+  double cell;     /* the side of a cell, mm */
+  struct labmouse_robot robot;
+};
+
+/* A pilot: functions, and how it is asked. Several contests may go on at once, each with its own memory. */
+struct labmouse_controller {
+  /* A contest begins; what it returns is handed to the others. The briefing lasts as long as that is in use. */
+  void *(*begin)(const struct labmouse_briefing *briefing);
+  /* Called for each tick, in order. */
+  struct labmouse_drive (*tick)(void *memory, const struct labmouse_sense *sense);
+  /* The mouse was carried to the start, where it stands as in the beginning: after a crash, or because it wanted to. */
+  void (*carried)(void *memory, int crashed);
+  /* The contest has ended. */
+  void (*end)(void *memory);
+  /* How many ticks main() works off at a time, 1 to LABMOUSE_LONGEST_BATCH. More are faster to simulate, and its duties
+   * take effect so much later, less one: with 1 at once, with 8 after 7 ms. */
+  int batch;
+};
+
+/* Yours. */
+extern const struct labmouse_controller labmouse_controller;
+
+/* For parts of labmouse's own controller that are yours: that controller drives the moves, and asks your parts in place of its own. They
+   are linked in with labmouse; main() below is for whole controllers. */
+
+/* That of an angle to the left of east. */
+struct labmouse_direction {
+  double cosine, sine;
+};
+
+/* Where the mouse should be at a tick, and how it should move there. */
+struct labmouse_target {
+  double x, y;
+  struct labmouse_direction ahead; /* where it should go */
+  double speed;                    /* mm/s, below 0 backwards */
+  double speeding;                 /* mm/s^2 */
+  double turning;                  /* rad/s */
+  double twisting;                 /* rad/s^2 */
+};
+
+/* Where it believes to be. */
+struct labmouse_estimate {
+  double x, y;
+  struct labmouse_direction ahead; /* where it points */
+  double slip;                     /* rad, from there to where it goes */
+  double speed;                    /* mm/s */
+  double turning;                  /* rad/s */
+  double covariance[3][3];         /* of x, y in mm and the angle in rad: how sure it is */
+};
+
+/* Of the walls to its left, ahead and to its right: the logarithm of how much likelier what it read is with the wall than
+   without it, in eighths of a nat, -127 to 127. */
+struct labmouse_evidence {
+  int left, ahead, right;
+};
+
+/* Duties from -LABMOUSE_FULL to LABMOUSE_FULL. */
+struct labmouse_duties {
+  int32_t left, right;
+};
+
+/* Parts: functions, of which any may be null. A part without its `estimate`, its `evidence`, or its `follow` is labmouse's. */
+struct labmouse_parts {
+  /* As of a controller. */
+  void *(*begin)(const struct labmouse_briefing *briefing);
+  /* The estimator: the mouse was put there, about, and stands. */
+  void (*put)(void *memory, double x, double y, struct labmouse_direction ahead);
+  /* Called for each tick, in order, with where the mouse should be by then. Numbers that make no sense are not believed: the
+     estimate before stays. */
+  struct labmouse_estimate (*estimate)(void *memory, const struct labmouse_sense *sense,
+                                       const struct labmouse_target *target);
+  /* The reader of walls: which cell it reads from now on, as seen in that heading; a tick, after the estimate; and what was
+     read of that cell so far. */
+  void (*look)(void *memory, struct labmouse_cell cell, enum labmouse_heading heading);
+  void (*read)(void *memory, const struct labmouse_sense *sense, const struct labmouse_estimate *estimate);
+  struct labmouse_evidence (*evidence)(void *memory, const struct labmouse_estimate *estimate);
+  /* The tracker: the mouse stands, and begins anew. */
+  void (*rest)(void *memory);
+  /* Called for each tick, last. */
+  struct labmouse_duties (*follow)(void *memory, const struct labmouse_sense *sense, const struct labmouse_target *target,
+                                   const struct labmouse_estimate *estimate);
+  /* The contest has ended. */
+  void (*end)(void *memory);
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+#ifdef LABMOUSE_CONTROLLER_MAIN
+
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A line of any length without its end; null at the end of the input. */
+static char *labmouse_read_line(void) {
+  static char *line = NULL;
+  static size_t room = 0;
+  size_t size = 0;
+  do {
+    if (room < size + 256) {
+      char *more = (char *)realloc(line, room = 2 * size + 8192);
+      if (more == NULL) exit(1);
+      line = more;
+    }
+    if (fgets(line + size, (int)(room - size), stdin) == NULL) return size > 0 ? line : NULL;
+    size += strlen(line + size);
+  } while (size == 0 || line[size - 1] != '\n');
+  line[strcspn(line, "\r\n")] = '\0';
+  return line;
+}
+
+/* Takes down a line of the briefing; lines that nobody knows are left out. */
+static void labmouse_be_told(const char *line, struct labmouse_briefing *told) {
+#define LABMOUSE_ROBOT_NAME(section, name) {#section "." #name, offsetof(struct labmouse_robot, section##_##name)},
+  static const struct {
+    const char *name;
+    size_t place;
+  } numbers[] = {LABMOUSE_ROBOT_NUMBERS(LABMOUSE_ROBOT_NAME)};
+#undef LABMOUSE_ROBOT_NAME
+  static const char headings[] = "nesw";
+  char word[64] = "", name[16] = "";
+  int x = 0, y = 0;
+  size_t i;
+  const char *rest = strchr(line, ' ');
+  if (rest == NULL || (size_t)(rest - line) >= sizeof word) return;
+  memcpy(word, line, (size_t)(rest - line));
+  if (strcmp(word, "size") == 0) sscanf(rest, "%d %d", &told->width, &told->height);
+  if (strcmp(word, "start") == 0 && sscanf(rest, "%d %d %15s", &told->start.x, &told->start.y, name) == 3 &&
+      strchr(headings, name[0]) != NULL)
+    told->start_heading = (enum labmouse_heading)(strchr(headings, name[0]) - headings);
+  if (strcmp(word, "goal") == 0 && told->goals < LABMOUSE_MOST_GOALS && sscanf(rest, "%d %d", &x, &y) == 2) {
+    told->goal[told->goals].x = x;
+    told->goal[told->goals++].y = y;
+  }
+  if (strcmp(word, "time_limit") == 0) told->time_limit = strtod(rest, NULL);
+  if (strcmp(word, "runs") == 0) told->runs = atoi(rest);
+  if (strcmp(word, "clock") == 0) told->gate_to_gate = strcmp(rest, " gate") == 0;
+  if (strcmp(word, "maze_time_divisor") == 0) told->maze_time_divisor = atoi(rest);
+  if (strcmp(word, "touch_penalty") == 0) told->touch_penalty = strtod(rest, NULL);
+  if (strcmp(word, "untouched_bonus") == 0) told->untouched_bonus = strtod(rest, NULL);
+  if (strcmp(word, "handling") == 0) told->handling = strtod(rest, NULL);
+  if (strcmp(word, "seed") == 0) told->seed = strtoull(rest, NULL, 10);
+  if (strcmp(word, "cell") == 0) told->cell = strtod(rest, NULL);
+  for (i = 0; i < sizeof numbers / sizeof numbers[0]; ++i)
+    if (strcmp(word, numbers[i].name) == 0) *(double *)((char *)&told->robot + numbers[i].place) = strtod(rest, NULL);
+}
+
+/* Takes a tick of 13 numbers from the front of the text; 0 where there is none. */
+static int labmouse_take_sense(char **text, struct labmouse_sense *sense) {
+  long numbers[13];
+  char *at = *text;
+  int i;
+  for (i = 0; i < 13; ++i) {
+    numbers[i] = strtol(at, text, 10);
+    if (at == *text) return 0;
+    at = *text;
+  }
+  sense->tick = (uint32_t)numbers[0];
+  for (i = 0; i < 2; ++i) sense->counts[i] = (int32_t)numbers[1 + i];
+  sense->gyro = (int16_t)numbers[3];
+  for (i = 0; i < 2; ++i) sense->acceleration[i] = (int16_t)numbers[4 + i];
+  for (i = 0; i < 4; ++i) sense->infrared[i] = (int16_t)numbers[6 + i];
+  sense->range = (uint16_t)numbers[10];
+  sense->range_new = (uint16_t)numbers[11];
+  sense->millivolts = (uint16_t)numbers[12];
+  return 1;
+}
+
+/* Answers for as many ticks as it was sent, and where it was sent one to begin with, for a whole batch. */
+static void labmouse_answer(void *memory, char *text, int batch) {
+  static const char *const words[] = {"drive", "fast", "goal", "carry", "forfeit"};
+  struct labmouse_sense sense;
+  struct labmouse_drive said[LABMOUSE_LONGEST_BATCH];
+  int word = LABMOUSE_DRIVE, count = 0, i;
+  while (count < LABMOUSE_LONGEST_BATCH && labmouse_take_sense(&text, &sense)) {
+    said[count] = labmouse_controller.tick(memory, &sense);
+    if (said[count].word != LABMOUSE_DRIVE) word = said[count].word;
+    ++count;
+  }
+  for (; count > 0 && count < batch && count < LABMOUSE_LONGEST_BATCH; ++count) said[count] = said[count - 1];
+  if (word < LABMOUSE_DRIVE || word > LABMOUSE_FORFEIT) word = LABMOUSE_FORFEIT;
+  fputs(words[word], stdout);
+  for (i = 0; i < count && word < LABMOUSE_CARRY; ++i) printf(" %d %d", (int)said[i].left, (int)said[i].right);
+  putchar('\n');
+  fflush(stdout);
+}
+
+/* Its first word, if it has one, is the batch in place of that of the table. */
+int main(int argc, char **argv) {
+  static struct labmouse_briefing told;
+  const int batch = argc > 1 ? atoi(argv[1]) : labmouse_controller.batch;
+  int begun = 0;
+  void *memory = NULL;
+  char *line;
+  while ((line = labmouse_read_line()) != NULL) {
+    if (strncmp(line, "sense ", 6) == 0) {
+      labmouse_answer(memory, line + 5, batch);
+    } else if (strncmp(line, "carried ", 8) == 0) {
+      labmouse_controller.carried(memory, strcmp(line + 8, "crash") == 0);
+    } else if (strcmp(line, "begin") == 0) {
+      memory = labmouse_controller.begin(&told);
+      begun = 1;
+      puts("labmouse pilot 1");
+      fflush(stdout);
+    } else {
+      labmouse_be_told(line, &told);
+    }
+  }
+  if (begun) labmouse_controller.end(memory);
+  return 0;
+}
+
+#endif
+/* NOLINTEND */
+#endif

@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cmath>
+
+#include "labmouse/lab/failure_rates/failure_rates.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A mouse whose heading has changed by more in the last ticks of a run was in a turn.
+constexpr MazeTime last_moments = 40'000;
+constexpr double turning = 0.1;
+
+class FailureCounter {
+ public:
+  FailureCounter(const PhysicalRecord& record, const Maze& maze, double cell, double pace, FailureCounts& counts)
+      : record_(record), maze_(maze), cell_(cell), pace_(pace), counts_(counts) {}
+
+  void count() {
+    ++counts_.contests;
+    counts_.finished += record_.drive.outcome == DriveOutcome::finished ? 1 : 0;
+    for (const Look& look : record_.looks) count_look(look);
+    for (std::size_t i = 0; i < record_.drive.runs.size(); ++i) {
+      const DriveRun& run = record_.drive.runs[i];
+      const RunEnd end = record_.ends[i];
+      if (i == 0 || is_crash(record_.ends[i - 1])) ++counts_.put[level_at(run.begin)];
+      if (run.kind == DriveRun::Kind::fast)
+        count_fast(run, end);
+      else
+        count_moves(run, end);
+    }
+  }
+
+ private:
+  /// The last point of the trace by then; nothing where there is none.
+  const TracePoint* point_at(MazeTime time) const {
+    const auto after = std::upper_bound(record_.trace.begin(), record_.trace.end(), time,
+                                        [](MazeTime t, const TracePoint& point) { return t < point.time; });
+    return after == record_.trace.begin() ? nullptr : &*(after - 1);
+  }
+
+  std::size_t level_at(MazeTime time) const {
+    const TracePoint* point = point_at(time);
+    if (point == nullptr || !point->estimate) return 0;
+    const Position way = point->truth.position - point->estimate->position;
+    return position_error_level(std::sqrt(way.x * way.x + way.y * way.y) / cell_);
+  }
+
+  void add(Manoeuvre manoeuvre, MazeTime begin, MazeTime end) {
+    ManoeuvreCount& count = count_of(manoeuvre, begin);
+    ++count.times;
+    ++count.after[level_at(end)];
+  }
+  /// A wall that was taken for a gap stands in the way of any manoeuvre.
+  void add_crash(Manoeuvre manoeuvre, MazeTime begin, RunEnd end) {
+    if (end == RunEnd::wall_error) return;
+    ManoeuvreCount& count = count_of(manoeuvre, begin);
+    ++count.times;
+    ++count.crashes;
+    count.slid += end == RunEnd::slid ? 1 : 0;
+  }
+  ManoeuvreCount& count_of(Manoeuvre manoeuvre, MazeTime begin) {
+    return counts_.manoeuvres[static_cast<std::size_t>(manoeuvre)][level_at(begin)];
+  }
+
+  void count_moves(const DriveRun& run, RunEnd end) {
+    const Pose start = {maze_.start(), maze_.start_heading()};
+    SearchPlace place = {run.moves.empty() ? start : run.moves.front().from, true};
+    MazeTime time = run.begin;
+    // A way home goes on from where a search or a fast run ended: at rest only after the latter.
+    if (run.kind == DriveRun::Kind::home) place.at_rest = began_at_rest(run);
+    for (const SearchMove& move : run.moves) {
+      add(manoeuvre_of(maze_, place, move.action), move.begin, move.end);
+      place = {move.to, move.action.movement == 0};
+      time = move.end;
+    }
+    if (!is_crash(end)) return;
+    const Manoeuvre moving = turned_before(run.end) ? Manoeuvre::turn : straight_through(maze_, place.pose);
+    add_crash(place.at_rest ? Manoeuvre::start : moving, time, end);
+  }
+
+  /// A way home behind a fast run begins at rest; behind a search it goes on.
+  bool began_at_rest(const DriveRun& home) const {
+    const auto& runs = record_.drive.runs;
+    const auto index = static_cast<std::size_t>(&home - runs.data());
+    if (index == 0) return true;
+    const DriveRun& before = runs[index - 1];
+    return before.kind == DriveRun::Kind::fast || before.moves.empty() || before.moves.back().action.movement == 0;
+  }
+
+  bool turned_before(MazeTime end) const {
+    const TracePoint* last = point_at(end);
+    const TracePoint* early = point_at(end - last_moments);
+    if (last == nullptr || early == nullptr || !last->estimate || !early->estimate) return false;
+    return std::abs(std::remainder(last->estimate->angle - early->estimate->angle, 6.283185307179586)) > turning;
+  }
+
+  void count_fast(const DriveRun& run, RunEnd end) {
+    // A route's times are those of the usual pace, and the clock's are not.
+    const auto clock = [&](DriveTime time) {
+      return run.begin + static_cast<MazeTime>(static_cast<double>(time) / (pace_ * run.pace));
+    };
+    const auto& segments = run.route.segments;
+    for (const DriveSegment& segment : segments) {
+      const MazeTime begins = clock(segment.begin), ends = clock(segment.end);
+      if (is_crash(end) && (ends > run.end || &segment == &segments.back()))
+        return add_crash(manoeuvre_of(segment), begins, end);
+      if (ends > run.end || (run.gate_in && begins >= *run.gate_in)) return;
+      add(manoeuvre_of(segment), begins, ends);
+    }
+  }
+
+  void count_look(const Look& look) {
+    const std::size_t level = level_at(look.time);
+    const Pose& pose = look.pose;
+    count_reading(pose.cell, left_of(pose.heading), look.evidence.left, false, level);
+    count_reading(pose.cell, pose.heading, look.evidence.ahead, true, level);
+    count_reading(pose.cell, right_of(pose.heading), look.evidence.right, false, level);
+  }
+
+  void count_reading(Cell cell, Heading side, Evidence evidence, bool ahead, std::size_t level) {
+    const Wall wall = wall_at(cell, side);
+    if (on_border(wall, maze_.size())) return;
+    const Reading reading = reading_of(maze_.is_open(cell, side), ahead, read_.contains(wall));
+    read_.insert(wall);
+    ReadingCount& count = counts_.readings[static_cast<std::size_t>(reading)][level];
+    ++count.by_evidence[evidence_class(evidence)];
+  }
+
+  const PhysicalRecord& record_;
+  const Maze& maze_;
+  double cell_;
+  double pace_;  ///< the usual one
+  FailureCounts& counts_;
+  WallSet read_;  ///< at least once so far
+};
+
+}  // namespace
+
+void count_failures(const PhysicalRecord& record, const Maze& maze, double cell, double pace, FailureCounts& counts) {
+  FailureCounter(record, maze, cell, pace, counts).count();
+}
+
+}  // namespace labmouse

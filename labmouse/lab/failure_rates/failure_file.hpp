@@ -1,0 +1,48 @@
+// Failure rates as `labmouse failure rates` has counted them, in a file; and those that the program brings.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/contest/failure_rates.hpp"
+#include "labmouse/lab/failure_rates/failure_tally.hpp"
+
+namespace labmouse {
+
+/// The version of the file's format.
+inline constexpr int failure_rates_format = 2;
+
+/// What was counted, and of which robot.
+struct FailureFile {
+  std::string name;    ///< that of the file without its folders and its ending
+  std::string robot;   ///< name of the robot
+  std::string tables;  ///< hash of its tables
+  int edition = 0;     ///< of the physical world
+  double variation = 1.0;
+  double search_speed = 0.0;  ///< 0: the robot's own
+  std::vector<FailureTally> tallies;
+  std::string hash;  ///< of all that is in it
+};
+
+/// A file, or why it is none: a line for the user.
+struct FoundRates {
+  std::optional<FailureFile> file;
+  std::string error;
+};
+
+/// Reads a text, of which nothing is sure, strictly.
+FoundRates read_rates(std::string_view text, const std::string& name);
+
+/// The built-in ones of that name, or those of a file, whose name has a slash or ends in `.json`.
+FoundRates find_rates(const std::string& name);
+
+/// Those of that name and hash which the program brings, or nothing: a file of that name may be another one.
+std::optional<FailureFile> builtin_rates_of(const std::string& name, std::string_view hash);
+
+/// How likely all of it is, by what was counted. Where little was counted of a class of luck, what was counted of it
+/// under all noises counts, too; where that is little, what was counted of all classes; then that of all manoeuvres.
+FailureRates rates_of(const FailureFile& file);
+
+}  // namespace labmouse

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <numeric>
+
+#include "labmouse/lab/failure_rates/failure_file.hpp"
+
+namespace labmouse {
+namespace {
+
+/// What was counted of more than what is asked for counts like so many.
+constexpr double as_many = 20.0;
+
+/// A share by a count, and by what it is where more was counted.
+double share_by(std::int64_t part, std::int64_t all, double elsewhere) {
+  return (static_cast<double>(part) + as_many * elsewhere) / (static_cast<double>(all) + as_many);
+}
+
+template <std::size_t Size>
+std::array<double, Size> shares_by(const std::array<std::int64_t, Size>& counts,
+                                   const std::array<double, Size>& elsewhere) {
+  const std::int64_t all = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+  std::array<double, Size> shares{};
+  for (std::size_t i = 0; i < Size; ++i) shares[i] = share_by(counts[i], all, elsewhere[i]);
+  return shares;
+}
+
+ManoeuvreRates rates_by(const ManoeuvreCount& count, const ManoeuvreRates& elsewhere) {
+  return {share_by(count.crashes, count.times, elsewhere.crash), share_by(count.slid, count.crashes, elsewhere.slid),
+          shares_by(count.after, elsewhere.after)};
+}
+
+/// A mouse of which nothing was counted stays as far off its believed position as it is.
+ManoeuvreRates nothing_counted(std::size_t level) {
+  ManoeuvreRates failure;
+  failure.after = {};
+  failure.after[level] = 1.0;
+  return failure;
+}
+
+/// Counts of one noise, and those of all noises at its pace: a mouse that is as weak under another noise fails alike.
+RatesAtNoise odds_of(const FailureTally& tally, const FailureTally& any_noise) {
+  if (tally.noise == 0.0) return no_failures();
+  const FailureCounts all = tally.all();
+  RatesAtNoise odds = no_failures();
+  odds.noise = tally.noise;
+  for (std::size_t draws = 0; draws < draw_classes; ++draws) {
+    const FailureCounts &counts = tally.by_draws[draws], &alike = any_noise.by_draws[draws];
+    FailureRatesByDraw& by_draws = odds.by_draws[draws];
+    by_draws.put = shares_by(counts.put, shares_by(alike.put, shares_by(all.put, by_draws.put)));
+    for (std::size_t level = 0; level < position_error_levels; ++level) {
+      const ManoeuvreRates usual = rates_by(all.at(level), nothing_counted(level));
+      for (std::size_t i = 0; i < all_manoeuvres.size(); ++i)
+        by_draws.manoeuvres[i][level] =
+            rates_by(counts.manoeuvres[i][level],
+                      rates_by(alike.manoeuvres[i][level], rates_by(all.manoeuvres[i][level], usual)));
+      for (std::size_t i = 0; i < all_readings.size(); ++i) {
+        ReadingRates& reading = by_draws.readings[i][level];
+        reading = shares_by(
+            counts.readings[i][level].by_evidence,
+            shares_by(alike.readings[i][level].by_evidence, shares_by(all.readings[i][level].by_evidence, reading)));
+      }
+    }
+  }
+  return odds;
+}
+
+}  // namespace
+
+FailureRates rates_of(const FailureFile& file) {
+  FailureRates failure_rates;
+  failure_rates.variation = file.variation;
+  const auto at_pace = [&](double pace) {
+    FailureTally sum;
+    for (const FailureTally& tally : file.tallies)
+      if (tally.pace == pace) sum += tally;
+    return sum;
+  };
+  FailureTally any_noise;
+  for (const FailureTally& tally : file.tallies) {
+    if (failure_rates.paces.empty() || failure_rates.paces.back().pace != tally.pace) {
+      failure_rates.paces.push_back({tally.pace, {}});
+      any_noise = at_pace(tally.pace);
+      if (tally.noise > 0.0) failure_rates.paces.back().noises.push_back(no_failures());
+    }
+    failure_rates.paces.back().noises.push_back(odds_of(tally, any_noise));
+  }
+  return failure_rates;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,20 @@
+// Mice files in a SPEC: `mice-file:FILE` is all mice of a file, `mice-file:FILE:NAME` one of them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/lab/mice/contestant.hpp"
+
+namespace labmouse {
+
+/// Reads a mouse of ours, with that value of a parameter where it is not null; returns what is wrong, or nothing.
+using ReadOwnMouse = std::string (*)(std::string_view spec, const Setting* value, std::vector<Contestant>& mice);
+
+/// Reads the SPEC of a mice file into the result; on failure sets its error and its problems. Where `value` is not null,
+/// the mice are variants with that value, as read_variants makes them.
+void read_mice_file_spec(std::string_view spec, const ExternalOptions& options, const Setting* value, ReadOwnMouse read_own,
+                      SpecResult& result);
+
+}  // namespace labmouse

@@ -1,0 +1,47 @@
+// Mice files: files that name mice, described in docs/reference/files.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/external/limits.hpp"
+#include "labmouse/maze/formats/format.hpp"
+
+namespace labmouse {
+
+/// One mouse of a mice file, as its file says it.
+struct MiceFileEntry {
+  enum class Kind { mouse, capstone, external, controller, mms };
+
+  std::string name;
+  Kind kind = Kind::mouse;
+  std::string what;  ///< a SPEC of ours, the file of a robot, or a command
+  std::vector<std::string> arguments;
+  std::vector<std::string> environment;  ///< NAME=VALUE
+  std::string directory, interpreter, note;
+  std::optional<int> runs;
+  /// The limits that the file sets; the others are those of the race.
+  std::optional<double> start, decision, silence, contest;  ///< in seconds
+  std::optional<int> memory, written;                       ///< in MiB
+  std::optional<int> processes, processor_seconds;
+  int line = 0, column = 0;  ///< where it stands
+
+  /// These limits, with those that the file sets.
+  ExternalLimits limits_over(ExternalLimits limits) const;
+};
+
+/// The key of a kind: "capstone".
+std::string_view key_of(MiceFileEntry::Kind kind);
+
+/// Mice, or what is wrong with their file: exactly one of the two is there.
+struct MiceFileResult {
+  std::vector<MiceFileEntry> mice;
+  std::vector<Problem> problems;
+};
+
+/// Reads a mice file of at most 64 KiB.
+MiceFileResult read_mice_file(std::string_view text);
+
+}  // namespace labmouse

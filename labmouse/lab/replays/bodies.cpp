@@ -1,0 +1,89 @@
+#include "labmouse/lab/replays/bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "labmouse/functions/exponential.hpp"
+#include "labmouse/hardware/beam.hpp"
+#include "labmouse/lab/pictures/trace_path.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr double eighth = std::numbers::pi / 4.0;
+
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
+/// The heading that is nearest to another one, without its whole turns.
+double beside(double heading, double other) { return heading - 8.0 * std::round((heading - other) / 8.0); }
+
+/// How far a wall is that reads so much at a right angle, in cells; 0 where nothing comes back.
+double distance_of(std::int16_t level, const Infrared& infrared, const Beam& beam, double cell) {
+  constexpr std::int16_t least = 5;
+  if (level < least) return 0.0;
+  const double off = infrared.fall * log_of(infrared.gain / static_cast<double>(level));
+  return rounded(std::max(0.0, calibrated_distance(beam, cell) + off) / cell);
+}
+
+Json beams_json(const Infrared& infrared, double cell) {
+  Json beams = Json::array();
+  for (const Beam& beam : infrared.beams)
+    beams.push_back({{"ahead", rounded(beam.ahead / cell)},
+                     {"left", rounded(beam.aside / cell)},
+                     {"angle", rounded(-beam.angle / eighth)}});
+  return beams;
+}
+
+Json looks_json(const std::vector<Look>& looks) {
+  Json list = Json::array();
+  for (const Look& look : looks)
+    list.push_back({{"time", look.time},
+                    {"x", look.pose.cell.x},
+                    {"y", look.pose.cell.y},
+                    {"heading", 2 * static_cast<int>(look.pose.heading)},
+                    {"evidence", {look.evidence.left, look.evidence.ahead, look.evidence.right}}});
+  return list;
+}
+
+Json touches_json(const DriveRecordFile& contest) {
+  Json list = Json::array();
+  for (const WallTouch& touch : contest.physical->notes.touches) {
+    const DrivePathPoint at = touched_at(contest, touch);
+    list.push_back({{"time", touch.time}, {"x", rounded(at.x)}, {"y", rounded(at.y)}, {"crash", touch.crash}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Json bodies_json(const DriveRecordFile& contest) {
+  const double cell = contest.model->tables.cell;
+  const Hardware& hardware = *contest.model->robot.hardware;
+  const Infrared& infrared = hardware.sensors.infrared;
+  const PhysicalNotes& notes = contest.physical->notes;
+  std::vector<double> x, y, heading, distances;
+  for (std::size_t i = 0; i < contest.record.runs.size(); ++i) {
+    const std::vector<DrivePathPoint> truth = true_path(contest, i), estimate = believed_path(contest, i);
+    for (std::size_t point = 0; point < estimate.size(); ++point) {
+      x.push_back(rounded(estimate[point].x));
+      y.push_back(rounded(estimate[point].y));
+      heading.push_back(rounded(beside(estimate[point].heading, truth[point].heading)));
+    }
+    const DriveRun& run = contest.record.runs[i];
+    for (const TracePoint& point : trace_of(contest, run))
+      for (std::size_t beam = 0; beam < beam_count; ++beam)
+        distances.push_back(distance_of(point.infrared[beam], infrared, infrared.beams[beam], cell));
+  }
+  const Chassis& chassis = hardware.chassis;
+  return {{"front", rounded(chassis.front / cell)},
+          {"back", rounded(chassis.back / cell)},
+          {"half_width", rounded(chassis.half_width / cell)},
+          {"belief", {{"x", x}, {"y", y}, {"heading", heading}}},
+          {"beams", beams_json(infrared, cell)},
+          {"distances", distances},
+          {"looks", looks_json(notes.looks)},
+          {"touches", touches_json(contest)}};
+}
+
+}  // namespace labmouse

@@ -1,0 +1,23 @@
+// A record of one program that was written for mms, played again without the program.
+#pragma once
+
+#include <string>
+
+#include "labmouse/external/mms/run.hpp"
+#include "labmouse/lab/replays/mms_walk.hpp"
+#include "labmouse/lab/records/mms_record_file.hpp"
+
+namespace labmouse {
+
+struct MmsReplay {
+  /// As `labmouse mms` had it: how it ended from the record, place and drawing from playing it. `interrupted` where the
+  /// record breaks off.
+  MmsRun run;
+  MmsWalk walk{HalfPose()};
+  std::string disagreement;  ///< where the record could not have happened in its maze; empty where it could
+};
+
+/// Gives the lines of a record to the simulator again.
+MmsReplay replay_of(const MmsRecordFile& file);
+
+}  // namespace labmouse

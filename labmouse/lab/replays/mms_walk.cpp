@@ -1,0 +1,38 @@
+#include "labmouse/lab/replays/mms_walk.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace labmouse {
+namespace {
+
+/// As a drawing can show it: between two headings the first of them, clockwise.
+Pose pose_of(const HalfPose& pose) {
+  return {cell_of(pose.place), static_cast<Heading>(static_cast<unsigned>(pose.heading) / 2)};
+}
+
+int sign(int value) { return (value > 0) - (value < 0); }
+
+}  // namespace
+
+MmsWalk::MmsWalk(const HalfPose& start) : last_(start), poses_{pose_of(start)} {
+  visited_.insert(cell_of(start.place));
+}
+
+void MmsWalk::add(const MmsEvent& event) {
+  if (event.pose == last_) return;
+  HalfPlace place = last_.place;
+  const int dx = event.pose.place.x - place.x, dy = event.pose.place.y - place.y;
+  // What is no straight line is the way of a hand, from anywhere to the start.
+  if (event.line != "ackReset" && (dx == 0 || dy == 0 || std::abs(dx) == std::abs(dy)))
+    for (int steps = std::max(std::abs(dx), std::abs(dy)); steps > 0; --steps) {
+      const HalfPlace next = {place.x + sign(dx), place.y + sign(dy)};
+      // The cell of a half step is that of its middle.
+      visited_.insert({(place.x + next.x) / 4, (place.y + next.y) / 4});
+      place = next;
+    }
+  last_ = event.pose;
+  poses_.push_back(pose_of(event.pose));
+}
+
+}  // namespace labmouse

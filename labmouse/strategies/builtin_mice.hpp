@@ -1,0 +1,75 @@
+// The list of built-in mice: every mouse that labmouse brings, in two plain tables.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/driving_strategy.hpp"
+#include "labmouse/mouse/strategy.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse {
+
+using MouseFactory = std::unique_ptr<Strategy> (*)(const Briefing& briefing, const Settings& settings);
+using DriverFactory = std::unique_ptr<DrivingStrategy> (*)(const Briefing& briefing, const Settings& settings);
+
+/// One mouse: its name, what it does in a line, how it does that in sentences, where the idea comes from, its
+/// parameters, and how it is made. Each mind's file defines its own.
+struct BuiltinMouse {
+  std::string_view name;
+  std::string_view summary;
+  std::string_view method;
+  std::string_view source;
+  std::span<const Parameter> parameters = {};
+  /// For a briefing in steps; null where it does not race in steps.
+  MouseFactory make = nullptr;
+  /// Whether it is stochastic under these settings: then one run says little, and races give it several.
+  bool (*uses_chance)(const Settings& settings) = never;
+
+  /// For a briefing in seconds; null where it does not race in seconds.
+  DriverFactory drive = nullptr;
+
+  bool walks() const { return make != nullptr; }
+  bool drives() const { return drive != nullptr; }
+
+  static bool never(const Settings&) { return false; }
+  static bool always(const Settings&) { return true; }
+};
+
+extern const BuiltinMouse random_move_mouse;
+extern const BuiltinMouse dead_end_mouse;
+extern const BuiltinMouse visit_counter_mouse;
+extern const BuiltinMouse random_mouse;
+extern const BuiltinMouse random_then_shortest_mouse;
+extern const BuiltinMouse cautious_mouse;
+extern const BuiltinMouse wall_left_mouse;
+extern const BuiltinMouse wall_right_mouse;
+extern const BuiltinMouse manhattan_mouse;
+extern const BuiltinMouse frontier_mouse;
+extern const BuiltinMouse potential_mouse;
+extern const BuiltinMouse two_way_mouse;
+extern const BuiltinMouse flood_explore_mouse;
+extern const BuiltinMouse flood_block_mouse;
+extern const BuiltinMouse phases_mouse;
+extern const BuiltinMouse flood_mouse;
+extern const BuiltinMouse flood_return_mouse;
+extern const BuiltinMouse certify_mouse;
+extern const BuiltinMouse ariadne_mouse;
+extern const BuiltinMouse ariadne_deep_mouse;
+extern const BuiltinMouse festina_mouse;
+
+/// All that play in steps, from the simplest to the best.
+std::span<const BuiltinMouse* const> builtin_mice();
+/// Those that only drive, behind them.
+std::span<const BuiltinMouse* const> only_drivers();
+/// All of both.
+std::vector<const BuiltinMouse*> all_mice();
+
+/// The entry of that name, or null.
+const BuiltinMouse* find_mouse(std::string_view name);
+
+}  // namespace labmouse

@@ -1,0 +1,72 @@
+// A body and its controller in a maze.
+#pragma once
+
+#include <functional>
+
+#include "labmouse/body/body.hpp"
+#include "labmouse/controller/controller.hpp"
+
+namespace labmouse::test {
+
+inline NoiseLevel no_noise() {
+  NoiseLevel level;
+  level.all = 0.0;
+  return level;
+}
+
+class Driven {
+ public:
+  Driven(const Maze& maze, const DriveModel& model, const NoiseLevel& level = no_noise(), std::uint64_t seed = 1,
+         const ControllerChoice& choice = {})
+      : maze_(maze),
+        cell_(model.tables.cell),
+        body_(maze_, cell_, *model.robot.hardware, level, seed),
+        controller_(model, *model.robot.hardware, maze_.size(), gains_for(*model.robot.hardware, cell_), choice) {
+    put({maze_.start(), maze_.start_heading()});
+  }
+
+  void put(const Pose& pose) {
+    body_.put(pose.cell, pose.heading);
+    controller_.put(pose);
+    pending_ = false;
+  }
+  /// Until the controller has arrived; false after a crash. Each tick is shown to whoever looks.
+  bool drive_on(const std::function<void()>& look = {}) {
+    for (;;) {
+      if (!pending_) duties_ = controller_.tick(body_.sense());
+      pending_ = true;
+      if (controller_.arrived()) return true;
+      pending_ = false;
+      ++ticks_;
+      if (body_.step(duties_) == Touch::crash) return false;
+      if (look) look();
+    }
+  }
+  bool search(const Action& step) {
+    controller_.search(step);
+    return drive_on();
+  }
+
+  Position middle_of(Cell cell) const { return {(cell.x + 0.5) * cell_, (cell.y + 0.5) * cell_}; }
+  /// Of the estimate: where it believes to be, less where it is.
+  Position error() const { return controller_.estimate().position - body_.motion().position; }
+  double angle_error() const {
+    const Direction &believed = controller_.estimate().ahead, &truth = body_.motion().ahead;
+    return believed.sine * truth.cosine - believed.cosine * truth.sine;
+  }
+  Body& body() { return body_; }
+  Controller& controller() { return controller_; }
+  const Maze& maze() const { return maze_; }
+  int ticks() const { return ticks_; }
+
+ private:
+  Maze maze_;
+  double cell_;
+  Body body_;
+  Controller controller_;
+  Drive duties_;
+  bool pending_ = false;
+  int ticks_ = 0;
+};
+
+}  // namespace labmouse::test

@@ -1,0 +1,126 @@
+// Controllers in C: by their table of functions, and as the programs that the header makes of them.
+#include "labmouse/lab/mice/controller_in_c.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "labmouse/contest/code_contest.hpp"
+#include "labmouse/external/external_controller.hpp"
+#include "labmouse/lab/mice/controller_lines.hpp"
+#include "labmouse/lab/robots/hardware_keys.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
+
+namespace labmouse {
+namespace {
+
+using Table = struct labmouse_controller;
+
+/// A contest of a minute.
+struct Event {
+  std::shared_ptr<const DriveModel> model = test::drive_model("kerise");
+  DriveRules rules = find_rules("uk-2018").rules;
+  PhysicalConditions conditions;
+
+  Event() { rules.time_limit = 60'000'000; }
+
+  ControllerBriefing briefing(std::uint64_t seed = 1) const {
+    return controller_briefing(test::ring(), rules, *model, conditions, seed);
+  }
+  PhysicalRecord hold(ControllerCode& code, std::uint64_t seed = 1) const {
+    return drive_by_code(test::ring(), rules, *model, conditions, seed, code);
+  }
+};
+
+TEST(ControllerInC, KnowsTheNumbersOfARobotByTheirKeys) {
+#define LABMOUSE_NAME_OF_NUMBER(section, name) #section "." #name,
+  const std::vector<std::string> names = {LABMOUSE_ROBOT_NUMBERS(LABMOUSE_NAME_OF_NUMBER)};
+#undef LABMOUSE_NAME_OF_NUMBER
+  ASSERT_EQ(names.size(), hardware_keys().size());
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(names[i], hardware_keys()[i].key.name);
+}
+
+/// What was handed to the functions of a table; tests of one table run one at a time.
+struct Calls {
+  labmouse_briefing told{};
+  std::vector<labmouse_sense> senses;
+  std::vector<int> crashes;
+  int ends = 0;
+} calls;
+
+constexpr Table noting = {[](const labmouse_briefing* told) -> void* {
+                            calls = {};
+                            calls.told = *told;
+                            return &calls;
+                          },
+                          [](void* memory, const labmouse_sense* sense) -> labmouse_drive {
+                            auto& senses = static_cast<Calls*>(memory)->senses;
+                            senses.push_back(*sense);
+                            if (senses.size() == 3) return {0, 0, LABMOUSE_CARRY};
+                            if (senses.size() == 5) return {0, 0, 17};
+                            return {100'000, -100'000, LABMOUSE_DRIVE};
+                          },
+                          [](void* memory, int crashed) { static_cast<Calls*>(memory)->crashes.push_back(crashed); },
+                          [](void* memory) { ++static_cast<Calls*>(memory)->ends; }, 1};
+
+TEST(ControllerInC, IsToldWhatItsContestIs) {
+  const Event event;
+  controller_in_c(noting, event.briefing(5));
+  const labmouse_briefing& told = calls.told;
+  EXPECT_EQ(told.width, 3);
+  EXPECT_EQ(told.height, 3);
+  EXPECT_EQ(told.start_heading, LABMOUSE_NORTH);
+  ASSERT_EQ(told.goals, 1);
+  EXPECT_EQ(told.goal[0].x, 2);
+  EXPECT_EQ(told.goal[0].y, 1);
+  EXPECT_EQ(told.time_limit, 60'000.0);
+  EXPECT_EQ(told.handling, 5000.0);
+  EXPECT_EQ(told.seed, 5U);
+  EXPECT_EQ(told.cell, event.model->tables.cell);
+  EXPECT_EQ(told.touch_penalty, static_cast<double>(event.rules.touch_penalty) / 1000.0);
+  EXPECT_EQ(told.untouched_bonus, static_cast<double>(event.rules.untouched_bonus) / 1000.0);
+  // In the units of robot files.
+  EXPECT_DOUBLE_EQ(told.robot.motors_drive_time, event.model->robot.hardware->motors.drive.time * 1000.0);
+  EXPECT_EQ(told.robot.noise_placement, event.model->robot.hardware->noise.placement);
+  EXPECT_EQ(calls.ends, 1);
+}
+
+TEST(ControllerInC, IsAskedTickByTick) {
+  const Event event;
+  const auto code = controller_in_c(noting, event.briefing());
+  const PhysicalRecord record = event.hold(*code);
+  // Duties within their limits, and a word that nobody knows ends the contest.
+  constexpr ControllerTick spin = {ControllerTick::full, -ControllerTick::full};
+  EXPECT_EQ(record.tape,
+            (std::vector<ControllerTick>{spin, spin, {0, 0, ControllerWord::carry}, spin, {0, 0, ControllerWord::give_up}}));
+  EXPECT_THAT(calls.crashes, testing::ElementsAre(0));
+  ASSERT_EQ(calls.senses.size(), 5U);
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(calls.senses[i].tick, calls.senses[i - 1].tick + 1);
+  EXPECT_NE(calls.senses[2].counts[0], calls.senses[0].counts[0]);
+  EXPECT_GT(calls.senses[0].millivolts, 3000);
+}
+
+// `labmouse_controller` is that of templates/controller.c, which is linked in.
+TEST(ControllerInC, FinishesContestsWithTheTemplate) {
+  const Event event;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const auto code = controller_in_c(labmouse_controller, event.briefing(seed));
+    EXPECT_EQ(event.hold(*code, seed).drive.outcome, DriveOutcome::finished) << seed;
+  }
+}
+
+#ifdef LABMOUSE_CONTROLLER_TEMPLATE
+TEST(ControllerInC, IsTheSameAsAProgramThatIsAskedTickByTick) {
+  const Event event;
+  Launch launch;
+  launch.words = {LABMOUSE_CONTROLLER_TEMPLATE, "1"};
+  launch.limits.silence = launch.limits.contest = std::chrono::minutes(5);
+  ExternalController program(launch, controller_lines(event.briefing(7)));
+  const auto code = controller_in_c(labmouse_controller, event.briefing(7));
+  const PhysicalRecord native = event.hold(*code, 7);
+  EXPECT_EQ(event.hold(program, 7), native) << program.last_words();
+  EXPECT_EQ(native.drive.outcome, DriveOutcome::finished);
+}
+#endif
+
+}  // namespace
+}  // namespace labmouse
