@@ -4,6 +4,8 @@
 #   make check   builds and runs all tests
 # The page, in a browser:
 #   make page    builds build/page/labmouse.html, without the program; the next build of the program takes it in
+# The documentation:
+#   make docs    builds the site in build/docs; the live demo is in it if the page was built before
 # The Python package:
 #   make wheel   builds a wheel, and the sources to install from, in build/dist
 # And, when a mouse has changed:
@@ -11,7 +13,7 @@
 # And, before a release:
 #   make proof   the checks that take too long for .ci/run: docs/contributing/checks.md
 # One build tree, build/release, serves both: a race builds the program alone, so that it never waits for tests.
-.PHONY: race check page wheel reports proof
+.PHONY: race check page docs wheel reports proof
 
 # Configured once: from then on the build does it by itself, where it has to.
 race:
@@ -36,6 +38,12 @@ page:
 	@scripts/install page
 	@scripts/page
 	@echo "build/page/labmouse.html"
+
+docs:
+	@scripts/install docs
+	@echo "building the documentation; this takes about a minute of processor time" >&2
+	@scripts/quietly scripts/docs
+	@echo "build/docs/index.html"
 
 wheel:
 	@scripts/install race

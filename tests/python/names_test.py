@@ -1,7 +1,6 @@
 """Every public name says what it is, and is typed."""
 
 import inspect
-import re
 import subprocess
 import sys
 from importlib import resources
@@ -47,12 +46,9 @@ def test_nothing_is_named_to_install_that_nobody_owns_on_an_index():
         assert "labmouse[" not in text
 
 
-def test_all_that_is_compiled_is_in_the_stub():
-    stub = resources.files("labmouse").joinpath("_native.pyi").read_text(encoding="utf-8")
-    for name, thing in vars(labmouse._native).items():
-        if name.startswith("_"):
-            continue
-        assert re.search(rf"^(class|def) {name}\b|^{name}: ", stub, re.MULTILINE), name
-        for member in vars(thing) if inspect.isclass(thing) else []:
-            assert member.startswith("_") or re.search(rf"^    (def {member}\b|{member}: )", stub, re.MULTILINE), f"{name}.{member}"
+def test_the_stub_is_that_of_the_compiled_part():
+    # mypy, editors and the documentation site read it; docs/contributing/building.md has the command that writes it.
+    stubs = pytest.importorskip("nanobind.stubgen").StubGen(labmouse._native)
+    stubs.put(labmouse._native)
+    assert resources.files("labmouse").joinpath("_native.pyi").read_text(encoding="utf-8") == stubs.get()
     assert resources.files("labmouse").joinpath("py.typed").is_file()

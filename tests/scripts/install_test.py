@@ -50,6 +50,12 @@ class Install(unittest.TestCase):
         self.assertEqual(result.returncode, 2)
         self.assertIn("python3 is not in PATH", result.stderr)
 
+    def test_the_documentation_needs_no_build(self):
+        self.machine.add_build(found=True)
+        result = self.install("docs")
+        self.assertEqual((result.returncode, self.machine.called("cmake")), (2, []))
+        self.assertIn("doxygen is not in PATH", result.stderr)
+
     def test_with_dpkg_and_all_packages_nothing_else_is_asked(self):
         self.machine.add_build(found=False)
         self.machine.add_dpkg()

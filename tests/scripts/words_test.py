@@ -23,12 +23,13 @@ def loaded(path):
 
 
 class Words(unittest.TestCase):
-    def said_of(self, page, header="// A header.\n"):
+    def said_of(self, page, header="// A header.\n", navigation="[a](reference/a.md)\n"):
         """The exit code and the lines about a tree with that page of the manual."""
         words = loaded(ROOT / "scripts" / "words")
         with tempfile.TemporaryDirectory() as name:
             words.ROOT = pathlib.Path(name).resolve()
-            for path, text in {"README.md": "# Mice\n", "docs/reference/a.md": page, "labmouse/a.hpp": header}.items():
+            files = {"README.md": "# Mice\n", "docs/README.md": navigation, "docs/reference/a.md": page, "labmouse/a.hpp": header}
+            for path, text in files.items():
                 (words.ROOT / path).parent.mkdir(parents=True, exist_ok=True)
                 (words.ROOT / path).write_text(text, encoding="utf-8")
             sys.argv = ["words"]
@@ -46,6 +47,9 @@ class Words(unittest.TestCase):
             code, lines = self.said_of(page + "\n")
             self.assertEqual((code, len(lines)), (1, 2), page)
             self.assertIn("docs/reference/a.md", lines[0])
+
+    def test_every_page_is_in_the_navigation(self):
+        self.assertEqual(self.said_of("# A\n", navigation="[b](../README.md)\n")[0], 1)
 
     def test_headers_begin_with_a_sentence(self):
         self.assertEqual(self.said_of("# A\n", "#pragma once\n")[0], 1)

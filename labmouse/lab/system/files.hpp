@@ -30,7 +30,7 @@ std::string write_file(const std::string& path, std::string_view content);
 /// The same of a text that is made part by part.
 std::string write_file(const std::string& path, const TextSource& content);
 
-/// Whether two paths lead to one file, which need not exist yet: `x` and `./x`, links and their targets. Of streams: to
+/// Whether two paths lead to one file, which need not exist yet: "x" and "./x", links and their targets. Of streams: to
 /// one descriptor.
 bool is_same_file(const std::string& path, const std::string& other);
 
