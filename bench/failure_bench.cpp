@@ -64,7 +64,7 @@ void contest(benchmark::State& state, std::string_view mouse, In world, By by) {
   std::size_t i = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(by == By::strategy ? contests.held_by_strategy(world, i)
-                                            : contests.held_by_script(world, i, records[i]));
+                                                : contests.held_by_script(world, i, records[i]));
     i = (i + 1) % contests.count();
   }
 }

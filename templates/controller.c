@@ -41,7 +41,9 @@ static double left_of_way(const struct controller *p) { /* until it is in the mi
 static double aside(const struct controller *p) {
   return (p->north - middle(p->y, p)) * EAST[p->heading] - (p->east - middle(p->x, p)) * NORTH[p->heading];
 }
-static double off_heading(const struct controller *p) { return remainder(p->angle - PI / 2 * (1 - p->heading), 2 * PI); }
+static double off_heading(const struct controller *p) {
+  return remainder(p->angle - PI / 2 * (1 - p->heading), 2 * PI);
+}
 static void shift(struct controller *p, double ahead, double left) {
   p->east += ahead * EAST[p->heading] - left * NORTH[p->heading];
   p->north += ahead * NORTH[p->heading] + left * EAST[p->heading];

@@ -1,4 +1,5 @@
-// labmouse bench: one number for behaviour, the speeds of this build on this machine, and the memory that strategies take.
+// labmouse bench: one number for behaviour, the speeds of this build on this machine, and the memory that strategies
+// take.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +8,9 @@
 
 #include "command.hpp"
 #include "labmouse/lab/bench/distance_speed.hpp"
-#include "labmouse/lab/bench/strategy_memory.hpp"
 #include "labmouse/lab/bench/signature.hpp"
 #include "labmouse/lab/bench/speed_json.hpp"
+#include "labmouse/lab/bench/strategy_memory.hpp"
 #include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/json.hpp"

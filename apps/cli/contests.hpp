@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "command.hpp"
-#include "labmouse/lab/result_folders/results_folder.hpp"
 #include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/result_folders/results_folder.hpp"
 #include "labmouse/lab/store/store.hpp"
 #include "worlds.hpp"
 

@@ -40,14 +40,17 @@ SandboxUse sandbox_use(const std::string& word) {
 
 void add_python(Command& command, ExternalOptions& external_mice) {
   command.group(groups::programs);
-  command.add_option("--python", external_mice.python, "Python interpreter for capstone robots; default: the python3 in PATH")
+  command
+      .add_option("--python", external_mice.python,
+                  "Python interpreter for capstone robots; default: the python3 in PATH")
       ->type_name("INTERPRETER");
 }
 
 void add_external_options(Command& command, ExternalOptions& external_mice) {
   ExternalLimits& limits = external_mice.limits;
   command.group(groups::programs);
-  command.add_option("--directory", external_mice.directory, "Working directory of the programs; default: the current one")
+  command
+      .add_option("--directory", external_mice.directory, "Working directory of the programs; default: the current one")
       ->type_name("DIR")
       ->check(existing_directory());
   command
@@ -87,7 +90,9 @@ void add_racing_options(Command& command, ExternalOptions& external_mice) {
       .add_option("--label", external_mice.label,
                   "In a store of contests, stands for the files of external mice: the same label is the same mouse")
       ->type_name("TEXT");
-  command.add_option("--external-runs", external_mice.runs, "Contests in each maze for each external mouse, for stochastic ones")
+  command
+      .add_option("--external-runs", external_mice.runs,
+                  "Contests in each maze for each external mouse, for stochastic ones")
       ->type_name("N")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();

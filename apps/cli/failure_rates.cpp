@@ -38,7 +38,7 @@ struct FailureOptions {
 
 /// Runs all contests in the failure model, too; whether they end alike.
 int check_rates(const FailureOptions& options, FailureOrder order, const std::vector<Contestant>& mice,
-                  const std::vector<NamedMaze>& mazes) {
+                const std::vector<NamedMaze>& mazes) {
   for (const std::string name : {"--pace", "--variation", "--search-speed", "--save", "--format"})
     if (options.command->count(name) > 0) throw UsageError(fmt::format("error: {} cannot be used with --check", name));
   const FoundRates failure_rates = find_rates(options.check);
@@ -60,7 +60,7 @@ int check_rates(const FailureOptions& options, FailureOrder order, const std::ve
 }
 
 MeasuredRates measure(const FailureOrder& order, const std::vector<Contestant>& mice,
-                        const std::vector<NamedMaze>& mazes) {
+                      const std::vector<NamedMaze>& mazes) {
   Progress progress;
   const Interruptible interruptible;
   FailureHooks hooks;
@@ -84,7 +84,8 @@ int failure_rates(const FailureOptions& options) {
   order.conditions.controller.search_speed = options.speed;
   const std::optional<MapKind> map = map_kind_of(today_value(options.map));
   if (!map)
-    throw UsageError(fmt::format("error: --map: '{}' is none of first, log-odds and log-odds-prior", shown(options.map)));
+    throw UsageError(
+        fmt::format("error: --map: '{}' is none of first, log-odds and log-odds-prior", shown(options.map)));
   order.conditions.map = *map;
   order.noises = noises_of(options.noise);
   order.paces = numbers_of("--pace", options.pace, least_pace, 1.0);
@@ -111,7 +112,8 @@ int failure_rates(const FailureOptions& options) {
 void add_failure_rates(Command& app, int& exit) {
   auto options = std::make_shared<FailureOptions>();
   Command* command = app.add_subcommand(
-      "failure-rates", "Measure failure rates in the physical world: crashes, localization errors and wrong wall readings");
+      "failure-rates",
+      "Measure failure rates in the physical world: crashes, localization errors and wrong wall readings");
   command->add_option("--mice", options->mice, "Mice, as --mice of `labmouse race`; default: flood-return and certify")
       ->type_name("SPEC")
       ->expected(1, 1 << 20)

@@ -1,4 +1,6 @@
 // labmouse mice-file: files of mice, tried out and written.
+#include "labmouse/lab/mice_files/mice_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,9 +18,8 @@
 #include "labmouse/external/capstone.hpp"
 #include "labmouse/external/command_line.hpp"
 #include "labmouse/external/mms/run.hpp"
-#include "labmouse/lab/mice_files/mice_file.hpp"
-#include "labmouse/lab/mice_files/mice_scan.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/mice_files/mice_scan.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -76,7 +77,7 @@ Trial try_in_mms(const MmsProgram& program, const Maze& maze) {
     trial.how = fmt::format("{}: {}", name_of(run.outcome), run.end);
   else
     trial.how = run.statistics.finished ? fmt::format("finished, score {:g}", run.statistics.score)
-                                      : "plays, but does not reach the centre";
+                                        : "plays, but does not reach the centre";
   return trial;
 }
 
@@ -157,7 +158,8 @@ std::vector<MiceFileEntry> mice_file_of(const std::string& path) {
   refuse_other_kind(path, file.content, FileKind::unknown);
   MiceFileResult mice_file = read_mice_file(file.content);
   std::string problems;
-  for (const Problem& problem : mice_file.problems) problems += (problems.empty() ? "" : "\n") + describe(path, problem);
+  for (const Problem& problem : mice_file.problems)
+    problems += (problems.empty() ? "" : "\n") + describe(path, problem);
   if (!problems.empty()) throw UsageError(problems);
   return std::move(mice_file.mice);
 }

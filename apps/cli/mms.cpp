@@ -8,12 +8,12 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "frames.hpp"
 #include "external.hpp"
+#include "frames.hpp"
 #include "labmouse/external/mms/run.hpp"
+#include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/replays/mms_drawing.hpp"
 #include "labmouse/lab/replays/mms_summary.hpp"
-#include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::cli {

@@ -10,8 +10,8 @@
 #include "contests.hpp"
 #include "external.hpp"
 #include "labmouse/lab/noise_curves/noise_curves.hpp"
-#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/races/never_started.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
@@ -213,8 +213,8 @@ int race(const RaceOptions& options) {
                   {"--out", results_path(options), Output::Kind::other},
                   {"--baseline", options.baseline, Output::Kind::input}});
   std::optional<Holding> holding(options);
-  std::vector<Entry> entries = options.contests.world.enter(
-      find_contestants(with_mice_files(options.mice, options.mice_files), options.contests.world, options.external_mice));
+  std::vector<Entry> entries = options.contests.world.enter(find_contestants(
+      with_mice_files(options.mice, options.mice_files), options.contests.world, options.external_mice));
   check_noises(options, entries);
   const auto baselines = load_baselines(options, entries);
   if (options.format == "csv" && entries.size() > 1)

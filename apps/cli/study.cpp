@@ -35,8 +35,8 @@ int study(const StudyOptions& options) {
   if (options.mice.empty() && options.mice_files.empty()) throw UsageError("error: --mice or --mice-file is required");
   expect_outputs(
       {{"--csv", options.csv}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
-  std::vector<Contestant> mice =
-      find_contestants(with_mice_files(options.mice, options.mice_files), options.contests.world, options.external_mice);
+  std::vector<Contestant> mice = find_contestants(with_mice_files(options.mice, options.mice_files),
+                                                  options.contests.world, options.external_mice);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));
   MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   const Study result = hold(options, mice, order, std::move(mazes.mazes));

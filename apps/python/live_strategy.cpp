@@ -115,7 +115,7 @@ class ThreadStrategy final : public DrivingStrategy {
     ask([seen](Seat& seat) { seat.action = seat.mouse->decide(seen); });
     return is_left_ ? Action::forfeit(ForfeitReason::interrupted) : seat_->action;
   }
-  Action consider(const Belief& map, const SearchPlace& place, std::int64_t) override {
+  Action consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t) override {
     return decide(map.sighting(place.pose));
   }
   void show(const Pose& pose, const Sighting& seen) override {
@@ -212,7 +212,7 @@ class ProcessStrategy final : public DrivingStrategy {
     });
     return action;
   }
-  Action consider(const Belief& map, const SearchPlace& place, std::int64_t) override {
+  Action consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t) override {
     return decide(map.sighting(place.pose));
   }
   void show(const Pose& pose, const Sighting& seen) override {
@@ -267,7 +267,7 @@ class NativeStrategy {
  public:
   NativeStrategy(nb::object maker, const PythonBriefing& told)
       : mouse_(make_python_strategy(std::make_shared<const MouseMaker>(std::move(maker), nb::none()), told.briefing,
-                                nullptr)) {}
+                                    nullptr)) {}
   DrivingStrategy& mouse() { return *mouse_; }
 
  private:

@@ -13,8 +13,8 @@ namespace labmouse::python {
 
 /// A mouse in Python by the fields of OwnMouse.
 using GivenMouse = std::tuple<std::string, nanobind::object, bool, nanobind::object, std::string>;
-/// SPECs as of Choice; mice in Python; the Python that runs capstone robots; and what stands for the files of external mice in
-/// stores.
+/// SPECs as of Choice; mice in Python; the Python that runs capstone robots; and what stands for the files of external
+/// mice in stores.
 using GivenMice =
     std::tuple<std::vector<std::pair<std::string, std::string>>, std::vector<GivenMouse>, std::string, std::string>;
 /// The name of a world, or nothing, and its settings.

@@ -90,7 +90,8 @@ nb::object called(nb::handle callable, nb::handle argument) {
 /// while it runs a mouse's own code.
 class PythonStrategy final : public DrivingStrategy {
  public:
-  PythonStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing, const std::atomic<bool>* stop)
+  PythonStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
+                 const std::atomic<bool>* stop)
       : maker_(maker), knowledge_(briefing.size), stop_(stop), in_seconds_(briefing.in_seconds()) {
     try {
       mouse_ = called(maker_->maker(), nb::cast(PythonBriefing{briefing}));
@@ -204,7 +205,7 @@ class PythonStrategy final : public DrivingStrategy {
 }  // namespace
 
 std::unique_ptr<DrivingStrategy> make_python_strategy(const std::shared_ptr<const MouseMaker>& maker,
-                                                  const Briefing& briefing, const std::atomic<bool>* stop) {
+                                                      const Briefing& briefing, const std::atomic<bool>* stop) {
   return std::make_unique<PythonStrategy>(maker, briefing, stop);
 }
 

@@ -36,6 +36,6 @@ class MouseMaker {
 /// The strategy of one contest. It holds the interpreter's lock from its making to its end, which are to be in the same
 /// thread. Once `stop`, which may be null, is true, it decides no more: its forfeit is an interruption.
 std::unique_ptr<DrivingStrategy> make_python_strategy(const std::shared_ptr<const MouseMaker>& maker,
-                                                  const Briefing& briefing, const std::atomic<bool>* stop);
+                                                      const Briefing& briefing, const std::atomic<bool>* stop);
 
 }  // namespace labmouse::python

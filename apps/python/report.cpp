@@ -7,8 +7,8 @@
 
 #include "embedded_page.hpp"
 #include "errors.hpp"
-#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/files.hpp"

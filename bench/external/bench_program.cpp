@@ -1,4 +1,5 @@
-// An external mouse that costs as little as an external mouse can: bench_program echo | external mouse | ask | burst | ahead.
+// An external mouse that costs as little as an external mouse can: bench_program echo | external mouse | ask | burst |
+// ahead.
 #include <unistd.h>
 
 #include <array>

@@ -8,8 +8,8 @@
 #include "labmouse/body/field.hpp"
 #include "labmouse/body/noise_level.hpp"
 #include "labmouse/body/plant.hpp"
-#include "labmouse/body/senses.hpp"
 #include "labmouse/body/robot_sample.hpp"
+#include "labmouse/body/senses.hpp"
 #include "labmouse/hardware/sense.hpp"
 
 namespace labmouse {

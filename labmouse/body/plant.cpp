@@ -31,7 +31,8 @@ Plant::Plant(const Field& field, const Hardware& hardware, const RobotSample& ro
   turn_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.turn.time);
   const Noise& noise = hardware.noise;
   const double step = noise.shaking_pitch * tick_seconds;
-  shaking_kick_ = 2.0 * robot_sample.level(NoiseGroup::shaking) * noise.shaking * root_of_loss(noise.shaking_loss, step);
+  shaking_kick_ =
+      2.0 * robot_sample.level(NoiseGroup::shaking) * noise.shaking * root_of_loss(noise.shaking_loss, step);
 }
 
 void Plant::put(const Position& position, double angle) {
@@ -61,7 +62,8 @@ void Plant::drive_motors(const Drive& drive) {
   const double left = std::clamp(static_cast<double>(drive.left), -1.0, 1.0);
   const double right = std::clamp(static_cast<double>(drive.right), -1.0, 1.0);
   voltage_ = 1.0 - motors.sag * (std::abs(left) + std::abs(right)) / 2.0;
-  const double pushed_left = left * robot_sample_.motor[0] * voltage_, pushed_right = right * robot_sample_.motor[1] * voltage_;
+  const double pushed_left = left * robot_sample_.motor[0] * voltage_,
+               pushed_right = right * robot_sample_.motor[1] * voltage_;
   const double loss = std::clamp(motion_.speed, -1.0, 1.0) * motors.turning * std::abs(motion_.turning);
   const double onwards = effective((pushed_left + pushed_right) / 2.0, motion_.speed, motors.drive) - loss;
   const double around = effective(pushed_right - pushed_left, motion_.turning, motors.turn);

@@ -34,7 +34,9 @@ Senses::Senses(const Field& field, const Hardware& hardware, const RobotSample& 
       range_dice_(seed_for(seed, "ranger")),
       infrared_fresh_(std::sqrt(1.0 - square(hardware.noise.infrared_memory))) {}
 
-void Senses::calibrate() { bias_ = robot_sample_.level(NoiseGroup::gyro) * hardware_.noise.gyro_bias * normal(bias_dice_); }
+void Senses::calibrate() {
+  bias_ = robot_sample_.level(NoiseGroup::gyro) * hardware_.noise.gyro_bias * normal(bias_dice_);
+}
 
 void Senses::read(const BodyMotion& motion, double voltage) {
   ++sense_.tick;

@@ -145,7 +145,7 @@ class CodeContest {
 }  // namespace
 
 ControllerBriefing controller_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                             const PhysicalConditions& conditions, std::uint64_t seed) {
+                                       const PhysicalConditions& conditions, std::uint64_t seed) {
   return {maze.size(), {maze.start(), maze.start_heading()}, maze.goals(), model, rules, conditions.handling, seed};
 }
 

@@ -8,16 +8,16 @@
 
 #include <cstdint>
 
+#include "labmouse/contest/controller_code.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/physical_record.hpp"
-#include "labmouse/contest/controller_code.hpp"
 #include "labmouse/maze/maze.hpp"
 
 namespace labmouse {
 
 /// What a program is told of such a contest; maze, rules and model must outlive it.
 ControllerBriefing controller_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                             const PhysicalConditions& conditions, std::uint64_t seed);
+                                       const PhysicalConditions& conditions, std::uint64_t seed);
 
 /// Runs the contest, as drive_physically() does for a strategy. The program must be new and briefed as above.
 PhysicalRecord drive_by_code(const Maze& maze, const DriveRules& rules, const DriveModel& model,

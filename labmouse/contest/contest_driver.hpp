@@ -37,7 +37,8 @@ class ContestDriver {
   virtual const Knowledge& known() const = 0;
   /// What it tells the mouse of the walls about a pose that it has been in.
   virtual Sighting seen(const Pose& pose) const = 0;
-  /// Its map, where that weighs readings and may change its strategy; null where walls stay what they were first read as.
+  /// Its map, where that weighs readings and may change its strategy; null where walls stay what they were first read
+  /// as.
   virtual BelievedWalls* weighed() = 0;
   virtual MazeTime clock() const = 0;
   virtual bool out_of_time() const = 0;

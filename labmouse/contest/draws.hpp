@@ -2,8 +2,8 @@
 //
 // Counted in the physical world, what breaks mice is their weakest motor or their tyres. With less than 0.3 of what the
 // book says of a motor hardly any finishes at its usual pace, and with more it does not matter how much more. Tyres are
-// not as sharp: with 0.5 some slide, with 0.3 most. Of the others, it is infrared sensors far from the nominal values that make
-// mice misread.
+// not as sharp: with 0.5 some slide, with 0.3 most. Of the others, it is infrared sensors far from the nominal values
+// that make mice misread.
 #pragma once
 
 #include <array>
@@ -29,9 +29,9 @@ enum class Draws : std::uint8_t {
 };
 
 inline constexpr std::array all_draws = {Draws::sound,          Draws::eyes_apart,     Draws::eyes_far_apart,
-                                        Draws::tyres_below_50, Draws::tyres_below_40, Draws::tyres_below_30,
-                                        Draws::tyres_below_20, Draws::motor_below_30, Draws::motor_below_25,
-                                        Draws::motor_below_20, Draws::motor_below_15};
+                                         Draws::tyres_below_50, Draws::tyres_below_40, Draws::tyres_below_30,
+                                         Draws::tyres_below_20, Draws::motor_below_30, Draws::motor_below_25,
+                                         Draws::motor_below_20, Draws::motor_below_15};
 inline constexpr std::size_t draw_classes = all_draws.size();
 
 constexpr std::string_view name_of(Draws draws) {

@@ -329,7 +329,7 @@ class DriveContest {
   DriveRoute route_;
   bool replanned_ = false;
   static constexpr int most_weakenings = 8;
-  int weakens_ = 0;     ///< in this run
+  int weakens_ = 0;    ///< in this run
   bool goal_entered_;  ///< whether it believes to have been in a goal
 };
 

@@ -14,7 +14,8 @@ MazeTime part_of(MazeTime time, double part) { return static_cast<MazeTime>(stat
 }  // namespace
 
 FailureDriver::FailureDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
-                             const FailureRates& failure_rates, std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record)
+                             const FailureRates& failure_rates, std::uint64_t seed, MazeTime time_limit,
+                             PhysicalRecord& record)
     : TimedDriver(maze, model, time_limit, record.drive),
       handling_(conditions.handling),
       usual_pace_(conditions.controller.pace),
@@ -92,7 +93,8 @@ Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
 FailureDriver::ManoeuvreOutcome FailureDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
   const ManoeuvreRates& failure = odds_->manoeuvres[static_cast<std::size_t>(manoeuvre)][position_error_];
   if (!way_is_open) return {RunEnd::wall_error, 0.5};
-  if (dice_.unit() < failure.crash) return {dice_.unit() < failure.slid ? RunEnd::slid : RunEnd::position_lost, dice_.unit()};
+  if (dice_.unit() < failure.crash)
+    return {dice_.unit() < failure.slid ? RunEnd::slid : RunEnd::position_lost, dice_.unit()};
   position_error_ = one_of(failure.after);
   return {};
 }
@@ -144,7 +146,7 @@ bool FailureDriver::run(const DriveRoute& route) {
     const ManoeuvreOutcome outcome = drive(manoeuvre_of(segment), open);
     const MazeTime length = segment.end - segment.begin;
     stands = outcome.crash ? crash_at(begin + slowed(segment.begin + part_of(length, outcome.part)), *outcome.crash)
-                        : reach(begin + slowed(segment.end));
+                           : reach(begin + slowed(segment.end));
     if (!stands) break;
   }
   for (auto* gate : {&run.gate_out, &run.gate_in, &run.centre}) happen(*gate);

@@ -14,8 +14,8 @@ namespace labmouse {
 class FailureDriver final : public TimedDriver {
  public:
   /// All must outlive it.
-  FailureDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, const FailureRates& failure_rates,
-                std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record);
+  FailureDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
+                const FailureRates& failure_rates, std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record);
 
   bool errs() const override { return true; }
   void put_at_start() override;
@@ -55,7 +55,7 @@ class FailureDriver final : public TimedDriver {
   double noise_share_;  ///< of this contest: which of two noises that were counted it is held under
   const FailureRatesByDraw* odds_ = nullptr;
   std::size_t position_error_ = 0;  ///< its level
-  WallSet read_;            ///< at least once
+  WallSet read_;                    ///< at least once
   std::optional<RunEnd> crash_;
 };
 

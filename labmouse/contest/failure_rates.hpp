@@ -16,8 +16,9 @@ namespace labmouse {
 /// Of a manoeuvre that begins with a mouse as far off its believed position. All are from 0 to 1.
 struct ManoeuvreRates {
   double crash = 0.0;
-  double slid = 0.0;                                ///< the part of crashes in which the tyres did not hold
-  std::array<double, position_error_levels> after = {1.0};  ///< how far off its believed position it is behind, where it did not crash
+  double slid = 0.0;  ///< the part of crashes in which the tyres did not hold
+  std::array<double, position_error_levels> after = {
+      1.0};  ///< how far off its believed position it is behind, where it did not crash
 };
 
 /// Classes of evidence: as many nats for a gap, nothing, as many nats for a wall.
@@ -44,7 +45,8 @@ using ReadingRates = std::array<double, evidence_classes>;
 
 /// Of contests as lucky as each other.
 struct FailureRatesByDraw {
-  std::array<double, position_error_levels> put = {1.0};  ///< how far off its believed position a mouse is whom a hand has put at the start
+  std::array<double, position_error_levels> put = {
+      1.0};  ///< how far off its believed position a mouse is whom a hand has put at the start
   std::array<std::array<ManoeuvreRates, position_error_levels>, all_manoeuvres.size()> manoeuvres{};
   std::array<std::array<ReadingRates, position_error_levels>, all_readings.size()> readings{};
 };
@@ -62,7 +64,7 @@ struct RatesAtPace {
 };
 
 struct FailureRates {
-  double variation = 1.0;               ///< of the contests' draws
+  double variation = 1.0;          ///< of the contests' draws
   std::vector<RatesAtPace> paces;  ///< by increasing pace, at least one
 };
 

@@ -1,5 +1,5 @@
-// A mouse that knows the maze drives from the start to the goal in the physical world: how sure its controller is, apart
-// from any strategy.
+// A mouse that knows the maze drives from the start to the goal in the physical world: how sure its controller is,
+// apart from any strategy.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ struct KnownDrive {
   std::int64_t ticks = 0;
   int grazes = 0;
   WayErrors truth;           ///< of the true mouse
-  WayErrors estimate;          ///< of where the mouse believes to be
+  WayErrors estimate;        ///< of where the mouse believes to be
   double most_aside = 0.0;   ///< mm, of the true mouse
   WallReadings side, front;  ///< at the edges of a search
 };

@@ -1,4 +1,5 @@
-// What can go wrong in a contest: at which manoeuvre, with a mouse how far off its believed position, and at which reading of a wall.
+// What can go wrong in a contest: at which manoeuvre, with a mouse how far off its believed position, and at which
+// reading of a wall.
 #pragma once
 
 #include <array>
@@ -45,8 +46,8 @@ Manoeuvre manoeuvre_of(const Maze& maze, const SearchPlace& from, const Action& 
 /// A segment of a fast run.
 Manoeuvre manoeuvre_of(const DriveSegment& segment);
 
-/// How far off its believed position a mouse is, by the distance between where it is and where it believes to be: below 2, 4, 8 and 16 %
-/// of a cell, and beyond.
+/// How far off its believed position a mouse is, by the distance between where it is and where it believes to be: below
+/// 2, 4, 8 and 16 % of a cell, and beyond.
 inline constexpr std::array<double, 4> position_error_limits = {0.02, 0.04, 0.08, 0.16};
 inline constexpr std::size_t position_error_levels = position_error_limits.size() + 1;
 

@@ -26,8 +26,8 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
 }
 
 PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                                   const PhysicalConditions& conditions, const FailureRates& failure_rates, std::uint64_t seed,
-                                   DrivingStrategy& mouse) {
+                                   const PhysicalConditions& conditions, const FailureRates& failure_rates,
+                                   std::uint64_t seed, DrivingStrategy& mouse) {
   PhysicalRecord record;
   const PhysicalConditions held = conditions_for(mouse, conditions);
   FailureDriver driver(maze, model, held, failure_rates, seed, rules.time_limit, record);

@@ -1,9 +1,9 @@
 // One contest of a mouse that may err: in the physical world, where a simulated controller drives a simulated robot; or
 // in the failure model, where errors are drawn at random. The protocol is that of contest/drive_contest.
 //
-// A strategy sees corridors of one cell, made of what the controller's evidence is rather for. By the map of the conditions
-// the first reading of a wall stays for ever, as in most mice, and what speaks against it later is counted; or readings
-// are weighed, walls turn over, and a strategy that sees no way any more looks again.
+// A strategy sees corridors of one cell, made of what the controller's evidence is rather for. By the map of the
+// conditions the first reading of a wall stays for ever, as in most mice, and what speaks against it later is counted;
+// or readings are weighed, walls turn over, and a strategy that sees no way any more looks again.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +36,8 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
 /// localization error lasts from manoeuvre to manoeuvre, and the severity of the draws lasts for the contest: a mouse
 /// with weak motors fails again. Of the conditions it uses noise, pace, map and handling.
 PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                                   const PhysicalConditions& conditions, const FailureRates& failure_rates, std::uint64_t seed,
-                                   DrivingStrategy& mouse);
+                                   const PhysicalConditions& conditions, const FailureRates& failure_rates,
+                                   std::uint64_t seed, DrivingStrategy& mouse);
 
 /// Whether the robot can drive there: why not, in a sentence about it; empty where it can.
 std::string why_not_physical(const DriveModel& model);

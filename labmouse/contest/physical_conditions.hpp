@@ -3,8 +3,8 @@
 
 #include "labmouse/body/noise_level.hpp"
 #include "labmouse/contest/drive_record.hpp"
-#include "labmouse/mouse/log_odds_map.hpp"
 #include "labmouse/controller/controller.hpp"
+#include "labmouse/mouse/log_odds_map.hpp"
 
 namespace labmouse {
 
@@ -33,8 +33,8 @@ inline constexpr double least_pace = 0.2;
 /// Speeds of a search that can be chosen, in mm/s. Less is no speed of a mouse, but one in m/s; older records have it.
 inline constexpr double least_search_speed = 10.0, most_search_speed = 20'000.0;
 
-/// What a controller knows of its hardware: the nominal values, and how far mice like it are spread at noise 1; not how much noise
-/// there is today.
+/// What a controller knows of its hardware: the nominal values, and how far mice like it are spread at noise 1; not how
+/// much noise there is today.
 inline Hardware told_of(const DriveModel& model, const PhysicalConditions& conditions) {
   Hardware told = *model.robot.hardware;
   told.noise = varied_by(told.noise, conditions.noise.variation);

@@ -31,7 +31,8 @@ WallSet walls_between(Cell from, const Pose& to) {
 }  // namespace
 
 PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
-                               std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record, const ControllerParts& parts)
+                               std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record,
+                               const ControllerParts& parts)
     : record_(record),
       start_{maze.start(), maze.start_heading()},
       handling_(conditions.handling),

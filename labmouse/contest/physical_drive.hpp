@@ -1,4 +1,5 @@
-// The moving part of a contest in the physical world: body and controller, tick by tick, their clock, and what was read.
+// The moving part of a contest in the physical world: body and controller, tick by tick, their clock, and what was
+// read.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ enum class Run : std::uint8_t { search_run, speed };
 
 /// How a contest ended.
 enum class Outcome : std::uint8_t {
-  finished,                ///< the speed run ended in a goal
+  finished,              ///< the speed run ended in a goal
   out_of_steps,          ///< the budget ended before a step of the search run ended in a goal
   never_reset,           ///< a goal was entered, and the budget ended before the mouse went back to the start
   speed_run_unfinished,  ///< the budget ended in the speed run

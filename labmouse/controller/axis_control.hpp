@@ -3,9 +3,9 @@
 // Method: what a motor model says is needed, and what a proportional and an integral term add.
 #pragma once
 
-#include "labmouse/hardware/sense.hpp"
 #include "labmouse/controller/gains.hpp"
 #include "labmouse/controller/tracker.hpp"
+#include "labmouse/hardware/sense.hpp"
 
 namespace labmouse {
 

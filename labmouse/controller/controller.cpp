@@ -43,7 +43,7 @@ Position along(const Position& from, const Direction& ahead, double way) {
 }  // namespace
 
 Controller::Controller(const DriveModel& model, const Hardware& hardware, Size size, const Gains& gains,
-             const ControllerChoice& choice, const ControllerParts& parts)
+                       const ControllerChoice& choice, const ControllerParts& parts)
     : model_(model),
       cell_(model.tables.cell),
       manner_(search_manner(model, choice.search_speed)),

@@ -13,14 +13,14 @@
 #include <cstdint>
 #include <optional>
 
-#include "labmouse/mouse/drive/search_motion.hpp"
-#include "labmouse/mouse/knowledge.hpp"
-#include "labmouse/mouse/robot/drive_model.hpp"
-#include "labmouse/mouse/robot/route.hpp"
 #include "labmouse/controller/piece.hpp"
 #include "labmouse/controller/reference_parts.hpp"
 #include "labmouse/controller/search_manner.hpp"
 #include "labmouse/controller/wall_reader.hpp"
+#include "labmouse/mouse/drive/search_motion.hpp"
+#include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/robot/route.hpp"
 
 namespace labmouse {
 
@@ -35,7 +35,7 @@ class Controller {
  public:
   /// Of a robot with limits and hardware; model and gains' owner must outlive it.
   Controller(const DriveModel& model, const Hardware& hardware, Size size, const Gains& gains,
-        const ControllerChoice& choice = {}, const ControllerParts& parts = {});
+             const ControllerChoice& choice = {}, const ControllerParts& parts = {});
 
   /// It was put down at rest in the middle of a cell, about.
   void put(const Pose& pose);

@@ -5,11 +5,11 @@
 #include <array>
 #include <optional>
 
-#include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/controller/edge_finder.hpp"
 #include "labmouse/controller/estimator.hpp"
 #include "labmouse/controller/target.hpp"
 #include "labmouse/controller/view.hpp"
+#include "labmouse/mouse/knowledge.hpp"
 
 namespace labmouse {
 

@@ -9,11 +9,11 @@
 #include <array>
 #include <cstddef>
 
+#include "labmouse/controller/pose_estimate.hpp"
 #include "labmouse/functions/angles.hpp"
 #include "labmouse/functions/position.hpp"
 #include "labmouse/hardware/hardware.hpp"
 #include "labmouse/hardware/sense.hpp"
-#include "labmouse/controller/pose_estimate.hpp"
 
 namespace labmouse {
 
@@ -41,8 +41,8 @@ class Estimator {
   /// Where it points, and where it goes.
   const Direction& ahead() const { return ahead_; }
   Direction way() const { return turned_by(ahead_, slip()); }
-  /// As it feels it. An estimate tells of the slip of the nominal model instead: a mouse that steers by what it feels while its
-  /// tyres slide turns in more, and slides more.
+  /// As it feels it. An estimate tells of the slip of the nominal model instead: a mouse that steers by what it feels
+  /// while its tyres slide turns in more, and slides more.
   double slip() const { return felt_slip_; }
   double speed() const { return speed_; }      ///< mm/s
   double turning() const { return turning_; }  ///< rad/s

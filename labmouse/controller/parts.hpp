@@ -1,15 +1,15 @@
 // What a controller is put together of, part by part, so that each can be somebody else's.
 //
-// Moves and routes, and when each of them is over, are the controller's own: its targets go by the time alone. So a mouse
-// with a bad part drives the same moves, and only less well.
+// Moves and routes, and when each of them is over, are the controller's own: its targets go by the time alone. So a
+// mouse with a bad part drives the same moves, and only less well.
 #pragma once
 
+#include "labmouse/controller/pose_estimate.hpp"
+#include "labmouse/controller/target.hpp"
 #include "labmouse/hardware/sense.hpp"
 #include "labmouse/mouse/evidence.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/mouse/pose.hpp"
-#include "labmouse/controller/pose_estimate.hpp"
-#include "labmouse/controller/target.hpp"
 
 namespace labmouse {
 
@@ -46,8 +46,8 @@ class TrackerPart {
   virtual Drive follow(const Sense& sense, const Target& target, const PoseEstimate& estimate) = 0;
 };
 
-/// Parts that are somebody else's, in place of the controller's own; null: its own. They must outlive the controller, and serve
-/// no other.
+/// Parts that are somebody else's, in place of the controller's own; null: its own. They must outlive the controller,
+/// and serve no other.
 struct ControllerParts {
   EstimatorPart* estimator = nullptr;
   ReaderPart* reader = nullptr;

@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "labmouse/mouse/robot/drive_profile.hpp"
-#include "labmouse/mouse/robot/turn_shape.hpp"
 #include "labmouse/controller/ramps.hpp"
 #include "labmouse/controller/target.hpp"
+#include "labmouse/mouse/robot/drive_profile.hpp"
+#include "labmouse/mouse/robot/turn_shape.hpp"
 
 namespace labmouse {
 

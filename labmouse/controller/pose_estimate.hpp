@@ -1,4 +1,5 @@
-// Where a mouse believes to be, and how sure it is of that: all that the other parts of a controller know of an estimator.
+// Where a mouse believes to be, and how sure it is of that: all that the other parts of a controller know of an
+// estimator.
 #pragma once
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // How a mouse drives the moves of a search.
 #pragma once
 
+#include "labmouse/controller/ramps.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/robot/turn_shape.hpp"
-#include "labmouse/controller/ramps.hpp"
 
 namespace labmouse {
 

@@ -3,10 +3,10 @@
 
 #include <array>
 
+#include "labmouse/controller/estimator.hpp"
 #include "labmouse/grid/cell.hpp"
 #include "labmouse/grid/heading.hpp"
 #include "labmouse/hardware/hardware.hpp"
-#include "labmouse/controller/estimator.hpp"
 
 namespace labmouse {
 

@@ -8,10 +8,10 @@
 #include <array>
 #include <optional>
 
-#include "labmouse/mouse/evidence.hpp"
-#include "labmouse/mouse/pose.hpp"
 #include "labmouse/controller/parts.hpp"
 #include "labmouse/controller/view.hpp"
+#include "labmouse/mouse/evidence.hpp"
+#include "labmouse/mouse/pose.hpp"
 
 namespace labmouse {
 

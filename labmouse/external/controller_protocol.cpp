@@ -6,18 +6,18 @@
 #include <array>
 #include <iterator>
 
-#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/external/quoted_line.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {
 
 /// What an answer begins with; the first three have duties behind them.
 constexpr std::array<std::pair<std::string_view, ControllerWord>, 5> words = {{{"drive", ControllerWord::drive},
-                                                                          {"fast", ControllerWord::fast},
-                                                                          {"goal", ControllerWord::goal},
-                                                                          {"carry", ControllerWord::carry},
-                                                                          {"forfeit", ControllerWord::give_up}}};
+                                                                               {"fast", ControllerWord::fast},
+                                                                               {"goal", ControllerWord::goal},
+                                                                               {"carry", ControllerWord::carry},
+                                                                               {"forfeit", ControllerWord::give_up}}};
 
 /// Takes one blank and a duty from the front of the text; false where there is none.
 bool take_duty(std::string_view& text, std::int16_t& duty) {
@@ -81,7 +81,8 @@ DutiesAnswer judge_duties(std::string_view line, std::string_view more) {
                                 "-{} to {}, `carry` or `forfeit`",
                                 quoted_line(line), longest_batch, ControllerTick::full, ControllerTick::full)}};
   if (!more.empty()) return {{}, wrote_more(line, more)};
-  if (ticks->front().word == ControllerWord::give_up) return {{}, Verdict{ForfeitReason::gave_up, "it answered `forfeit`"}};
+  if (ticks->front().word == ControllerWord::give_up)
+    return {{}, Verdict{ForfeitReason::gave_up, "it answered `forfeit`"}};
   return {std::move(*ticks), std::nullopt};
 }
 

@@ -1,5 +1,5 @@
-// A contest of an external mouse whose program somebody else runs: it is told what to say to the program, and hears what that
-// said.
+// A contest of an external mouse whose program somebody else runs: it is told what to say to the program, and hears
+// what that said.
 #pragma once
 
 #include <cstdint>

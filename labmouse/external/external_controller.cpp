@@ -4,7 +4,8 @@
 
 namespace labmouse {
 
-ExternalController::ExternalController(const Launch& launch, std::string_view briefing) : talk_(launch, controller_greeting) {
+ExternalController::ExternalController(const Launch& launch, std::string_view briefing)
+    : talk_(launch, controller_greeting) {
   const auto line = talk_.greet(briefing);
   if (!line) return;
   if (const auto verdict = judge_controller_greeting(*line))

@@ -14,9 +14,9 @@
 #include <cerrno>
 #include <csignal>
 
-#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/external/sandbox.hpp"
 #include "labmouse/external/survey.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {
@@ -43,8 +43,8 @@ void limit(int resource, rlim_t most, rlim_t beyond = 0) {
   setrlimit(static_cast<__rlimit_resource>(resource), &wanted);
 }
 
-/// A bound on all tasks of the user, threads among them, that leaves room for honest external mice: it only keeps a bomb from
-/// growing faster than it is seen. Root has none.
+/// A bound on all tasks of the user, threads among them, that leaves room for honest external mice: it only keeps a
+/// bomb from growing faster than it is seen. Root has none.
 rlim_t most_tasks() {
   constexpr rlim_t room = 1024;
   std::array<char, 64> text{};
@@ -149,8 +149,8 @@ sigset_t hold_back_ends_of_children() {
   return before;
 }
 
-/// The first process of a sandbox: it starts the external mouse, and takes the place of parents that have ended. With it all
-/// others there end.
+/// The first process of a sandbox: it starts the external mouse, and takes the place of parents that have ended. With
+/// it all others there end.
 [[noreturn]] void parent_program(const KeptExternal& external, const KeptEnds& ends) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   forget_command_line();
@@ -169,8 +169,8 @@ sigset_t hold_back_ends_of_children() {
 
 /// Ends the external mouse and all that it started.
 void end_external(const KeptExternal& external, pid_t child, bool runs) {
-  // The whole group in one stroke, lest it forks faster than we look. Once the external mouse was buried its number may be
-  // another's.
+  // The whole group in one stroke, lest it forks faster than we look. Once the external mouse was buried its number may
+  // be another's.
   if (runs) kill(external.rooms != nullptr ? child : -child, SIGKILL);
   end_all();
 }
@@ -182,7 +182,8 @@ void keep_external(const KeptExternal& external, const KeptEnds& ends) {
                          moved_up(ends.failure), moved_up(ends.status), moved_up(ends.leash)};
   for (const int end : {kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash})
     if (end < 0) fail(ends);
-  // A session of its own: Ctrl-C and a closed terminal are not for external mice. Of other external mice it must hold nothing.
+  // A session of its own: Ctrl-C and a closed terminal are not for external mice. Of other external mice it must hold
+  // nothing.
   setsid();
   close_all_but({kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash});
   prctl(PR_SET_CHILD_SUBREAPER, 1);

@@ -37,8 +37,8 @@ struct KeptExternal {
   const Rooms* rooms;  ///< null: no sandbox
 };
 
-/// Starts the external mouse and stays until the leash is let go; never returns. To be called in a new process that may have
-/// been forked beside other threads: it allocates nothing and takes no lock.
+/// Starts the external mouse and stays until the leash is let go; never returns. To be called in a new process that may
+/// have been forked beside other threads: it allocates nothing and takes no lock.
 [[noreturn]] void keep_external(const KeptExternal& external, const KeptEnds& ends);
 
 }  // namespace labmouse

@@ -7,13 +7,14 @@
 
 namespace labmouse {
 
-/// Limits of one external mouse in one contest. Those of memory, processes and what is written are for it and all that it
-/// started.
+/// Limits of one external mouse in one contest. Those of memory, processes and what is written are for it and all that
+/// it started.
 struct ExternalLimits {
   /// From its start to its first word, in real time; an interpreter may have much to load.
   std::chrono::milliseconds start{10'000};
-  /// From a question to its answer, or between two lines of an external mouse that asks itself: the external mouse's own processor time,
-  /// so that a busy machine does not make it late. That of other processes that it starts is not counted.
+  /// From a question to its answer, or between two lines of an external mouse that asks itself: the external mouse's
+  /// own processor time, so that a busy machine does not make it late. That of other processes that it starts is not
+  /// counted.
   std::chrono::milliseconds decision{1'000};
   /// The same in real time, for those that wait or sleep.
   std::chrono::milliseconds silence{30'000};

@@ -17,11 +17,11 @@
 #include <thread>
 #include <utility>
 
-#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/external/command_line.hpp"
 #include "labmouse/external/keeper.hpp"
 #include "labmouse/external/sandbox.hpp"
 #include "labmouse/external/surroundings.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {
@@ -32,8 +32,8 @@ using namespace std::chrono_literals;
 constexpr auto glance = 10ms;
 /// A program that ends closes its output first; one that has not ended after so long has only closed it.
 constexpr auto between_both = 500ms;
-/// How long an external mouse that waits for no reply may write on before it is read again; line by line, none fills its pipe
-/// much faster.
+/// How long an external mouse that waits for no reply may write on before it is read again; line by line, none fills
+/// its pipe much faster.
 constexpr auto nap = 1ms;
 /// Bytes: a portion of less was not worth its wait.
 constexpr ssize_t small_portion = 4096;
@@ -191,8 +191,8 @@ void ExternalProcess::start(const Launch& launch, Pipes& pipes) {
   std::optional<SandboxPlan> plan;
   if (launch.sandbox) plan.emplace(launch, path);
   const KeptExternal external = {path.c_str(),       words.data(),
-                           environment.data(), launch.directory.c_str(),
-                           launch.limits,      plan ? &plan->rooms() : nullptr};
+                                 environment.data(), launch.directory.c_str(),
+                                 launch.limits,      plan ? &plan->rooms() : nullptr};
   keeper_ = fork();
   if (keeper_ == 0) keep_external(external, ends);
   if (keeper_ < 0) {

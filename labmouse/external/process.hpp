@@ -40,9 +40,9 @@ std::string describe(const ExitStatus& status);
 /// "were more than 64 processes (--processes)": what an external mouse and all that it started did.
 std::string describe(TreeLimit limit, const ExternalLimits& limits);
 
-/// One external mouse. A keeper process between it and us gathers all that the external mouse leaves behind, even what left its process
-/// group, and ends it when this object goes or when our own process dies. Only an external mouse that kills its keeper, or that
-/// runs programs with the rights of another user, can leave something behind. Linux only.
+/// One external mouse. A keeper process between it and us gathers all that the external mouse leaves behind, even what
+/// left its process group, and ends it when this object goes or when our own process dies. Only an external mouse that
+/// kills its keeper, or that runs programs with the rights of another user, can leave something behind. Linux only.
 class ExternalProcess {
  public:
   using Clock = std::chrono::steady_clock;

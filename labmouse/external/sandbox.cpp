@@ -20,8 +20,8 @@
 #include <string>
 #include <string_view>
 
-#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/external/short_text.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {

@@ -12,8 +12,8 @@
 #include <limits>
 #include <string_view>
 
-#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/external/short_text.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {

@@ -1,5 +1,5 @@
-// What is said between us and an external mouse: its greeting, questions and answers, and the end of one that does not play by
-// its protocol or its limits.
+// What is said between us and an external mouse: its greeting, questions and answers, and the end of one that does not
+// play by its protocol or its limits.
 #pragma once
 
 #include <string>

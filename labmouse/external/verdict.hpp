@@ -1,4 +1,5 @@
-// What an external mouse said or left unsaid, judged: the same words for a program of the command line and for one of the page.
+// What an external mouse said or left unsaid, judged: the same words for a program of the command line and for one of
+// the page.
 #pragma once
 
 #include <cstddef>

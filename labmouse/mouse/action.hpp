@@ -7,8 +7,8 @@
 
 namespace labmouse {
 
-/// Why a mouse gives up, or why an external mouse, a mouse that is another program, was given up: the last word in place of an
-/// exception.
+/// Why a mouse gives up, or why an external mouse, a mouse that is another program, was given up: the last word in
+/// place of an exception.
 enum class ForfeitReason : std::uint8_t {
   none,
   contradiction,       ///< a reading contradicts what was read before

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "labmouse/mouse/log_odds_map.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
+#include "labmouse/mouse/log_odds_map.hpp"
 #include "labmouse/mouse/strategy.hpp"
 
 namespace labmouse {

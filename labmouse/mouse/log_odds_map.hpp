@@ -2,9 +2,9 @@
 //
 // Each wall has the logarithm of its odds to be closed, in eighths of a nat, and readings add to it. Knowledge is a
 // view of these: the first reading decides, and once others have turned the odds well to the other side the wall turns
-// over. As long as none does the view only grows, which is what strategies rely on; when one does, a new version of the view
-// begins, at which they plan anew. A learned map begins at odds counted in other mazes, by what is known of the eight
-// walls about that one as it is first read; in mazes too small for these, at even ones.
+// over. As long as none does the view only grows, which is what strategies rely on; when one does, a new version of the
+// view begins, at which they plan anew. A learned map begins at odds counted in other mazes, by what is known of the
+// eight walls about that one as it is first read; in mazes too small for these, at even ones.
 //
 //      open ◄───────┬───────────────┬───────► closed
 //    -64           -16      0      +16           +64
@@ -26,9 +26,9 @@ namespace labmouse {
 
 /// What a map does with readings against what it has taken a wall for.
 enum class MapKind : std::uint8_t {
-  first,    ///< nothing: the first reading stays for ever, as in most mice
-  log_odds,   ///< it weighs them
-  learned,  ///< it weighs them with what other mazes say, and asks whether it is where it believes to be
+  first,     ///< nothing: the first reading stays for ever, as in most mice
+  log_odds,  ///< it weighs them
+  learned,   ///< it weighs them with what other mazes say, and asks whether it is where it believes to be
 };
 
 inline constexpr std::array all_map_kinds = {MapKind::first, MapKind::log_odds, MapKind::learned};

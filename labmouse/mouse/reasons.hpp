@@ -44,7 +44,8 @@ struct Reasons {
   /// The position of the chosen one; -1 where none was worth its price, and the strategy stops.
   int chosen = -1;
   int known = 0;  ///< cost of the shortest known run from start to goal; 0 where there is none yet
-  /// The share of the way from the start to a wall that `through` of the wall counts: 0 where a strategy only looks ahead.
+  /// The share of the way from the start to a wall that `through` of the wall counts: 0 where a strategy only looks
+  /// ahead.
   double way_here = 1;
   double hope = 0;   ///< after the goal: the cost of the run through the wall that comes nearest to being worth a look
   double price = 0;  ///< and what the look at it would cost, as far as the strategy counts it against the hope

@@ -40,7 +40,8 @@ class DriveRuns {
   /// Finds the runs by what is known now; whether it had to plan for that. Plans anew only where a newly seen wall cuts
   /// the route that was hoped for: walls only raise times, so that one that is not cut stays the fastest.
   bool plan(const Knowledge& knowledge) { return plan(knowledge.possible(), knowledge.open()); }
-  /// The same over passages that a strategy hopes for; those that come to its hopes later are seen with the next new plan.
+  /// The same over passages that a strategy hopes for; those that come to its hopes later are seen with the next new
+  /// plan.
   bool plan(const WallSet& hoped, const WallSet& open);
 
   /// Plans anew the next time: walls have come back that it had left out.

@@ -18,7 +18,7 @@ using MouseFactory = std::unique_ptr<Strategy> (*)(const Briefing& briefing, con
 using DriverFactory = std::unique_ptr<DrivingStrategy> (*)(const Briefing& briefing, const Settings& settings);
 
 /// One mouse: its name, what it does in a line, how it does that in sentences, where the idea comes from, its
-/// parameters, and how it is made. Each mind's file defines its own.
+/// parameters, and how it is made. Each strategy's file defines its own.
 struct BuiltinMouse {
   std::string_view name;
   std::string_view summary;

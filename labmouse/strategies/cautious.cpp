@@ -13,8 +13,8 @@
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/mouse/manhattan.hpp"
 #include "labmouse/mouse/visits.hpp"
-#include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
+#include "labmouse/strategies/move_mapper.hpp"
 
 namespace labmouse {
 namespace {

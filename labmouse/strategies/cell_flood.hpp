@@ -18,7 +18,8 @@
 
 namespace labmouse {
 
-/// A mouse that floods cell by cell; what it does between goal and reset, and which map it races on, is the strategy's own.
+/// A mouse that floods cell by cell; what it does between goal and reset, and which map it races on, is the strategy's
+/// own.
 class CellFlood : public Explorer {
  public:
   CellFlood(const Briefing& briefing, TieOrder ties);

@@ -1,5 +1,5 @@
-// festina: makes haste slowly. It searches as another strategy does, with a map that doubts, at a pace that its body bears,
-// and runs faster from try to try; and where no fast run ends well it makes sure of a slow one.
+// festina: makes haste slowly. It searches as another strategy does, with a map that doubts, at a pace that its body
+// bears, and runs faster from try to try; and where no fast run ends well it makes sure of a slow one.
 //
 // Limits: what it knows of its body is how its runs ended; of the noise of the day it is told nothing.
 #include <algorithm>
@@ -35,10 +35,11 @@ constexpr std::array festina_parameters = {
                        "Factor on the speed of speed runs after each crash in a speed run (no unit)."),
     Parameter::flag("safe", "yes", "Whether it makes a safe run at search speed if no speed run finished.",
                     ParameterScope::errors),
-    Parameter::choice("map", "log-odds", "log-odds/log-odds-prior",
-                      "How contradicting wall readings are handled: a log-odds map weighs them (log-odds), with a prior "
-                      "learned from other mazes (log-odds-prior).",
-                      ParameterScope::errors),
+    Parameter::choice(
+        "map", "log-odds", "log-odds/log-odds-prior",
+        "How contradicting wall readings are handled: a log-odds map weighs them (log-odds), with a prior "
+        "learned from other mazes (log-odds-prior).",
+        ParameterScope::errors),
 };
 
 /// A search has to come to its goal within half of the time: that takes about half of the cells, each with its turns.
@@ -201,7 +202,8 @@ constinit const BuiltinMouse festina_mouse = {
     .name = "festina",
     .summary = "a log-odds map, slower search runs after crashes, faster speed runs from try to try",
     .method =
-        "The parameter `mind` chooses the strategy that explores: ariadne where the time in the maze counts, certify "
+        "The parameter `strategy` chooses the strategy that explores: ariadne where the time in the maze counts, "
+        "certify "
         "where "
         "it does not. festina itself decides two things, the map and the pace. A log-odds map weighs contradicting "
         "readings; if no route is left, the mouse looks again. The search run begins at the usual pace and becomes "

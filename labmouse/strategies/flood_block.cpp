@@ -10,8 +10,8 @@
 // the next one to the south or east, of which the report does not speak.
 #include <array>
 
-#include "labmouse/strategies/cell_flood.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
+#include "labmouse/strategies/cell_flood.hpp"
 
 namespace labmouse {
 namespace {

@@ -13,8 +13,8 @@
 #include <array>
 #include <optional>
 
-#include "labmouse/strategies/cell_flood.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
+#include "labmouse/strategies/cell_flood.hpp"
 
 namespace labmouse {
 namespace {

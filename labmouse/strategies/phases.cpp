@@ -18,10 +18,10 @@
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/hashed_cells.hpp"
 #include "labmouse/mouse/tie_order.hpp"
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "labmouse/strategies/phases/continuing.hpp"
 #include "labmouse/strategies/phases/searching.hpp"
 #include "labmouse/strategies/phases/speed_run.hpp"
-#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {

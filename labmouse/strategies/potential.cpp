@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
+#include "labmouse/strategies/move_mapper.hpp"
 
 namespace labmouse {
 namespace {

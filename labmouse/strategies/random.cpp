@@ -4,9 +4,9 @@
 // Choices: a move may go backwards, and a cell within range is any that one move can reach through known passages.
 #include <array>
 
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/random_walk.hpp"
-#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {

@@ -5,9 +5,9 @@
 // there.
 #include <array>
 
+#include "labmouse/strategies/builtin_mice.hpp"
 #include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/random_walk.hpp"
-#include "labmouse/strategies/builtin_mice.hpp"
 
 namespace labmouse {
 namespace {

@@ -175,6 +175,38 @@ TEST_F(AUser, MayUseFormerNamesOfWorlds) {
   }
 }
 
+TEST_F(AUser, MayUseFormerNamesOfOptionsSpecsAndSettings) {
+  file("corridor.txt", corridor);
+  file("mice.toml", "[[mouse]]\nname = 'a'\nguest = 'false'\n");
+  using Words = std::vector<std::string>;
+  const std::vector<std::pair<Words, Words>> same = {
+      {{"race", "--mice-file", "mice.toml", "--external-runs", "2"},
+       {"race", "--lineup", "mice.toml", "--guest-runs=2"}},
+      {{"race", "--mice", "flood", "a=program:false"}, {"race", "--mice", "flood", "a=guest:false"}},
+      {{"race", "--mice", "mice-file:mice.toml:a"}, {"race", "--mice", "lineup:mice.toml:a"}},
+      {{"race", "--world", "physical", "--runs", "1", "--mice", "c=controller:false"},
+       {"race", "--world", "physical", "--runs", "1", "--mice", "c=pilot:false"}},
+      {{"race", "--world", "physical", "--runs", "1", "--mice", "flood", "--variation", "1", "--map", "log-odds"},
+       {"race", "--world", "physical", "--runs", "1", "--mice", "flood", "--spread", "1", "--map", "belief"}},
+      {{"race", "--world", "failures", "--runs", "1", "--failure-rates", "kerise", "--mice",
+        "m=festina:strategy=certify:map=log-odds-prior"},
+       {"race", "--world", "failures", "--runs", "1", "--hazards", "kerise", "--mice",
+        "m=festina:mind=certify:map=learned"}}};
+  for (const auto& [now, before] : same) {
+    const auto results = [&](Words words) {
+      words.insert(words.end(), {"--mazes", "corridor.txt", "--format", "json"});
+      const Ended ended = labmouse(words);
+      Json json = Json::parse(ended.out, nullptr, false);
+      EXPECT_TRUE(json.is_object()) << ended.err;
+      if (json.is_object()) leave_times_out(json);
+      return json;
+    };
+    EXPECT_EQ(results(before), results(now)) << testing::PrintToString(before);
+  }
+  EXPECT_EQ(labmouse({"hazards", "--help"}).out, labmouse({"failure-rates", "--help"}).out);
+  EXPECT_EQ(labmouse({"lineup", "check", "mice.toml"}).out, labmouse({"mice-file", "check", "mice.toml"}).out);
+}
+
 TEST_F(AUser, IsToldInOneLineWhatIsWrong) {
   is_refused({"rase"}, "'rase'", "'race'");
   is_refused({"race", "--mise", "flood"}, "'--mise'", "'--mice'", "labmouse race --help");
@@ -231,7 +263,7 @@ TEST_F(AUser, IsToldTheRangeThatANumberHas) {
   file("m.txt", corridor);
   for (const char* pace : {"0.1", "2"}) {
     is_refused({"race", "--world", "failures", "--mazes", "m.txt", "--pace", pace}, "--pace", pace, "0.2 to 1");
-    is_refused({"failure_rates", "--mazes", "m.txt", "--pace", pace}, "--pace", pace, "0.2 to 1");
+    is_refused({"failure-rates", "--mazes", "m.txt", "--pace", pace}, "--pace", pace, "0.2 to 1");
   }
   is_refused({"run", "flood", "m.txt", "--goal", "99,99"}, "'99,99'", "0 to 63");
   is_refused({"sweep", "flood", "--vary", "stride=1-3", "--mazes", "m.txt"}, "'1-3'", "LOW:HIGH:STEP");

@@ -59,10 +59,10 @@ TEST_F(AHostOfPrograms, ShowsTheirLastWordsAfterARun) {
 TEST_F(AHostOfPrograms, TellsWhichOfTheirStepsWereNotPerformed) {
   file("clumsy.sh", "echo labmouse 1\nwhile read -r word rest; do [ $word != sense ] || echo move 45 4; done\n");
   const std::string clumsy = "program:sh clumsy.sh";
-  const auto lines = Says("5 of 5 steps", "blocked by a wall", "void turn", "cut to 3 cells",
-                          "step 1 at (0,0) heading north: turn +45, move +4\n",
-                          "\nprogram:sh clumsy.sh in corridor.txt: out of steps at (0,0) heading north", "5 search",
-                          "bound 1.067\n");
+  const auto lines =
+      Says("5 of 5 steps", "blocked by a wall", "void turn", "cut to 3 cells",
+           "step 1 at (0,0) heading north: turn +45, move +4\n",
+           "\nprogram:sh clumsy.sh in corridor.txt: out of steps at (0,0) heading north", "5 search", "bound 1.067\n");
   const Ended run = labmouse({"run", clumsy, "corridor.txt", "--budget", "5", "--record", "clumsy.jsonl"});
   EXPECT_THAT(run.out, lines);
   // Behind the run stands whether there was a sandbox.

@@ -39,8 +39,8 @@ TEST_F(AUser, LooksBackAsData) {
   EXPECT_LE(maze.at("best_stop"), maze.at("score"));
   // The score is that of a race with the same seed.
   const Json raced = race({"--mice", "cautious", "--mazes", "capstone-1", "--runs", "4", "--budget", "800"});
-  EXPECT_NEAR(raced.at("groups").at(0).at("mice").at(0).at("mean_par1").get<double>(),
-              maze.at("score").get<double>(), 1e-9);
+  EXPECT_NEAR(raced.at("groups").at(0).at("mice").at(0).at("mean_par1").get<double>(), maze.at("score").get<double>(),
+              1e-9);
   // The best of several is what its mouse scores with its seed.
   const std::string seed = std::to_string(maze.at("best_seed").get<std::uint64_t>());
   const Ended ran = labmouse({"run", maze.at("best_mouse"), "capstone-1", "--seed", seed, "--budget", "800"});

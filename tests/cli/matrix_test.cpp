@@ -56,7 +56,7 @@ const std::map<std::string, Words> usual = {
     {"bound", {"m.txt"}},
     {"route", {"m.txt", "--svg", "route.svg"}},
     {"drive", {"--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
-    {"failure_rates", {"--mazes", "m.txt", "--noise", "1", "--jobs", "1"}},
+    {"failure-rates", {"--mazes", "m.txt", "--noise", "1", "--jobs", "1"}},
     {"replay", {"r.jsonl"}},
     {"score", {"r.jsonl"}},
     {"page", {"-o", "page.html"}},
@@ -137,8 +137,8 @@ class EveryCommand : public test::AUser {
   }
   Words mice() const {
     Words mice = built_in_mice();
-    mice.insert(mice.end(), {"mine=flood:stride=1", "capstone:robot.py", "program:false", "controller:false", "mms:false",
-                             "mice-file:mice.toml", "nobody"});
+    mice.insert(mice.end(), {"mine=flood:stride=1", "capstone:robot.py", "program:false", "controller:false",
+                             "mms:false", "mice-file:mice.toml", "nobody"});
     return mice;
   }
 

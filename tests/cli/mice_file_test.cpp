@@ -30,7 +30,8 @@ class ATeacher : public AUser {
   }
   Ended race_of(const std::string& mice_file, std::vector<std::string> more = {}) const {
     file("class/mice.toml", mice_file);
-    more.insert(more.begin(), {"race", "--mazes", "corridor.txt", "--mice-file", "class/mice.toml", "--format", "json"});
+    more.insert(more.begin(),
+                {"race", "--mazes", "corridor.txt", "--mice-file", "class/mice.toml", "--format", "json"});
     return labmouse(std::move(more));
   }
 };
@@ -99,7 +100,8 @@ TEST_F(ATeacher, VariesNamedMiceAsTheMiceThatTheyAre) {
   }
   // The name is that of another mouse, with other parameters.
   EXPECT_EQ(labmouse({"race", "--mice", "ariadne=flood", "--world", "seconds", "--mazes", "corridor.txt"}).code, 0);
-  EXPECT_EQ(labmouse({"sweep", "mice-file:class/mice.toml", "--vary", "stride=1:3:1", "--mazes", "corridor.txt"}).code, 0);
+  EXPECT_EQ(labmouse({"sweep", "mice-file:class/mice.toml", "--vary", "stride=1:3:1", "--mazes", "corridor.txt"}).code,
+            0);
   EXPECT_EQ(labmouse({"sweep", "mine=capstone:class/anna/robot.py", "--vary", "stride=1:3:1"}).code, 2);
 }
 

@@ -228,7 +228,8 @@ TEST_F(AnMmsUser, LimitsHoldInRacesToo) {
 }
 
 TEST_F(AnMmsUser, RacesAndReplaysAProgramThatNeverEnds) {
-  const std::string on = "mms:" + external({"ask:turnRight", "ask:moveForward", "ask-on:moveForward/turnRight/turnRight"});
+  const std::string on =
+      "mms:" + external({"ask:turnRight", "ask:moveForward", "ask-on:moveForward/turnRight/turnRight"});
   const std::vector<std::string> order = {"race", "--mazes", "plank.txt", "--simulated-limit", "100", "--mice", on};
   auto saving = order;
   saving.insert(saving.begin() + 1, {"--out", "out"});
@@ -252,8 +253,8 @@ TEST_F(AnMmsUser, RacesAndReplaysAProgramThatNeverEnds) {
 }
 
 TEST_F(AnMmsUser, AnInterruptedRacePrintsWhatIsDone) {
-  const Program program(folder_, {"race", "--mice", "mms:" + external({"ask:turnRight", "hang"}), "--mazes", "plank.txt",
-                                  "--silence-limit", "60"});
+  const Program program(folder_, {"race", "--mice", "mms:" + external({"ask:turnRight", "hang"}), "--mazes",
+                                  "plank.txt", "--silence-limit", "60"});
   while (!program.handles_interrupts()) std::this_thread::yield();
   program.interrupt();
   const Ended ended = program.wait();

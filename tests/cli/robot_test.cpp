@@ -13,8 +13,7 @@ constexpr const char* robot =
     "{\"reading\":[0,0,0],\"action\":\"reset\"}\r\n"
     "{\"reading\":[0,0,2],\"action\":[90,2]}\r\n"
     "{\"outcome\":\"finished\"}\r\n";
-constexpr const char* result =
-    "robot in corridor.txt: finished, score 1.100 = 1 speed + 3 search / 30; bound 1.067\n";
+constexpr const char* result = "robot in corridor.txt: finished, score 1.100 = 1 speed + 3 search / 30; bound 1.067\n";
 
 class ARobot : public AUser {
  protected:

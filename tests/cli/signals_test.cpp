@@ -56,8 +56,8 @@ TEST_P(AnImpatientUser, StopsASearch) {
 }
 
 TEST_P(AnImpatientUser, KeepsWhatFailureRatesCounted) {
-  const Program program(folder_, {"failure_rates", "--mice", "flood-return", "--mazes", "contest-01", "--runs", "500000",
-                                  "--jobs", "1", "--format", "json", "--save", "mine.json"});
+  const Program program(folder_, {"failure-rates", "--mice", "flood-return", "--mazes", "contest-01", "--runs",
+                                  "500000", "--jobs", "1", "--format", "json", "--save", "mine.json"});
   ASSERT_TRUE(patiently([&] { return program.handles_interrupts(); }));
   program.signal(GetParam());
   const Ended ended = program.wait();

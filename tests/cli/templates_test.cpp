@@ -1,4 +1,5 @@
-// The templates of external mice: each solves every built-in maze, and stays short. Those of controllers finish contests.
+// The templates of external mice: each solves every built-in maze, and stays short. Those of controllers finish
+// contests.
 #include <map>
 #include <sstream>
 
@@ -145,9 +146,10 @@ INSTANTIATE_TEST_SUITE_P(In, AControllerTemplate,
                                          "python3 \"" LABMOUSE_SOURCE_DIR "/templates/controller.py\""),
                          [](const auto& name) { return name.index == 0 ? "c" : "py"; });
 
-INSTANTIATE_TEST_SUITE_P(In, ATemplate, testing::Values("program.cpp", "program.py", "program.js"), [](const auto& name) {
-  return std::string(name.param).substr(std::string_view("program.").size());
-});
+INSTANTIATE_TEST_SUITE_P(In, ATemplate, testing::Values("program.cpp", "program.py", "program.js"),
+                         [](const auto& name) {
+                           return std::string(name.param).substr(std::string_view("program.").size());
+                         });
 
 }  // namespace
 }  // namespace labmouse::test

@@ -67,11 +67,11 @@ TEST_F(AUser, GivesSpeedsInMillimetres) {
   is_refused({"race", "--world", "physical", "--mice", "flood", "--mazes", "m.txt", "--search-speed", "0.3"},
              "error: --search-speed", "mm/s");
   is_refused({"drive", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
-  is_refused({"failure_rates", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
+  is_refused({"failure-rates", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
 }
 
 TEST_F(AUser, HasNoEmptyValueTakenForNone) {
-  const std::vector<std::vector<std::string>> all = {{"failure_rates", "--check", ""},
+  const std::vector<std::vector<std::string>> all = {{"failure-rates", "--check", ""},
                                                      {"race", "--start", ""},
                                                      {"mice", ""},
                                                      {"mice", "--format", ""},
@@ -121,7 +121,8 @@ TEST_F(AUser, IsToldOfParametersWithoutEffectAndChoosesTheWorld) {
   EXPECT_EQ(chosen.code, 0) << chosen.err;
   is_refused({"race", "--mice", "flood,ariadne:cell_most=1", "--mazes", "m.txt"}, "error: ", "'cell_most'", "steps",
              "--world seconds");
-  is_refused({"failure_rates", "--mice", "ariadne:travel=30", "--mazes", "m.txt"}, "error: --mice: ", "'travel'", "steps");
+  is_refused({"failure-rates", "--mice", "ariadne:travel=30", "--mazes", "m.txt"}, "error: --mice: ", "'travel'",
+             "steps");
   is_refused({"run", "ariadne:cell_most=1", "m.txt"}, "error: ", "'cell_most'", "seconds");
   is_refused({"bound", "m.txt", "--hindsight", "ariadne:cell_most=1"}, "error: ", "'cell_most'", "seconds");
 }

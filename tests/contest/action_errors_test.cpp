@@ -73,7 +73,8 @@ TEST(ActionErrors, AResetInTheLastStepIsIdleOnlyWhereNoGoalWasEntered) {
   Rules rules;
   rules.budget = 3;
   EXPECT_EQ(after({Action::step(90, 3), Action::step(0, 1), Action::reset()}, rules).idle_resets, ActionErrorCount());
-  EXPECT_EQ(after({Action::step(90, 3), Action::step(0, 0), Action::reset()}, rules).idle_resets, (ActionErrorCount{1, 3}));
+  EXPECT_EQ(after({Action::step(90, 3), Action::step(0, 0), Action::reset()}, rules).idle_resets,
+            (ActionErrorCount{1, 3}));
   rules.budget = 4;
   EXPECT_EQ(after({Action::step(90, 3), Action::step(0, 1), Action::reset(), Action::reset()}, rules).idle_resets,
             (ActionErrorCount{1, 4}));

@@ -76,8 +76,8 @@ TEST(PlainSimulator, AgreesStepForStepOverAHundredThousandSteps) {
     steps += record.steps.size();
     ++outcomes[record.outcome];
   }
-  for (const Outcome outcome :
-       {Outcome::finished, Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit})
+  for (const Outcome outcome : {Outcome::finished, Outcome::out_of_steps, Outcome::never_reset,
+                                Outcome::speed_run_unfinished, Outcome::forfeit})
     EXPECT_GE(outcomes[outcome], 10) << "too few contests end with: " << name_of(outcome);
 }
 

@@ -1,4 +1,5 @@
-// A controller drives moves and routes as they are meant: where they end, how long they take, and what it says of walls.
+// A controller drives moves and routes as they are meant: where they end, how long they take, and what it says of
+// walls.
 #include "labmouse/controller/controller.hpp"
 
 #include <gtest/gtest.h>
@@ -6,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/drawn_maze.hpp"
 #include "tests/controller/driven.hpp"
 #include "tests/controller/robots.hpp"
+#include "tests/drawn_maze.hpp"
 #include "tests/strategies/allocations.hpp"
 
 namespace labmouse {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "tests/drawn_maze.hpp"
 #include "tests/controller/driven.hpp"
 #include "tests/controller/robots.hpp"
+#include "tests/drawn_maze.hpp"
 
 namespace labmouse {
 namespace {

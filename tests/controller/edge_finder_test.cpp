@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "labmouse/body/beams.hpp"
-#include "labmouse/hardware/beam.hpp"
 #include "labmouse/controller/view.hpp"
+#include "labmouse/hardware/beam.hpp"
 #include "tests/controller/robots.hpp"
 
 namespace labmouse {

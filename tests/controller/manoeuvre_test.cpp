@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "labmouse/body/body.hpp"
-#include "labmouse/functions/whole.hpp"
 #include "labmouse/controller/axis_control.hpp"
 #include "labmouse/controller/estimator.hpp"
 #include "labmouse/controller/piece.hpp"
 #include "labmouse/controller/tracker.hpp"
+#include "labmouse/functions/whole.hpp"
 #include "tests/controller/robots.hpp"
 #include "tests/slowness.hpp"
 

@@ -9,9 +9,9 @@
 
 #include "labmouse/body/beams.hpp"
 #include "labmouse/maze/generators/generator.hpp"
-#include "tests/drawn_maze.hpp"
 #include "tests/controller/driven.hpp"
 #include "tests/controller/robots.hpp"
+#include "tests/drawn_maze.hpp"
 #include "tests/slowness.hpp"
 
 namespace labmouse {

@@ -1,4 +1,5 @@
-// An external mouse that somebody else runs: heard word by word, it has the contest that the same words have from a process.
+// An external mouse that somebody else runs: heard word by word, it has the contest that the same words have from a
+// process.
 #include "labmouse/external/dialogue.hpp"
 
 #include <gmock/gmock.h>

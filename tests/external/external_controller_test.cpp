@@ -53,9 +53,10 @@ Launch scripted(const std::string& answers) {
 TEST(ExternalController, ChoosesItsBatchByTheLengthOfItsAnswer) {
   // The words of a question: `sense`, and 13 numbers a tick, the number of the tick first.
   const Contest held = contest(scripted("(echo drive 1 2 3 4 5 6; echo drive 7 8; echo fast 9 9 9 9; echo forfeit)"));
-  EXPECT_EQ(held.record.tape,
-            (std::vector<ControllerTick>{
-                {1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 9, ControllerWord::fast}, {9, 9}, {0, 0, ControllerWord::give_up}}));
+  EXPECT_EQ(
+      held.record.tape,
+      (std::vector<ControllerTick>{
+          {1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 9, ControllerWord::fast}, {9, 9}, {0, 0, ControllerWord::give_up}}));
   EXPECT_THAT(held.words, HasSubstr("14 1\n40 2\n14 5\n27 6"));
   EXPECT_EQ(held.record.drive.reason, ForfeitReason::gave_up);
 }

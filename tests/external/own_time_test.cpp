@@ -99,7 +99,8 @@ TEST(OwnTime, CountsTheWorkOfAllThatItStarted) {
   launch.limits.start = 20s;
   ExternalProcess process(launch);
   const auto before = process.tree_time().worked;
-  while (process.wait(ExternalProcess::Clock::now() + 20ms) == ExternalEvent::timeout && process.tree_time().worked < 50ms) {
+  while (process.wait(ExternalProcess::Clock::now() + 20ms) == ExternalEvent::timeout &&
+         process.tree_time().worked < 50ms) {
   }
   // Of those that have ended, too.
   EXPECT_GT(process.tree_time().worked, before);

@@ -1,9 +1,9 @@
-// Any bytes as what an external mouse says: lines come out whole and within their limit, whatever portions they came in, and an
-// answer is one that the world can perform and a record can hold.
+// Any bytes as what an external mouse says: lines come out whole and within their limit, whatever portions they came
+// in, and an answer is one that the world can perform and a record can hold.
 #include <fmt/format.h>
 
-#include "labmouse/external/line_buffer.hpp"
 #include "labmouse/external/controller_protocol.hpp"
+#include "labmouse/external/line_buffer.hpp"
 #include "labmouse/external/protocol.hpp"
 #include "tests/fuzz/fuzzer.hpp"
 

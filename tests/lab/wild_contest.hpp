@@ -20,14 +20,14 @@ namespace labmouse::test {
 struct WildContest {
   std::uint64_t seed = 1;
   std::size_t strategy = 0;  ///< of wild_strategies
-  int side = 6;          ///< of the maze, in cells
-  int loops = 100;       ///< thousandths
-  double wild = 0.5;     ///< the share of readings that any wall may have given
-  double crash = 0.02;   ///< of manoeuvres
+  int side = 6;              ///< of the maze, in cells
+  int loops = 100;           ///< thousandths
+  double wild = 0.5;         ///< the share of readings that any wall may have given
+  double crash = 0.02;       ///< of manoeuvres
 };
 
 inline constexpr std::array<std::string_view, 5> wild_strategies = {"flood", "flood-return", "certify", "ariadne",
-                                                               "festina"};
+                                                                    "festina"};
 inline constexpr MazeTime wild_time = 20'000'000;
 /// A move takes a twentieth of a second at least; what is more is a strategy that goes round and round.
 inline constexpr int most_decisions = 20 * (wild_time / 1'000'000);

@@ -341,11 +341,11 @@ def test_a_mouse_with_dice_has_several_contests():
         def steps(self):
             return int(numpy.random.default_rng(1).integers(3))
 
-    class Evidence(Waiter):
+    class Told(Waiter):
         def __init__(self, told):
             self.left = told.seed % 3
 
-    class ContestOutput(Waiter):
+    class Held(Waiter):
         dice = random.Random(1)
 
         def steps(self):
@@ -354,7 +354,7 @@ def test_a_mouse_with_dice_has_several_contests():
     class Sober(Dicer):
         uses_chance = False
 
-    counts = labmouse.race([Dicer, Chooser, Numpy, Evidence, ContestOutput, Sober, Waiter], MAZE, runs=2).table["mouse"].value_counts()
+    counts = labmouse.race([Dicer, Chooser, Numpy, Told, Held, Sober, Waiter], MAZE, runs=2).table["mouse"].value_counts()
     assert counts.to_dict() == {"Dicer": 2, "Chooser": 2, "Numpy": 2, "Told": 2, "Held": 2, "Sober": 1, "Waiter": 1}
 
 

@@ -38,11 +38,11 @@ class Words(unittest.TestCase):
         return code, out.getvalue().splitlines()
 
     def test_plain_pages_pass(self):
-        page = "# A\n\nIt runs. [Here](#a), [there](../../README.md), [out](https://example.org).\n\n```\na strategy strays\n```\n"
+        page = "# A\n\nIt runs. [Here](#a), [there](../../README.md), [out](https://example.org).\n\n```\na mind strays\n```\n"
         self.assertEqual(self.said_of(page)[0], 0)
 
     def test_what_is_wrong_is_found(self):
-        for page in ("A strategy explores.", "It is in a line\nup with the fallible world.", "word " * 36 + "end.",
+        for page in ("A mind explores.", "It is in a line\nup with the fallible world.", "word " * 36 + "end.",
                      "[lost](b.md)", "[lost](#b)", "# A\n\n[lost](../../README.md#rats)"):
             code, lines = self.said_of(page + "\n")
             self.assertEqual((code, len(lines)), (1, 2), page)

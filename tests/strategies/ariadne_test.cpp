@@ -138,7 +138,9 @@ TEST(Ariadne, FinishesWithinTheBudgetWhereTheCarefulOnesDo) {
   Dice dice(300);
   for (int i = 0; i < test::tenth(300); ++i) {
     const Maze maze = any_maze(dice, i % 20 == 0 ? 64 : 24);
-    const auto solves = [&](const BuiltinMouse& mouse) { return test::contest(mouse, maze).outcome == Outcome::finished; };
+    const auto solves = [&](const BuiltinMouse& mouse) {
+      return test::contest(mouse, maze).outcome == Outcome::finished;
+    };
     const bool can_be_done = solves(certify_mouse) || solves(flood_return_mouse);
     ASSERT_TRUE(solves(ariadne_mouse) || !can_be_done) << i << drawing_of(maze);
   }

@@ -164,7 +164,8 @@ TEST_P(EveryMouse, KnowsAllThatItHasSeen) {
     SCOPED_TRACE(maze.name);
     const auto strategy = make(mouse(), maze.maze);
     Knowledge seen(maze.maze.size());
-    for (const StepRecord& step : run(maze.maze, {}, *strategy).steps) ASSERT_TRUE(seen.learn(step.pose, step.sighting));
+    for (const StepRecord& step : run(maze.maze, {}, *strategy).steps)
+      ASSERT_TRUE(seen.learn(step.pose, step.sighting));
     EXPECT_EQ(strategy->knowledge().open(), seen.open());
     EXPECT_EQ(strategy->knowledge().possible(), seen.possible());
   }
@@ -287,7 +288,8 @@ TEST_P(EveryMouse, HasNoParameterWithoutEffect) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltinMice, EveryMouse, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()), test::mouse_name);
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, EveryMouse, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()),
+                         test::mouse_name);
 
 /// The mice that always arrive.
 class SureMouse : public EveryMouse {};

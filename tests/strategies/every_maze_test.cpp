@@ -72,7 +72,8 @@ TEST_P(InRealMazes, DoesSoByEveryMethodThatItCanBeGiven) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltinMice, InRealMazes, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()), test::mouse_name);
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, InRealMazes, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()),
+                         test::mouse_name);
 
 }  // namespace
 }  // namespace labmouse

@@ -107,11 +107,12 @@ TEST_P(Golden, ThePocketIsPlayedAsBefore) { plays_as_before(pocket); }
 
 TEST_P(Golden, TheStairsArePlayedAsBefore) { plays_as_before(stairs); }
 
-INSTANTIATE_TEST_SUITE_P(BuiltinMice, Golden, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()), [](const auto& mouse) {
-  std::string name(mouse.param->name);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, Golden, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()),
+                         [](const auto& mouse) {
+                           std::string name(mouse.param->name);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace labmouse

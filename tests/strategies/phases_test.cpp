@@ -10,8 +10,8 @@
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/maze/routes.hpp"
-#include "labmouse/strategies/phases/speed_run.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
+#include "labmouse/strategies/phases/speed_run.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/slowness.hpp"
@@ -159,8 +159,8 @@ std::array<int, 3> turns_at_crossings(const Changes& changes) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Maze maze = kruskal_generator.make({{16, 16}, seed, 1000});
     for (const StepRecord& step : run_with(changes, maze, {}, seed).steps)
-      if (step.run == Run::search_run && step.sighting.left > 0 && step.sighting.ahead > 0 &&
-          step.sighting.right > 0 && step.action.movement == 1)
+      if (step.run == Run::search_run && step.sighting.left > 0 && step.sighting.ahead > 0 && step.sighting.right > 0 &&
+          step.action.movement == 1)
         ++turns[static_cast<std::size_t>(step.action.rotation / 90 + 1)];
   }
   return turns;

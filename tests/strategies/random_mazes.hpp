@@ -1,4 +1,5 @@
-// Mazes of all kinds for tests of strategies: every generator, odd sizes, starts and goals anywhere, areas that are cut off.
+// Mazes of all kinds for tests of strategies: every generator, odd sizes, starts and goals anywhere, areas that are cut
+// off.
 #pragma once
 
 #include <string>

@@ -69,7 +69,8 @@ TEST_P(EveryReasoner, ChoosesTheLowestScoreAmongUnseenWallsOfTheExploration) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltinMice, EveryReasoner, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()), test::mouse_name);
+INSTANTIATE_TEST_SUITE_P(BuiltinMice, EveryReasoner, testing::ValuesIn(builtin_mice().begin(), builtin_mice().end()),
+                         test::mouse_name);
 
 }  // namespace
 }  // namespace labmouse

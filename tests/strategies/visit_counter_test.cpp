@@ -54,20 +54,20 @@ TEST(VisitCounter, GoesToTheNeighbourThatWasVisitedLeast) {
     const Maze maze = test::wandering_ground(seed);
     Recount recount(maze.size());
     test::in_search_run(test::wander(visit_counter_mouse, maze, seed, {{"random_share", "0"}, {"coverage", "1"}}, 300),
-                         [&](const StepRecord& step) {
-                           if (step.action.kind == Action::Kind::reset) return;
-                           recount.arrive(step.pose.cell);
-                           if (step.sighting == test::dead_end) {
-                             ASSERT_EQ(step.action, Action::step(90, 0));
-                             return;
-                           }
-                           ASSERT_EQ(step.action.movement, 1);
-                           const std::optional<int> turn = recount.choice(step);
-                           ++(turn ? chosen : hidden);
-                           if (turn) {
-                             ASSERT_EQ(step.action.rotation, 90 * *turn) << "step " << step.step;
-                           }
-                         });
+                        [&](const StepRecord& step) {
+                          if (step.action.kind == Action::Kind::reset) return;
+                          recount.arrive(step.pose.cell);
+                          if (step.sighting == test::dead_end) {
+                            ASSERT_EQ(step.action, Action::step(90, 0));
+                            return;
+                          }
+                          ASSERT_EQ(step.action.movement, 1);
+                          const std::optional<int> turn = recount.choice(step);
+                          ++(turn ? chosen : hidden);
+                          if (turn) {
+                            ASSERT_EQ(step.action.rotation, 90 * *turn) << "step " << step.step;
+                          }
+                        });
   }
   EXPECT_GT(chosen, 1000);
   EXPECT_GT(hidden, 50);

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/reports/report_records.hpp"
 #include "labmouse/lab/reports/report_results.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"

@@ -4,9 +4,9 @@
 #include <array>
 #include <span>
 
-#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/external/mms/canvas.hpp"
 #include "labmouse/external/mms/statistics.hpp"
+#include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse {
 namespace {

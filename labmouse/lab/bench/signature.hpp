@@ -6,13 +6,15 @@
 
 namespace labmouse {
 
-/// A hash over all actions of every mouse on the list of built-in mice, with its defaults, in fixed mazes of our generators.
+/// A hash over all actions of every mouse on the list of built-in mice, with its defaults, in fixed mazes of our
+/// generators.
 std::uint64_t behaviour_signature();
 
 /// The same of the world in seconds: the tables of robots of all kinds, and every move and run of the mice that drive.
 std::uint64_t seconds_signature();
 
-/// The same of the physical world: every bit of where bodies are, and where their controllers believe to be, under noise.
+/// The same of the physical world: every bit of where bodies are, and where their controllers believe to be, under
+/// noise.
 std::uint64_t physical_signature();
 
 /// All in hexadecimal digits, with hyphens between: what `labmouse bench` prints.

@@ -32,10 +32,10 @@ StrategyMemory strategy_memory(Size size, const DriveModel& model) {
   Briefing briefing = brief(maze, DriveRules(), model, 1);
   briefing.drive.fields = &fields;
   StrategyMemory memory{size,
-                    DriveFields::bytes_for(size, model),
-                    DriveFields::layout(size, model),
-                    route_tables_of(model)->table_bytes(size),
-                    {}};
+                        DriveFields::bytes_for(size, model),
+                        DriveFields::layout(size, model),
+                        route_tables_of(model)->table_bytes(size),
+                        {}};
   for (const BuiltinMouse* mouse : builtin_mice())
     if (mouse->drives()) memory.own[std::string(mouse->name)] = own_memory(*mouse, briefing);
   return memory;

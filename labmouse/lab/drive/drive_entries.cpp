@@ -11,10 +11,10 @@
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/failure_rates/builtin_failure_rates.hpp"
-#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/physical_lines.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
@@ -155,10 +155,12 @@ WorldResult make_physical(const WorldSettings& chosen) {
   Parts parts = parts_with_errors(physical_entry, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
   PhysicalConditions& conditions = parts.conditions;
-  conditions.noise.variation = number_in(physical_entry, chosen, "variation", 0.0, most_variation, parts.error).value_or(0.0);
+  conditions.noise.variation =
+      number_in(physical_entry, chosen, "variation", 0.0, most_variation, parts.error).value_or(0.0);
   conditions.controller.search_speed =
       number_in(physical_entry, chosen, "search-speed", 0.0, most_search_speed, parts.error).value_or(0.0);
-  if (parts.error.empty() && conditions.controller.search_speed > 0.0 && conditions.controller.search_speed < least_search_speed)
+  if (parts.error.empty() && conditions.controller.search_speed > 0.0 &&
+      conditions.controller.search_speed < least_search_speed)
     parts.error = fmt::format("error: --search-speed: {:g} is less than {:g}: it is in mm/s",
                               conditions.controller.search_speed, least_search_speed);
   if (!parts.error.empty()) return {nullptr, parts.error};
@@ -177,9 +179,11 @@ WorldResult make_failures(const WorldSettings& chosen) {
   if (!parts.error.empty()) return {nullptr, parts.error};
   const FoundRates failure_rates = find_rates(value_of(failures_entry, chosen, "failure-rates"));
   if (!failure_rates.file) return {nullptr, failure_rates.error};
-  if (const std::string why = why_not_failures(*parts.model, parts.conditions.noise.all, *failure_rates.file); !why.empty())
+  if (const std::string why = why_not_failures(*parts.model, parts.conditions.noise.all, *failure_rates.file);
+      !why.empty())
     return {nullptr, why};
-  return {failures_world_of(parts.rules, parts.model, parts.conditions, *failure_rates.file), "", std::move(parts.remarks)};
+  return {failures_world_of(parts.rules, parts.model, parts.conditions, *failure_rates.file), "",
+          std::move(parts.remarks)};
 }
 
 /// Robot and rules that a world was made of; nothing where the conditions are none.
@@ -218,8 +222,10 @@ std::shared_ptr<const World> restore_failures(const ReadJson& json) {
   const std::optional<Parts> parts = restored_with_errors(json);
   if (!parts || !json.contains("failure_rates") || !json["failure_rates"].is_string()) return nullptr;
   if (!json.contains("failure_rates_hash") || !json["failure_rates_hash"].is_string()) return nullptr;
-  const auto failure_rates = builtin_rates_of(json["failure_rates"].get<std::string>(), json["failure_rates_hash"].get<std::string>());
-  if (!failure_rates || !why_not_failures(*parts->model, parts->conditions.noise.all, *failure_rates).empty()) return nullptr;
+  const auto failure_rates =
+      builtin_rates_of(json["failure_rates"].get<std::string>(), json["failure_rates_hash"].get<std::string>());
+  if (!failure_rates || !why_not_failures(*parts->model, parts->conditions.noise.all, *failure_rates).empty())
+    return nullptr;
   return failures_world_of(parts->rules, parts->model, parts->conditions, *failure_rates);
 }
 
@@ -229,7 +235,8 @@ std::shared_ptr<const World> restore_failures(const ReadJson& json) {
 double most_noise_of(const FailureFile& failure_rates) {
   double most = failure_rates.tallies.back().noise;
   for (std::size_t i = 0; i + 1 < failure_rates.tallies.size(); ++i)
-    if (failure_rates.tallies[i].pace != failure_rates.tallies[i + 1].pace) most = std::min(most, failure_rates.tallies[i].noise);
+    if (failure_rates.tallies[i].pace != failure_rates.tallies[i + 1].pace)
+      most = std::min(most, failure_rates.tallies[i].noise);
   return most;
 }
 

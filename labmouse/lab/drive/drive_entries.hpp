@@ -13,7 +13,8 @@ extern const WorldEntry seconds_entry;
 extern const WorldEntry physical_entry;
 extern const WorldEntry failures_entry;
 
-/// Why such failure rates say nothing of a robot under that noise, naming the options that chose them; empty where they do.
+/// Why such failure rates say nothing of a robot under that noise, naming the options that chose them; empty where they
+/// do.
 std::string why_not_failures(const DriveModel& model, double noise, const FailureFile& failure_rates);
 
 }  // namespace labmouse

@@ -99,8 +99,10 @@ std::string count_text(const Race& race, const Standing& standing) {
   return columns::number(sum<Figure>(race, standing), 0);
 }
 
-constexpr std::array<MouseField, 4> mouse_fields = {
-    {{"name", fields::name}, {"parameters", fields::parameters}, {"finished", fields::finished}, {"runs", fields::runs}}};
+constexpr std::array<MouseField, 4> mouse_fields = {{{"name", fields::name},
+                                                     {"parameters", fields::parameters},
+                                                     {"finished", fields::finished},
+                                                     {"runs", fields::runs}}};
 constexpr std::array<MouseField, 3> score_means = {
     {{"mean_score", fields::mean_all}, {"interval", fields::interval}, {"mean_ratio", fields::mean_ratio}}};
 template <class F>
@@ -165,15 +167,15 @@ constexpr auto seconds_contest = joined(
 constexpr auto seconds_csv = joined(time_fields<S>, std::array<ContestField, 3>{{{"proven", figure<S::proven>},
                                                                                  {"starts", figure<S::starts>},
                                                                                  {"decisions", figure<S::decisions>}}});
-constexpr auto seconds_mouse =
-    joined(mouse_fields, score_means, time_means<S>,
-           std::array<MouseField, 5>{
-               {{"mean_starts", [](const Race& r, const Standing& s) { return or_none(mean_finished(r, s, "starts")); }},
-                {"optimal", [](const Race& r, const Standing& s) -> Value { return optimal(r, s); }},
-                {"proven", [](const Race& r, const Standing& s) -> Value { return proven(r, s); }},
-                {"decisions", count<S::decisions>},
-                {"replanned", count<S::replanned>}}},
-           share_means);
+constexpr auto seconds_mouse = joined(
+    mouse_fields, score_means, time_means<S>,
+    std::array<MouseField, 5>{
+        {{"mean_starts", [](const Race& r, const Standing& s) { return or_none(mean_finished(r, s, "starts")); }},
+         {"optimal", [](const Race& r, const Standing& s) -> Value { return optimal(r, s); }},
+         {"proven", [](const Race& r, const Standing& s) -> Value { return proven(r, s); }},
+         {"decisions", count<S::decisions>},
+         {"replanned", count<S::replanned>}}},
+    share_means);
 constexpr auto seconds_table = joined(
     std::array<Column, 4>{
         {scored_column,

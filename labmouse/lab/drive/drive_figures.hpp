@@ -44,8 +44,8 @@ enum class PhysicalFigure : std::uint8_t {
   grazes,
   wrong_walls,  ///< walls that it took for what they are not
   contradictions,
-  severity,    ///< how unlucky its draws were, in deviations
-  par1,  ///< seconds: the score, or without one the time limit
+  severity,  ///< how unlucky its draws were, in deviations
+  par1,      ///< seconds: the score, or without one the time limit
   decisions,
   replanned,
   discovered,

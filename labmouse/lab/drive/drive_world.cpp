@@ -55,7 +55,8 @@ MazeFacts DriveWorld::facts(const Maze& maze) const {
           reachable_cells(maze)};
 }
 
-ContestOutput DriveWorld::hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const {
+ContestOutput DriveWorld::hold(const Race& race, ContestResult& result, Keep keep,
+                               const std::atomic<bool>* stop) const {
   const Contestant& mouse = race.mice[result.mouse];
   const NamedMaze& maze = race.mazes[result.maze];
   const MazeFacts& facts = race.facts[result.maze];
@@ -78,7 +79,7 @@ double DriveWorld::limit_score() const { return in_seconds(rules_.time_limit); }
 ScorePlace DriveWorld::score_place() const { return {"score", "value", 1e-6, -in_seconds(rules_.untouched_bonus)}; }
 
 ContestOutput DriveWorld::kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven,
-                      Keep keep) const {
+                               Keep keep) const {
   ContestOutput held;
   if (keep.record || keep.picture) {
     DriveRecordFile file;

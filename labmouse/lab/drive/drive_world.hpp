@@ -57,7 +57,8 @@ class DriveWorld : public World {
   virtual std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& score) const = 0;
 
  private:
-  ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven, Keep keep) const;
+  ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven,
+                     Keep keep) const;
 
   DriveRules rules_;
   std::shared_ptr<const DriveModel> model_;

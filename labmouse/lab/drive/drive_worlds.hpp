@@ -1,5 +1,5 @@
-// The worlds in which robots drive, by the rules of real contests: without errors, with a body and a controller, and with
-// what these do wrong by dice.
+// The worlds in which robots drive, by the rules of real contests: without errors, with a body and a controller, and
+// with what these do wrong by dice.
 #pragma once
 
 #include <memory>

@@ -94,7 +94,7 @@ class PhysicalWorld : public DriveWorld {
  private:
   /// "noise 1 was measured" holds of one mouse; how far mice are apart is a guess that belongs beside it.
   std::string noise_text() const {
-    return fmt::format("noise {:g}, spread {:g}", conditions_.noise.all, conditions_.noise.variation);
+    return fmt::format("noise {:g}, variation {:g}", conditions_.noise.all, conditions_.noise.variation);
   }
 
   DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,

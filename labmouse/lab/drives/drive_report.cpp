@@ -36,13 +36,14 @@ Json readings_json(const WallReadings& readings) {
 }  // namespace
 
 std::string table_of(std::span<const DriveTally> tallies, const DriveOrder& order) {
-  std::string text = fmt::format("Robot {}, spread {:g}\n\n", shown(order.model->robot.name), tallies.front().variation);
+  std::string text =
+      fmt::format("Robot {}, variation {:g}\n\n", shown(order.model->robot.name), tallies.front().variation);
   text += fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>6} {:>6} {:>6} {:>11} {:>9} {:>9} {:>8}\n", "", "",
                       "crashed", "95 %", "without", "worst", "aside", "along", "turned", "most aside", "side", "front",
                       "cells a");
   text +=
       fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>6} {:>6} {:>6} {:>11} {:>9} {:>9} {:>8}\n", "", "runs", "%",
-                  "interval", "any %", "maze %", "mm", "mm", "deg.", "50, 95 % mm", "misread %", "misread %", "crash");
+                  "interval", "any %", "maze %", "mm", "mm", "deg.", "50, 95 % mm", "wrong %", "wrong %", "crash");
   for (const DriveTally& tally : tallies) {
     const Interval& interval = tally.interval;
     text += fmt::format(

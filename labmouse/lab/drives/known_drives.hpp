@@ -1,4 +1,5 @@
-// Many drives along known ways: how often a controller crashes and wrong walls, under which noise and with which corrections.
+// Many drives along known ways: how often a controller crashes and wrong walls, under which noise and with which
+// corrections.
 #pragma once
 
 #include <atomic>
@@ -33,8 +34,8 @@ struct DriveOrder {
 /// All drives of a case, in mazes in which there is a way.
 struct DriveTally {
   std::string name;
-  double variation = 0.0;   ///< by which what a contest draws of the mouse is multiplied
-  bool stopped = false;  ///< before all of its drives were done
+  double variation = 0.0;  ///< by which what a contest draws of the mouse is multiplied
+  bool stopped = false;    ///< before all of its drives were done
   int mazes = 0;
   int mazes_without_crash = 0;
   double worst_share = 0.0;  ///< of drives that crashed, in the worst maze

@@ -51,7 +51,7 @@ RatesAtNoise odds_of(const FailureTally& tally, const FailureTally& any_noise) {
       for (std::size_t i = 0; i < all_manoeuvres.size(); ++i)
         by_draws.manoeuvres[i][level] =
             rates_by(counts.manoeuvres[i][level],
-                      rates_by(alike.manoeuvres[i][level], rates_by(all.manoeuvres[i][level], usual)));
+                     rates_by(alike.manoeuvres[i][level], rates_by(all.manoeuvres[i][level], usual)));
       for (std::size_t i = 0; i < all_readings.size(); ++i) {
         ReadingRates& reading = by_draws.readings[i][level];
         reading = shares_by(

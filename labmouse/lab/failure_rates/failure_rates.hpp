@@ -50,7 +50,7 @@ struct FailureHooks {
 
 struct MeasuredRates {
   std::vector<FailureTally> tallies;  ///< one for each pace and noise, in increasing order
-  bool stopped = false;              ///< before all contests were done
+  bool stopped = false;               ///< before all contests were done
   /// The tallies of each maze, for the intervals of the shares: contests in one maze are not independent. Where there
   /// are none, contests count as independent.
   std::vector<std::vector<FailureTally>> by_maze = {};
@@ -59,7 +59,7 @@ struct MeasuredRates {
 /// Holds all contests of mice that decide by Strategy; each has a seed of its own, the same under each noise and the
 /// same as in a race of that seed.
 MeasuredRates measure_rates(const FailureOrder& order, std::span<const Contestant> mice,
-                                std::span<const NamedMaze> mazes, const FailureHooks& hooks = {});
+                            std::span<const NamedMaze> mazes, const FailureHooks& hooks = {});
 
 std::string table_of(const MeasuredRates& measured, const FailureOrder& order);
 /// With the interval of each share.
@@ -68,6 +68,6 @@ std::string json_of(const MeasuredRates& measured, const FailureOrder& order, st
 /// The counts alone, as read_rates() reads them: kept in a file they make a world. Counts that were stopped early are
 /// marked, and read_rates() refuses them.
 std::string write_rates(const MeasuredRates& measured, const FailureOrder& order, std::span<const Contestant> mice,
-                          std::size_t mazes);
+                        std::size_t mazes);
 
 }  // namespace labmouse

@@ -89,7 +89,7 @@ std::string table_of(const MeasuredRates& measured, const FailureOrder& order, s
   const FailureTally& tally = measured.tallies[place];
   const CountsByMaze counts = counts_of(measured, place, [](const FailureTally& each) { return each.all(); });
   std::string text =
-      fmt::format("Noise {:g}, spread {:g}{}: {}\n", tally.noise, order.conditions.noise.variation,
+      fmt::format("Noise {:g}, variation {:g}{}: {}\n", tally.noise, order.conditions.noise.variation,
                   tally.pace == 1.0 ? "" : fmt::format(", pace {:g}", tally.pace), finished_text_of(counts));
   if (tally.noise > 0.0) {
     text += "\n";
@@ -176,7 +176,8 @@ Json trimmed(const Numbers& numbers) {
   return Json(std::vector<std::int64_t>(numbers.begin(), end));
 }
 
-/// Of a file: of each manoeuvre times, crashes, those that slid, and how far off its believed position it was after the others.
+/// Of a file: of each manoeuvre times, crashes, those that slid, and how far off its believed position it was after the
+/// others.
 Json counts_json(const FailureCounts& counts) {
   Json json = {{"contests", counts.contests}, {"finished", counts.finished}, {"put", trimmed(counts.put)}};
   for (const Manoeuvre manoeuvre : all_manoeuvres) {
@@ -236,7 +237,7 @@ std::string json_of(const MeasuredRates& measured, const FailureOrder& order, st
 }
 
 std::string write_rates(const MeasuredRates& measured, const FailureOrder& order, std::span<const Contestant> mice,
-                          std::size_t mazes) {
+                        std::size_t mazes) {
   Json json = {{"labmouse_failure_rates", failure_rates_format}};
   json.update(heading_of(order, mice, mazes));
   if (measured.stopped) json["stopped"] = true;

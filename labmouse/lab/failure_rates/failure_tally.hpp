@@ -35,13 +35,14 @@ struct ReadingCount {
 /// What was counted in some contests.
 struct FailureCounts {
   std::int64_t contests = 0;
-  std::int64_t finished = 0;                      ///< with a score
+  std::int64_t finished = 0;                              ///< with a score
   std::array<std::int64_t, position_error_levels> put{};  ///< how far mice were lost that a hand had put at the start
   std::array<std::array<ManoeuvreCount, position_error_levels>, all_manoeuvres.size()> manoeuvres{};
   std::array<std::array<ReadingCount, position_error_levels>, all_readings.size()> readings{};
 
   FailureCounts& operator+=(const FailureCounts& other);
-  /// Of manoeuvres of that kind, however far off its believed position; of all kinds that far off its believed position.
+  /// Of manoeuvres of that kind, however far off its believed position; of all kinds that far off its believed
+  /// position.
   ManoeuvreCount of(Manoeuvre manoeuvre) const;
   ManoeuvreCount at(std::size_t level) const;
   friend bool operator==(const FailureCounts&, const FailureCounts&) = default;

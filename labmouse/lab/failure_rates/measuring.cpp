@@ -57,7 +57,7 @@ std::vector<double> sorted(std::vector<double> values) {
 }  // namespace
 
 MeasuredRates measure_rates(const FailureOrder& ordered, std::span<const Contestant> mice,
-                                std::span<const NamedMaze> mazes, const FailureHooks& hooks) {
+                            std::span<const NamedMaze> mazes, const FailureHooks& hooks) {
   FailureOrder order = ordered;
   DriveModel model = *order.model;
   share_route_tables(model);

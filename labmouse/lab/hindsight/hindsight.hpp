@@ -35,7 +35,8 @@ struct HindsightOrder {
   int others = 64;
 };
 
-/// One maze with a route. Means over the runs for a mouse that is stochastic; a failed contest counts the failure score.
+/// One maze with a route. Means over the runs for a mouse that is stochastic; a failed contest counts the failure
+/// score.
 struct MazeHindsight {
   std::string maze;
   Bound bound;
@@ -49,9 +50,9 @@ struct MazeHindsight {
 
 struct Hindsight {
   HindsightOrder order;
-  std::string mouse;         ///< its SPEC
+  std::string mouse;           ///< its SPEC
   bool is_stochastic = false;  ///< then the others are further seeds
-  bool has_others = false;   ///< dice or numbers to perturb, and asked for
+  bool has_others = false;     ///< dice or numbers to perturb, and asked for
   std::vector<MazeHindsight> mazes;
   std::vector<std::string> routeless;  ///< mazes whose goal cannot be reached
   bool stopped = false;                ///< before all mazes were done; the one under way is left out

@@ -84,8 +84,9 @@ struct Contestant {
   /// Of an external mouse whether it lives in a sandbox; nothing for all others.
   std::optional<bool> sandboxed;
   std::string why_no_sandbox;  ///< where the system has none
-  bool keeps_folder = false;   ///< of an external mouse: it writes to its folder itself, and may remember earlier contests
-  bool reads_only = false;     ///< of an external mouse: its folder is read-only, because the system has no overlays
+  bool keeps_folder =
+      false;                ///< of an external mouse: it writes to its folder itself, and may remember earlier contests
+  bool reads_only = false;  ///< of an external mouse: its folder is read-only, because the system has no overlays
   /// The files that an external mouse does not see, a list to add to; null for all others.
   std::shared_ptr<HiddenFiles> hidden;
   /// What it is, as a text that is another one where it may play otherwise: for stores of contests. Empty for mice of
@@ -111,8 +112,8 @@ struct Contestant {
 /// The SPEC of a mouse, whatever it is called.
 inline const std::string& spec_of(const Contestant& mouse) { return mouse.spec.empty() ? mouse.name : mouse.spec; }
 
-/// What external mice without a sandbox could do to the machine that they ran on and to the race, and what those with one
-/// could remember, in lines; nothing where there is nothing to say.
+/// What external mice without a sandbox could do to the machine that they ran on and to the race, and what those with
+/// one could remember, in lines; nothing where there is nothing to say.
 std::string freedom_note(const std::vector<Contestant>& mice);
 
 /// Gives a mouse another name, which it keeps when it learns.
@@ -129,7 +130,8 @@ struct SpecResult {
 /// Whether external mice live in sandboxes.
 enum class SandboxUse { where_possible, always, never };
 
-/// What is installed for the Pythons of external mice: found out once for all external mice of a race, since that starts each Python.
+/// What is installed for the Pythons of external mice: found out once for all external mice of a race, since that
+/// starts each Python.
 struct InstalledPackages {
   std::mutex mutex;
   std::map<std::vector<std::string>, std::string> known;  ///< by the program and what its environment has besides ours
@@ -141,8 +143,8 @@ struct ExternalOptions {
   std::string label;           ///< stands for the content of their files in stores of contests; empty: what they hold
   std::string directory;       ///< where commands run; empty: here
   bool owns_directory = true;  ///< whether that, where it is named, is the folder of the mouse
-  /// What a mice file says of one guest: what is put before the words of its command and behind them, and variables of its
-  /// environment as NAME=VALUE.
+  /// What a mice file says of one guest: what is put before the words of its command and behind them, and variables of
+  /// its environment as NAME=VALUE.
   std::string interpreter;
   std::vector<std::string> arguments, environment;
   ExternalLimits limits;

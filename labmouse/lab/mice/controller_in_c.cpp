@@ -22,7 +22,8 @@ class ControllerInC final : public ControllerCode {
       return static_cast<std::int16_t>(std::clamp<std::int32_t>(number, -ControllerTick::full, ControllerTick::full));
     };
     const bool known = said.word >= LABMOUSE_DRIVE && said.word <= LABMOUSE_FORFEIT;
-    return {duty(said.left), duty(said.right), known ? static_cast<ControllerWord>(said.word) : ControllerWord::give_up};
+    return {duty(said.left), duty(said.right),
+            known ? static_cast<ControllerWord>(said.word) : ControllerWord::give_up};
   }
   void carried(bool crashed) override { table_.carried(memory_, crashed ? 1 : 0); }
 
@@ -36,7 +37,8 @@ static_assert(static_cast<int>(ControllerWord::give_up) == LABMOUSE_FORFEIT && C
 
 }  // namespace
 
-std::unique_ptr<ControllerCode> controller_in_c(const struct labmouse_controller& table, const ControllerBriefing& briefing) {
+std::unique_ptr<ControllerCode> controller_in_c(const struct labmouse_controller& table,
+                                                const ControllerBriefing& briefing) {
   return std::make_unique<ControllerInC>(table, briefing);
 }
 

@@ -8,8 +8,9 @@
 
 namespace labmouse {
 
-/// Such a controller for one contest. The table must outlive it; its functions may be called from several threads at once,
-/// each for contests of its own.
-std::unique_ptr<ControllerCode> controller_in_c(const struct labmouse_controller& table, const ControllerBriefing& briefing);
+/// Such a controller for one contest. The table must outlive it; its functions may be called from several threads at
+/// once, each for contests of its own.
+std::unique_ptr<ControllerCode> controller_in_c(const struct labmouse_controller& table,
+                                                const ControllerBriefing& briefing);
 
 }  // namespace labmouse

@@ -165,8 +165,8 @@ std::string program_identity(const std::string& path) {
                      content_of(error ? fs::path(path) : real).hash);
 }
 
-std::string external_identity(std::string_view kind, const Launch& launch, const std::optional<Interpreter>& interpreter,
-                           const std::string& label) {
+std::string external_identity(std::string_view kind, const Launch& launch,
+                              const std::optional<Interpreter>& interpreter, const std::string& label) {
   // As in the first version, so that what stores have stays valid.
   std::string text = fmt::format("guest {}\n", former_key(kind));
   if (!label.empty()) text += fmt::format("label {}\n", label);

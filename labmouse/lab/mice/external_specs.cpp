@@ -11,13 +11,13 @@
 
 #include "labmouse/external/capstone.hpp"
 #include "labmouse/external/command_line.hpp"
-#include "labmouse/external/external_strategy.hpp"
 #include "labmouse/external/external_controller.hpp"
+#include "labmouse/external/external_strategy.hpp"
 #include "labmouse/external/sandbox.hpp"
 #include "labmouse/external/surroundings.hpp"
+#include "labmouse/lab/mice/controller_lines.hpp"
 #include "labmouse/lab/mice/external_identity.hpp"
 #include "labmouse/lab/mice/maze_holders.hpp"
-#include "labmouse/lab/mice/controller_lines.hpp"
 #include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -26,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where an external mouse is written in Python: the order of its sets and dictionaries of text is the same in each run of a
-/// contest.
+/// Where an external mouse is written in Python: the order of its sets and dictionaries of text is the same in each run
+/// of a contest.
 std::string python_hash_seed(std::uint64_t seed) {
   return fmt::format("PYTHONHASHSEED={}", static_cast<std::uint32_t>(seed));
 }
@@ -79,7 +79,8 @@ std::string no_robot(const std::string& file) {
   const auto comma = file.find(',');
   if (comma != std::string::npos && fs::exists(file.substr(0, comma), failure))
     return fmt::format(
-        "no such file '{}'; an external mouse takes everything after its colon, so name other mice before it or with another "
+        "no such file '{}'; an external mouse takes everything after its colon, so name other mice before it or with "
+        "another "
         "--mice",
         file);
   return fmt::format("no such file '{}'; write capstone:FILE, with the Python file that defines the class Robot", file);
@@ -172,8 +173,8 @@ External program_of_command(const std::string& command, const ExternalOptions& o
   return external;
 }
 
-/// What runs an external mouse, as far as a label does not stand for it: the program of its first word, and of a Python its
-/// version and what is installed for it. Starts that Python.
+/// What runs an external mouse, as far as a label does not stand for it: the program of its first word, and of a Python
+/// its version and what is installed for it. Starts that Python.
 std::string runner_identity(const Launch& launch, InstalledPackages& packages) {
   const std::string path = program_path(launch.words.front(), launch.directory);
   std::string text = program_identity(path);
@@ -226,7 +227,8 @@ void read_external_spec(std::string_view given, const ExternalOptions& options, 
   mouse.interpreter = external.interpreter;
   mouse.identity = [kind = std::string(kind.substr(0, kind.size() - 1)), launch, interpreter = external.interpreter,
                     label = options.label, packages = options.packages] {
-    return external_identity(kind, launch, interpreter, label) + (label.empty() ? runner_identity(launch, *packages) : "");
+    return external_identity(kind, launch, interpreter, label) +
+           (label.empty() ? runner_identity(launch, *packages) : "");
   };
   mouse.external = true;
   mouse.sandboxed = launch.sandbox;

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "labmouse/lab/mice_files/mice_file.hpp"
 #include "labmouse/lab/mice/external_specs.hpp"
 #include "labmouse/lab/mice/named_spec.hpp"
+#include "labmouse/lab/mice_files/mice_file.hpp"
 #include "labmouse/lab/system/files.hpp"
 
 namespace labmouse {
@@ -73,7 +73,7 @@ int fill_in(MiceFileEntry& mouse, const Setting& value) {
 
 /// Reads an external mouse of the mice file in that folder into the result; on failure sets its error.
 void read_external_of_mice_file(MiceFileEntry mouse, const std::string& folder, const ExternalOptions& options,
-                          const Setting* value, SpecResult& result) {
+                                const Setting* value, SpecResult& result) {
   if (value != nullptr && fill_in(mouse, *value) == 0) {
     result.error = fmt::format("it has no place for the value; write {{{}}} where the value belongs", value->name);
     return;
@@ -83,15 +83,15 @@ void read_external_of_mice_file(MiceFileEntry mouse, const std::string& folder, 
 }
 
 /// Reads a mouse of the mice file in that folder; on failure sets the result's error.
-SpecResult read_mouse_of_mice_file(const MiceFileEntry& mouse, const std::string& folder, const ExternalOptions& options,
-                                const Setting* value, ReadOwnMouse read_own) {
+SpecResult read_mouse_of_mice_file(const MiceFileEntry& mouse, const std::string& folder,
+                                   const ExternalOptions& options, const Setting* value, ReadOwnMouse read_own) {
   SpecResult result;
   const bool ours = mouse.kind == Kind::mouse;
   if (!ours)
     read_external_of_mice_file(mouse, folder, options, value, result);
   else if (is_external_spec(mouse.what))
-    result.error = fmt::format("'{0}' is an external mouse; write {1} = \"...\" in place of mouse = \"{1}:...\"", mouse.what,
-                               mouse.what.substr(0, mouse.what.find(':')));
+    result.error = fmt::format("'{0}' is an external mouse; write {1} = \"...\" in place of mouse = \"{1}:...\"",
+                               mouse.what, mouse.what.substr(0, mouse.what.find(':')));
   else
     result.error = read_own(mouse.what, value, result.contestants);
   if (!result.error.empty()) return result;
@@ -116,8 +116,8 @@ void complain(const std::string& path, const Problem& problem, SpecResult& resul
 
 }  // namespace
 
-void read_mice_file_spec(std::string_view spec, const ExternalOptions& options, const Setting* value, ReadOwnMouse read_own,
-                      SpecResult& result) {
+void read_mice_file_spec(std::string_view spec, const ExternalOptions& options, const Setting* value,
+                         ReadOwnMouse read_own, SpecResult& result) {
   const NamedMiceFile named = find_mice_file(std::string(spec.substr(spec.find(':') + 1)));
   if (!named.file.error.empty()) {
     result.error = no_mice_file(named);
@@ -139,7 +139,8 @@ void read_mice_file_spec(std::string_view spec, const ExternalOptions& options, 
       result.contestants.push_back(std::move(contestant));
     }
   }
-  if (!any && result.error.empty()) result.error = fmt::format("mice file {} has no mouse '{}'", named.path, named.only);
+  if (!any && result.error.empty())
+    result.error = fmt::format("mice file {} has no mouse '{}'", named.path, named.only);
 }
 
 }  // namespace labmouse

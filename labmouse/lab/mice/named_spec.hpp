@@ -19,6 +19,8 @@ constexpr NamedSpec named_spec(std::string_view text) {
 }
 
 /// Whether a SPEC is that of a mice file, `mice-file:FILE` or `mice-file:FILE:NAME`. It reaches to the end of the text.
-constexpr bool is_mice_file_spec(std::string_view spec) { return spec.starts_with("mice-file:") || spec.starts_with("lineup:"); }
+constexpr bool is_mice_file_spec(std::string_view spec) {
+  return spec.starts_with("mice-file:") || spec.starts_with("lineup:");
+}
 
 }  // namespace labmouse

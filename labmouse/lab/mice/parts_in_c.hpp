@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "labmouse/contest/controller_code.hpp"
-#include "labmouse/hardware/labmouse_controller.h"
 #include "labmouse/controller/parts.hpp"
+#include "labmouse/hardware/labmouse_controller.h"
 
 namespace labmouse {
 

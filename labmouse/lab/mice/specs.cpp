@@ -118,7 +118,8 @@ std::string apply(const BuiltinMouse& entry, std::string_view assignment, ReadFi
     return fmt::format("'{}' of mouse '{}' is not of the form key=value", assignment, entry.name);
   std::string_view key = assignment.substr(0, equals), value = assignment.substr(equals + 1);
   const auto named = [&](std::string_view name) {
-    return std::find_if(entry.parameters.begin(), entry.parameters.end(), [&](const auto& p) { return p.name == name; });
+    return std::find_if(entry.parameters.begin(), entry.parameters.end(),
+                        [&](const auto& p) { return p.name == name; });
   };
   auto parameter = named(key);
   if (parameter == entry.parameters.end()) parameter = named(key = today_key(key));
@@ -271,7 +272,8 @@ std::string unknown_mouse(std::string_view name) {
                        name.substr(0, equals));
   if (looks_like_a_program(name))
     return fmt::format(
-        "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'program:COMMAND', 'controller:COMMAND' or "
+        "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'program:COMMAND', 'controller:COMMAND' "
+        "or "
         "'mms:COMMAND', in quotes",
         name);
   std::vector<std::string_view> names = {oracle_name, "capstone", "program", "controller", "mms"};
@@ -440,7 +442,8 @@ Settings settings_in_steps(const Contestant& mouse) {
 
 std::vector<Contestant> all_contestants() {
   std::vector<Contestant> contestants;
-  for (const BuiltinMouse* entry : all_mice()) contestants.push_back(contestant_of(*entry, Settings(entry->parameters)));
+  for (const BuiltinMouse* entry : all_mice())
+    contestants.push_back(contestant_of(*entry, Settings(entry->parameters)));
   return contestants;
 }
 

@@ -19,8 +19,9 @@ SpecResult read_specs(std::string_view text, const ExternalOptions& options = {}
 /// The same of several texts.
 SpecResult read_specs(std::span<const std::string> texts, const ExternalOptions& options = {});
 
-/// Reads a SPEC that comes from a file, which somebody else may have written: only mice of the list of built-in mice. External mice
-/// and mice files are refused before anything is looked up or started, and priors are read from regular files alone.
+/// Reads a SPEC that comes from a file, which somebody else may have written: only mice of the list of built-in mice.
+/// External mice and mice files are refused before anything is looked up or started, and priors are read from regular
+/// files alone.
 SpecResult read_builtin_specs(std::string_view text);
 
 /// The line of a mouse on the list of built-in mice; null for an external mouse and for the oracle.
@@ -30,9 +31,9 @@ const BuiltinMouse* entry_of(const Contestant& mouse);
 std::string unknown_mouse(std::string_view name);
 
 /// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of
-/// that parameter is overridden. Values that are spelled differently and are equal count once. An external mouse has the
-/// parameters that its SPEC leaves room for: each `{parameter}` there, and in a mice file in its arguments and variables,
-/// becomes the value as it is spelled. Variants do not keep the name that a user gave the mouse.
+/// that parameter is overridden. Values that are spelled differently and are equal count once. An external mouse has
+/// the parameters that its SPEC leaves room for: each `{parameter}` there, and in a mice file in its arguments and
+/// variables, becomes the value as it is spelled. Variants do not keep the name that a user gave the mouse.
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values,
                          const ExternalOptions& options = {});
 

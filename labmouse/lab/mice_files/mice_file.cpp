@@ -17,7 +17,7 @@ namespace {
 using Kind = MiceFileEntry::Kind;
 
 constexpr std::array<Kind, 5> all_kinds = {Kind::mouse, Kind::capstone, Kind::external, Kind::controller, Kind::mms};
-constexpr std::array<std::string_view, 13> mouse_keys = {"name", "mouse",     "capstone",    "program",     "controller",
+constexpr std::array<std::string_view, 13> mouse_keys = {"name", "mouse",     "capstone",    "program",   "controller",
                                                          "mms",  "arguments", "environment", "directory", "interpreter",
                                                          "runs", "limits",    "note"};
 constexpr std::array<std::string_view, 8> limit_keys = {"start",  "decision",  "silence", "contest",
@@ -99,7 +99,8 @@ class MiceFileReader {
     }
     if (kinds == 0)
       add(table.source().begin,
-          "this mouse says neither mouse = \"SPEC\" nor capstone = \"FILE\" nor program, controller or mms = \"COMMAND\"");
+          "this mouse says neither mouse = \"SPEC\" nor capstone = \"FILE\" nor program, controller or mms = "
+          "\"COMMAND\"");
   }
 
   /// A mouse of ours runs within this program.

@@ -10,10 +10,10 @@
 #include "labmouse/lab/mms/mms_fields.hpp"
 #include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/mms/mms_notes.hpp"
-#include "labmouse/lab/replays/mms_drawing.hpp"
-#include "labmouse/lab/replays/mms_walk.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/records/mms_statistics_json.hpp"
+#include "labmouse/lab/replays/mms_drawing.hpp"
+#include "labmouse/lab/replays/mms_walk.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
 #include "labmouse/maze/routes.hpp"
 
@@ -41,9 +41,7 @@ double visited_share_of(CellSet visited, const CellSet& reachable) {
   return visited.count() / static_cast<double>(reachable.count());
 }
 
-Value list_of(const std::vector<std::string>& lines) {
-  return JsonText{one_line(Json(lines))};
-}
+Value list_of(const std::vector<std::string>& lines) { return JsonText{one_line(Json(lines))}; }
 
 /// In the order of MmsFigure.
 std::vector<Value> figures_of(const MmsRun& run, const MazeFacts& facts, double visited) {
@@ -134,9 +132,9 @@ class MmsWorld final : public World {
 void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, ContestResult& result) {
   const MmsStatistics& statistics = run.statistics;
   const bool scored = is_scored(run);
-  result.outcome = scored              ? "finished"
+  result.outcome = scored                ? "finished"
                    : statistics.finished ? std::string(name_of(run.outcome))
-                                       : fmt::format("unfinished: {}", name_of(run.outcome));
+                                         : fmt::format("unsolved: {}", name_of(run.outcome));
   if (run.outcome != MmsOutcome::complete && run.outcome != MmsOutcome::interrupted && run.lines == 0)
     result.never_started = run.end.empty() ? std::string(name_of(run.outcome)) : run.end;
   result.counted = decimal(scored ? statistics.score : MmsStatistics().score);

@@ -12,7 +12,7 @@ namespace labmouse {
 /// How mms scores, as a formula over the names of `getStat`.
 inline constexpr const char* mms_formula =
     "best-run-effective-distance + best-run-turns + 0.1 * (total-effective-distance + total-turns); 2000 while "
-    "unfinished";
+    "unsolved";
 
 /// Hosts each program once in each maze. Of log and errors the figures have the ends only: many runs have to fit into
 /// memory.

@@ -101,10 +101,9 @@ std::vector<NoiseCurve> noise_curves(std::span<const Race> races) {
 
 std::string table_of(std::span<const NoiseCurve> curves) {
   std::string text = lines_of(curves, "Finished, % of contests (95 %)", finished_text);
-  text += "\n" + lines_of(curves, "Mean seconds, a contest that is not finished counted as all of the time",
-                          [](const NoisePoint& point) {
-                            return point.par1 ? fmt::format("{:.3f}", *point.par1) : "-";
-                          });
+  text +=
+      "\n" + lines_of(curves, "Mean seconds, a contest that is not finished counted as all of the time",
+                      [](const NoisePoint& point) { return point.par1 ? fmt::format("{:.3f}", *point.par1) : "-"; });
   for (const RunEnd end : all_run_ends) {
     const auto place = static_cast<std::size_t>(end);
     const auto any = [&](const NoiseCurve& curve) {

@@ -19,7 +19,7 @@ struct NoisePoint {
   int contests = 0;
   int finished = 0;                              ///< with a score
   Interval interval;                             ///< of the share of those, over mazes
-  std::optional<double> par1;               ///< mean seconds, the others counted as the time limit
+  std::optional<double> par1;                    ///< mean seconds, the others counted as the time limit
   std::array<int, all_run_ends.size()> ended{};  ///< the others, by RunEnd
 };
 

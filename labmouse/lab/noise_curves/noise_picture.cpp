@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "labmouse/lab/noise_curves/noise_curves.hpp"
 #include "labmouse/lab/drawing/legend.hpp"
 #include "labmouse/lab/drawing/palette.hpp"
 #include "labmouse/lab/drawing/plot_area.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
+#include "labmouse/lab/noise_curves/noise_curves.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -68,8 +68,8 @@ std::string names_svg(std::span<const NoiseCurve> curves, const Axis& y) {
 }
 
 /// What ended contests: never that they were done.
-constexpr std::array ends_shown = {RunEnd::slid,      RunEnd::position_lost,  RunEnd::wall_error,
-                                   RunEnd::no_route_left, RunEnd::given_up, RunEnd::out_of_time};
+constexpr std::array ends_shown = {RunEnd::slid,          RunEnd::position_lost, RunEnd::wall_error,
+                                   RunEnd::no_route_left, RunEnd::given_up,      RunEnd::out_of_time};
 const Tone& tone_of(RunEnd end) {
   constexpr std::array<const Tone*, ends_shown.size()> of = {&candidate, &route, &wrong, &to_goal, &faint, &muted};
   const auto place = std::find(ends_shown.begin(), ends_shown.end(), end) - ends_shown.begin();

@@ -9,8 +9,8 @@
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/external.hpp"
 #include "labmouse/lab/page/page_world.hpp"
-#include "labmouse/lab/replays/play.hpp"
 #include "labmouse/lab/records/packed_record.hpp"
+#include "labmouse/lab/replays/play.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/steps/steps_world.hpp"
 
@@ -21,7 +21,8 @@ using Clock = std::chrono::steady_clock;
 
 /// A contest that goes on.
 struct ExternalContest {
-  ExternalContest(int contest_id, Contestant external, NamedMaze its_maze, const Rules& its_rules, std::uint64_t its_seed)
+  ExternalContest(int contest_id, Contestant external, NamedMaze its_maze, const Rules& its_rules,
+                  std::uint64_t its_seed)
       : id(contest_id),
         mouse(std::move(external)),
         maze(std::move(its_maze)),

@@ -8,8 +8,8 @@
 
 namespace labmouse {
 
-/// Reads SPECs as read_specs does. Refused are external mice, since a page starts no programs, and mice files and priors of
-/// files, since it reads none.
+/// Reads SPECs as read_specs does. Refused are external mice, since a page starts no programs, and mice files and
+/// priors of files, since it reads none.
 SpecResult read_page_mice(std::span<const std::string> specs);
 
 }  // namespace labmouse

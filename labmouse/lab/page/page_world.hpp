@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/races/world.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 
 namespace labmouse {
 

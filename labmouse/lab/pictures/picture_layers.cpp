@@ -8,6 +8,7 @@
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 
@@ -114,7 +115,7 @@ std::string_view meaning_of(Layer layer) { return line_of(layer).meaning; }
 
 const LayerSet& all_layers() {
   static const LayerSet all = {Layer::heat,        Layer::path,      Layer::search_run, Layer::known,
-                               Layer::wrong,       Layer::shares,    Layer::distances,   Layer::cells,
+                               Layer::wrong,       Layer::shares,    Layer::distances,  Layer::cells,
                                Layer::coordinates, Layer::candidates};
   return all;
 }
@@ -131,7 +132,7 @@ LayersResult read_layers(std::string_view names) {
     const auto name = names.substr(begin, end - begin);
     begin = end + 1;
     const auto line =
-        std::find_if(lines.begin(), lines.end(), [&](const LayerLine& each) { return each.name == name; });
+        std::find_if(lines.begin(), lines.end(), [&](const LayerLine& each) { return each.name == today_value(name); });
     if (line == lines.end()) return {{}, unknown_name(name)};
     result.layers.insert(static_cast<Layer>(line - lines.begin()));
   }

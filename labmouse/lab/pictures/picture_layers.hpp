@@ -13,7 +13,7 @@ namespace labmouse {
 enum class Layer : std::uint8_t {
   heat,         ///< how often the search run came into each cell
   path,         ///< the speed run, step by step; of a maze alone a shortest run
-  search_run,  ///< the way of the search run: to the goal, and from there to the reset
+  search_run,   ///< the way of the search run: to the goal, and from there to the reset
   known,        ///< walls that the mouse did not know at the end of the search run, faint
   wrong,        ///< closed walls among them: an optimist takes them for open
   shares,       ///< the cells visited and discovered, and their shares of all that can be reached

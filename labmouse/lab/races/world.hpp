@@ -169,7 +169,8 @@ class World {
   virtual MazeFacts facts(const Maze& maze) const = 0;
   /// Runs the contest of `result.mouse` in `result.maze` with `result.seed`, and fills in what is left of the result.
   /// It is not done where `stop`, which may be null, ended it. Called from several threads at once.
-  virtual ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const = 0;
+  virtual ContestOutput hold(const Race& race, ContestResult& result, Keep keep,
+                             const std::atomic<bool>* stop) const = 0;
   /// Whether contests differ by their seeds for mice, too, that are deterministic themselves.
   virtual bool is_stochastic() const { return false; }
   /// Whether a mouse may have several contests in a maze; then their files are numbered.

@@ -22,7 +22,7 @@ struct PhysicalPart {
   PhysicalConditions conditions;
   PhysicalNotes notes;
   int edition = physical_edition;  ///< of its world, in which it was driven
-  std::string failure_rates;             ///< by whose dice it was held; empty in the physical world
+  std::string failure_rates;       ///< by whose dice it was held; empty in the physical world
   std::string rates_hash;
 };
 

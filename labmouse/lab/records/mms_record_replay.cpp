@@ -19,7 +19,8 @@ std::string compare(const MmsStatistics& was, const MmsStatistics& is) {
   for (const MmsStatistic& statistic : mms_statistics)
     if (const float recorded = was.*statistic.value, played = is.*statistic.value; recorded != played)
       return fmt::format("the record ends with {} {}; replayed, it is {}", statistic.name, recorded, played);
-  return was.finished == is.finished ? "" : "the record and the simulator disagree on whether the mouse was in the goal";
+  return was.finished == is.finished ? ""
+                                     : "the record and the simulator disagree on whether the mouse was in the goal";
 }
 
 /// What an event did, as a record has it.

@@ -113,9 +113,8 @@ Json pack_record(const RecordFile& file) {
     json["seed"] = fmt::format("{}", file.seed);
   if (!file.world.empty()) json["world"] = file.world;
   if (file.rules != Rules())
-    json["rules"] = {{"budget", file.rules.budget},
-                     {"search_factor", file.rules.search_factor},
-                     {"stride", file.rules.stride}};
+    json["rules"] = {
+        {"budget", file.rules.budget}, {"search_factor", file.rules.search_factor}, {"stride", file.rules.stride}};
   std::string actions;
   for (const StepRecord& step : file.run.steps) actions += text_of(step.action);
   json["actions"] = std::move(actions);

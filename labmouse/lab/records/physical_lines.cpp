@@ -246,7 +246,7 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
       part.conditions.noise.groups[i] =
           groups.number(std::string(name_of(static_cast<NoiseGroup>(i))).c_str(), 0.0, most_noise);
     part.conditions.controller.corrections = {corrections.flag("sides"), corrections.flag("edges"),
-                                         corrections.flag("front")};
+                                              corrections.flag("front")};
     fields.reject(groups.error());
     fields.reject(corrections.error());
   }

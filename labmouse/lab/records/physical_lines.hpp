@@ -14,8 +14,8 @@ Json pose_json(const Pose& pose);
 
 /// Of the header: the edition, and under which conditions and by whose dice the contest was run.
 Json conditions_json(const PhysicalPart& part);
-/// All decisions of a strategy: [rotation, cells], "reset", or the reason of a forfeit. Of a program of somebody else's in
-/// place of these the duties that it gave, tick by tick.
+/// All decisions of a strategy: [rotation, cells], "reset", or the reason of a forfeit. Of a program of somebody else's
+/// in place of these the duties that it gave, tick by tick.
 std::string decision_lines(const PhysicalNotes& notes);
 /// What the sensors said, what was touched, and the trace.
 std::string physical_lines(const PhysicalNotes& notes);

@@ -22,8 +22,7 @@ bool is_count(const ReadJson& value) {
 std::string read_record_rules(const ReadJson& json, Rules& rules) {
   JsonFields fields(json, "rules");
   if (fields.has("budget")) rules.budget = fields.whole("budget", 1, longest_record);
-  if (fields.has("search_factor"))
-    rules.search_factor = fields.whole("search_factor", 1, longest_record);
+  if (fields.has("search_factor")) rules.search_factor = fields.whole("search_factor", 1, longest_record);
   if (fields.has("stride")) rules.stride = fields.whole("stride", 1, Motion::max_longest);
   return fields.error();
 }
@@ -41,8 +40,8 @@ std::string read_record_counts(const ReadJson& json, std::vector<Count>& counts)
 }
 
 std::optional<Outcome> outcome_of(std::string_view name) {
-  for (const Outcome outcome :
-       {Outcome::finished, Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit})
+  for (const Outcome outcome : {Outcome::finished, Outcome::out_of_steps, Outcome::never_reset,
+                                Outcome::speed_run_unfinished, Outcome::forfeit})
     if (name_of(outcome) == today_value(name)) return outcome;
   return std::nullopt;
 }

@@ -20,16 +20,15 @@ Json mouse_json(const RecordFile& file) {
 }
 
 Json header_json(const RecordFile& file) {
-  Json header = {{"labmouse", "record"},
-                 {"format", 1},
-                 {"version", version()},
-                 {"maze", record_maze_json(file.maze_name, *file.maze)},
-                 {"mouse", mouse_json(file)},
-                 {"seed", file.seed},
-                 {"rules",
-                  {{"budget", file.rules.budget},
-                   {"search_factor", file.rules.search_factor},
-                   {"stride", file.rules.stride}}}};
+  Json header = {
+      {"labmouse", "record"},
+      {"format", 1},
+      {"version", version()},
+      {"maze", record_maze_json(file.maze_name, *file.maze)},
+      {"mouse", mouse_json(file)},
+      {"seed", file.seed},
+      {"rules",
+       {{"budget", file.rules.budget}, {"search_factor", file.rules.search_factor}, {"stride", file.rules.stride}}}};
   if (!file.world.empty()) header["world"] = file.world;
   return header;
 }

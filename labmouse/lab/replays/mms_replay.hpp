@@ -4,8 +4,8 @@
 #include <string>
 
 #include "labmouse/external/mms/run.hpp"
-#include "labmouse/lab/replays/mms_walk.hpp"
 #include "labmouse/lab/records/mms_record_file.hpp"
+#include "labmouse/lab/replays/mms_walk.hpp"
 
 namespace labmouse {
 

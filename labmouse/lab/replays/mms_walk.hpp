@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "labmouse/grid/cell_set.hpp"
 #include "labmouse/external/mms/host.hpp"
+#include "labmouse/grid/cell_set.hpp"
 #include "labmouse/mouse/pose.hpp"
 
 namespace labmouse {

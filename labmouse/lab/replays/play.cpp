@@ -5,12 +5,12 @@
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/records/explanation.hpp"
 #include "labmouse/lab/replays/fields.hpp"
 #include "labmouse/lab/replays/lost_steps.hpp"
 #include "labmouse/lab/replays/maze_data.hpp"
 #include "labmouse/lab/replays/play_frames.hpp"
 #include "labmouse/lab/replays/steps_text.hpp"
-#include "labmouse/lab/records/explanation.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 
 namespace labmouse {

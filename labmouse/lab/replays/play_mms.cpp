@@ -6,10 +6,10 @@
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
+#include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/replays/fields.hpp"
 #include "labmouse/lab/replays/maze_data.hpp"
 #include "labmouse/lab/replays/play.hpp"
-#include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 
 namespace labmouse {

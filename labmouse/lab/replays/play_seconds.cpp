@@ -10,12 +10,12 @@
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
 #include "labmouse/lab/pictures/trace_path.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/replays/bodies.hpp"
 #include "labmouse/lab/replays/crash.hpp"
 #include "labmouse/lab/replays/drive_frames.hpp"
 #include "labmouse/lab/replays/fields.hpp"
 #include "labmouse/lab/replays/maze_data.hpp"
-#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "labmouse/lab/pictures/drive_picture.hpp"
-#include "labmouse/lab/replays/play_seconds.hpp"
-#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_story.hpp"
+#include "labmouse/lab/replays/play_seconds.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 

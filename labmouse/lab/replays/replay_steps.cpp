@@ -3,11 +3,11 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/records/explanation.hpp"
+#include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/lab/replays/play.hpp"
 #include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/replays/steps_text.hpp"
-#include "labmouse/lab/records/explanation.hpp"
-#include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {

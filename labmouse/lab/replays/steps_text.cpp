@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/action_errors.hpp"
+#include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/mice/mouse_names.hpp"
@@ -92,8 +92,8 @@ std::string picture_of(const RecordFile& file) {
 std::string search_run_line(const RecordFile& file) {
   const Coverage coverage = coverage_of(file.run, *file.maze);
   const int cells = reachable_cells(*file.maze).count();
-  return fmt::format("search: discovered {:.1f} %, visited {:.1f} % of {} reachable {}",
-                     100.0 * coverage.discovered, 100.0 * coverage.visited, cells, cells == 1 ? "cell" : "cells");
+  return fmt::format("search: discovered {:.1f} %, visited {:.1f} % of {} reachable {}", 100.0 * coverage.discovered,
+                     100.0 * coverage.visited, cells, cells == 1 ? "cell" : "cells");
 }
 
 std::string result_line(const RecordFile& file) {

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "labmouse/lab/mazes/maze_files.hpp"
-#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/text/counted.hpp"

@@ -45,11 +45,12 @@ std::vector<CallShape> call_shapes() {
                maybe("conditions", named("Fields"))},
               {"Fields"}),
        object({field("play", named("Play")), field("record", text)})},
-      {"unpack", "A packed record of a report. A mouse of the roster has its reasons again.",
+      {"unpack", "A packed record of a report. A mouse of the built-in mice has its reasons again.",
        object({field("record", named("PackedRecord")), field("maze", named("MazeData"))}),
        object({field("play", named("Play")), field("record", text)})},
       {"race",
-       "A race in the one thread that the page has: keep it small. Without mice: all of the roster. The settings of "
+       "A race in the one thread that the page has: keep it small. Without mice: all of the built-in mice. The "
+       "settings of "
        "its world stand beside `world`, by their names.",
        object({field("mice", list(text)), field("mazes", list(named("MazeData"))), field("seed", number),
                field("runs", number), maybe("world", text), maybe("played", list(named("PlayedMouse")))},
@@ -58,8 +59,10 @@ std::vector<CallShape> call_shapes() {
       {"compare", "Means of a mouse in the same mazes as another.",
        object({field("differences", list(number)), maybe("seed", number)}), named("PairedDifference")},
       {"losses",
-       "Where contests in steps in one maze lose their steps; labmouse/lab/plays/lost_steps.hpp says what that means. "
-       "Lists run over cells; those that were not finished are left out of all but `contests`. `points` is what the mean "
+       "Where contests in steps in one maze lose their steps; labmouse/lab/replays/lost_steps.hpp says what that "
+       "means. "
+       "Lists run over cells; those that were not finished are left out of all but `contests`. `points` is what the "
+       "mean "
        "contest loses of its score in that cell; they add up to `mean_score` - `bound`.",
        object({field("maze", named("MazeData")),
                field("contests", list(object({field("mouse", text), field("seed", number)}))),
@@ -79,12 +82,12 @@ std::vector<CallShape> call_shapes() {
        "command line. With `races` the seed is that of a race, from which the contest has its own.",
        object({field("name", text), field("spec", text), field("maze", named("MazeData")), field("seed", number),
                maybe("races", flag), maybe("budget", number)}),
-       named("GuestLines")},
+       named("ProgramLines")},
       {"program_hear",
        "What the program wrote, to its standard output and to its standard error, with all line ends; or how it ended.",
-       object(
-           {field("contest", number), maybe("output", text), maybe("printed", text), maybe("end", named("GuestEnd"))}),
-       named("GuestLines")},
+       object({field("contest", number), maybe("output", text), maybe("printed", text),
+               maybe("end", named("ProgramEnd"))}),
+       named("ProgramLines")},
       {"program_end", "Ends a contest, which counts as interrupted where it was not over.",
        object({field("contest", number)}),
        object({field("play", named("Play")), field("record", text), field("packed", named("PackedRecord")),

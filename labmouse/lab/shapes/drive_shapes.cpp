@@ -14,23 +14,24 @@ std::vector<Declaration> drive_shapes() {
                field("bonus", number), field("value", number),
                field("best", flag, "The one that counts in the end.")})},
       {"DriveRun", "One run of a contest in seconds. Times are microseconds on the maze's clock.",
-       object({field("kind", words({"search", "home", "fast"})), field("begin", number), field("end", number),
-               field("gate_out", or_null(number),
-                     "Left the start cell, first entered a goal, first in the middle of a goal; null where that never "
-                     "came."),
-               field("gate_in", or_null(number)), field("centre", or_null(number)),
-               field("known", or_null(number),
-                     "When it began: times of the fastest route known to exist, and of the fastest that may exist; "
-                     "null for none."),
-               field("hoped", or_null(number)),
-               field("ended", or_null(text),
-                     "How it ended, in the words of the record: \"done\", \"slid\", \"no route left\"; null in a world in "
-                     "which nothing goes wrong."),
-               field("crash", or_null(object({field("time", number), field("cell", named("Cell"))})),
-                     "Where the mouse crashed, which ended the run; null where it did not."),
-               field("frame", number, "The frame in which it begins."),
-               field("from", number, "Its points in the path: from that one to the one before `to`."),
-               field("to", number), field("score", or_null(named("DriveScore")), "Null where it does not count.")})},
+       object(
+           {field("kind", words({"search", "home", "fast"})), field("begin", number), field("end", number),
+            field("gate_out", or_null(number),
+                  "Left the start cell, first entered a goal, first in the middle of a goal; null where that never "
+                  "came."),
+            field("gate_in", or_null(number)), field("centre", or_null(number)),
+            field("known", or_null(number),
+                  "When it began: times of the fastest route known to exist, and of the fastest that may exist; "
+                  "null for none."),
+            field("hoped", or_null(number)),
+            field("ended", or_null(text),
+                  "How it ended, in the words of the record: \"done\", \"slid\", \"no route left\"; null in a world in "
+                  "which nothing goes wrong."),
+            field("crash", or_null(object({field("time", number), field("cell", named("Cell"))})),
+                  "Where the mouse crashed, which ended the run; null where it did not."),
+            field("frame", number, "The frame in which it begins."),
+            field("from", number, "Its points in the path: from that one to the one before `to`."), field("to", number),
+            field("score", or_null(named("DriveScore")), "Null where it does not count.")})},
       {"DrivePath",
        "A path, point by point. Between two points of a run the acceleration is even; turns have points dense enough "
        "to be drawn as lines. Where the speed leaps (robots with published times), two points have the same time.",

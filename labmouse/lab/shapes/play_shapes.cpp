@@ -104,9 +104,10 @@ std::vector<Declaration> play_shapes() {
             field("loses", list(number),
                   "What each step falls behind a shortest way, in steps; after the goal each step of the search run "
                   "does. Empty where a step has no such measure."),
-            field("scores", list(or_null(number)),
-                  "What had been scored by each frame, whether or not it was finished in the end; in seconds null before "
-                  "the first run."),
+            field(
+                "scores", list(or_null(number)),
+                "What had been scored by each frame, whether or not it was finished in the end; in seconds null before "
+                "the first run."),
             maybe("drive", named("Drive"), "Only in seconds."),
             maybe("again",
                   object({field("with", object({field("world", text), field("conditions", named("Fields"))})),

@@ -13,7 +13,7 @@ struct Standing {
   std::size_t mouse = 0;  ///< position in Race::mice
   int mazes = 0;          ///< in which a contest enters the mean over all
   int runs = 0;           ///< contests
-  int finished = 0;         ///< those with a score
+  int finished = 0;       ///< those with a score
   /// Over all contests that the world counts, failed ones as it counts them, and its interval over mazes.
   std::optional<double> mean_all;
   Interval interval;

@@ -7,7 +7,8 @@
 
 namespace labmouse {
 
-/// A line for each mouse of a race that has action errors, under a line that says what they are; empty where there is none.
+/// A line for each mouse of a race that has action errors, under a line that says what they are; empty where there is
+/// none.
 std::string action_error_lines(const Race& race);
 
 }  // namespace labmouse

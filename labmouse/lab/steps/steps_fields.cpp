@@ -66,7 +66,8 @@ double over_optimum(const Race& race, const ContestResult& contest) {
 
 std::optional<double> mean_over_optimum(const Race& race, const Standing& standing) {
   std::vector<double> values;
-  for_each_finished(race, standing, [&](const ContestResult& contest) { values.push_back(over_optimum(race, contest)); });
+  for_each_finished(race, standing,
+                    [&](const ContestResult& contest) { values.push_back(over_optimum(race, contest)); });
   return mean_if_any(values);
 }
 
@@ -74,7 +75,7 @@ std::optional<double> mean_over_optimum(const Race& race, const Standing& standi
 double optimal_share(const Race& race, const Standing& standing) {
   int optimal = 0;
   for_each_finished(race, standing,
-                  [&](const ContestResult& contest) { optimal += over_optimum(race, contest) == 0.0 ? 1 : 0; });
+                    [&](const ContestResult& contest) { optimal += over_optimum(race, contest) == 0.0 ? 1 : 0; });
   return standing.runs > 0 ? optimal / static_cast<double>(standing.runs) : 0.0;
 }
 
@@ -130,8 +131,7 @@ constexpr std::array<Column, 9> table = {
      {"score /", "best", 7, columns::mean_ratio},
      {"search", "steps", 6,
       [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "search_steps"), 1); },
-      "mean_search_steps", "explor. steps",
-      "Mean search steps of the finished contests, including the reset.", 1},
+      "mean_search_steps", "explor. steps", "Mean search steps of the finished contests, including the reset.", 1},
      {"speed run", "excess", 9,
       [](const Race& r, const Standing& s) { return columns::number(mean_over_optimum(r, s), 2); },
       "mean_speed_over_optimum", "steps too many",

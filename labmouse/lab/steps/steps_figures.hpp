@@ -18,8 +18,8 @@ enum class StepsFigure : std::uint8_t {
   cut_movements,
   idle_resets,
   first_action_error,  ///< as a count of the clock, 0 where there is none
-  words,          ///< nothing where the mouse had nothing to say
-  counts,         ///< an object; nothing where the mouse counted nothing
+  words,               ///< nothing where the mouse had nothing to say
+  counts,              ///< an object; nothing where the mouse counted nothing
   decisions,
   microseconds,  ///< spent in them: the one figure that differs from race to race
 };

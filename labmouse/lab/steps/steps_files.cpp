@@ -7,8 +7,8 @@
 
 namespace labmouse {
 
-ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed, RunRecord record,
-          Keep keep) {
+ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
+                   RunRecord record, Keep keep) {
   ContestOutput held;
   if (keep.record || keep.picture) {
     const RecordFile file = record_file_of(mouse, maze, rules, seed, record);

@@ -9,8 +9,8 @@
 namespace labmouse {
 
 /// What is kept of a contest.
-ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed, RunRecord record,
-          Keep keep);
+ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
+                   RunRecord record, Keep keep);
 
 /// The record of a contest as a file.
 RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,

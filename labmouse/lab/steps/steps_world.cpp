@@ -5,8 +5,8 @@
 #include <array>
 #include <chrono>
 
-#include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/action_errors.hpp"
+#include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"

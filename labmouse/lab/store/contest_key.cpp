@@ -46,7 +46,8 @@ std::string key_of(const World& world, const Contestant& mouse) {
   if (entry == nullptr && !mouse.reference) return "";
   std::string text = fmt::format("mouse {}\n", entry != nullptr ? entry->name : std::string_view(spec_of(mouse)));
   const Settings settings = world.settings(mouse);
-  for (const Setting& setting : settings.all()) text += fmt::format("{} {}\n", former_key(setting.name), former_value(setting.value));
+  for (const Setting& setting : settings.all())
+    text += fmt::format("{} {}\n", former_key(setting.name), former_value(setting.value));
   if (const WallPrior* learned = mouse.settings.attached()) text += fmt::format("learned {}\n", prior_text(*learned));
   return text + fmt::format("signature {}\n", build_signature());
 }

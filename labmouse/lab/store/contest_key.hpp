@@ -13,7 +13,8 @@ std::string key_of(const World& world);
 std::string conditions_text(const World& world);
 
 /// A mouse of ours with all parameters that count in this world, what it has learned, and the behaviour signature of
-/// this build; an external mouse as external_identity says it. Empty for a mouse of which nothing is known that could be compared.
+/// this build; an external mouse as external_identity says it. Empty for a mouse of which nothing is known that could
+/// be compared.
 std::string key_of(const World& world, const Contestant& mouse);
 
 /// The maze as a link without a name: its walls, start and goals.

@@ -79,7 +79,7 @@ SELECT contests.id, worlds.name AS world, worlds.conditions, mice.name AS mouse,
 
 CREATE VIEW standings AS
 SELECT worlds.name AS world, worlds.conditions, contests.world AS world_id, mice.name AS mouse, contests.mouse AS mouse_id,
-       count(DISTINCT contests.maze) AS mazes, count(*) AS contests, count(score) AS finished, avg(counted) AS mean,
+       count(DISTINCT contests.maze) AS mazes, count(*) AS contests, count(score) AS solved, avg(counted) AS mean,
        avg(score) AS mean_solved, avg(ratio) AS mean_ratio
   FROM contests
   JOIN bounds ON bounds.world = contests.world AND bounds.maze = contests.maze AND bound IS NOT NULL

@@ -30,8 +30,8 @@ struct StoredRaces {
 };
 
 /// The races that were held with one seed; an error where the rows have several and none was asked for. Of mice with
-/// one name, such as an older external mouse, the one that raced last, and none that a study taught. Mice and mazes are as the
-/// rows say: nothing can be run again.
+/// one name, such as an older external mouse, the one that raced last, and none that a study taught. Mice and mazes are
+/// as the rows say: nothing can be run again.
 StoredRaces stored_races(const std::string& path, const StoreFilter& filter);
 
 /// The same with all mice and seeds: results have their own, and the names of mice are not unique.

@@ -36,7 +36,8 @@ SweepPoint point_of(const Race& race, const std::string& value) {
           standing.mean_finished};
 }
 
-/// Sets what the sweep says of the mouse and of the parameter, which it has. An external mouse's is known to the external mouse alone.
+/// Sets what the sweep says of the mouse and of the parameter, which it has. An external mouse's is known to the
+/// external mouse alone.
 void describe_parameter(std::string_view spec, const BuiltinMouse* mouse, Sweep& sweep) {
   sweep.mouse = spec;
   if (mouse == nullptr) return;

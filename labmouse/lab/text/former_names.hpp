@@ -1,4 +1,5 @@
-// Names of earlier versions. Files, options and SPECs that use them are read for ever; new output has today's names only.
+// Names of earlier versions. Files, options and SPECs that use them are read for ever; new output has today's names
+// only.
 #pragma once
 
 #include <array>
@@ -90,7 +91,8 @@ inline std::string today_spec(std::string_view spec) {
 /// @tparam AnyJson Json or ReadJson.
 /// @param key, value Today's or former names of a name, as above.
 template <class AnyJson>
-AnyJson with_names(AnyJson json, std::string_view (*key)(std::string_view), std::string_view (*value)(std::string_view)) {
+AnyJson with_names(AnyJson json, std::string_view (*key)(std::string_view),
+                   std::string_view (*value)(std::string_view)) {
   if (json.is_array())
     for (AnyJson& item : json) item = with_names(std::move(item), key, value);
   if (!json.is_object()) return json;

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/races/world_entry.hpp"
+#include "labmouse/lab/replays/replay.hpp"
 
 namespace labmouse {
 

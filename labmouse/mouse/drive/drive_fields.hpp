@@ -12,9 +12,10 @@
 
 namespace labmouse {
 
-/// One field for routes of runs, one for ways of a search and one for what runs cost about, which all parts of a strategy
-/// use in turn: whoever needs one fills it first, and reads it before another is filled, which may take its place. They
-/// lie in one piece of memory, whose size follows from the maze and the robot; nothing else is allocated, ever.
+/// One field for routes of runs, one for ways of a search and one for what runs cost about, which all parts of a
+/// strategy use in turn: whoever needs one fills it first, and reads it before another is filled, which may take its
+/// place. They lie in one piece of memory, whose size follows from the maze and the robot; nothing else is allocated,
+/// ever.
 class DriveFields {
  public:
   /// In memory that must outlive them: bytes_for(size, model), beginning at a multiple of FastestRoutes::alignment.

@@ -1,5 +1,5 @@
-// An external mouse that misbehaves: bad_program HOW [TAG [MINE OTHERS]]. The tag makes it findable among all processes. `controller
-// HOW` is one that drives a mouse itself.
+// An external mouse that misbehaves: bad_program HOW [TAG [MINE OTHERS]]. The tag makes it findable among all
+// processes. `controller HOW` is one that drives a mouse itself.
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/resource.h>

@@ -6,9 +6,9 @@
 
 #include "labmouse/contest/code_contest.hpp"
 #include "labmouse/contest/physical.hpp"
-#include "labmouse/lab/mice/parts_in_c.hpp"
-#include "labmouse/controller/parts.hpp"
 #include "labmouse/controller/controller.hpp"
+#include "labmouse/controller/parts.hpp"
+#include "labmouse/lab/mice/parts_in_c.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/says.hpp"
 #include "tests/slowness.hpp"
@@ -277,7 +277,7 @@ class Blinkered final : public EstimatorPart, public TrackerPart {
   Drive follow(const Sense& sense, const Target& target, const PoseEstimate& estimate) override {
     const Drive duties = ours_.tracker.follow(sense, target, estimate);
     return ControllerTick{static_cast<std::int16_t>(whole_duty(duties.left)),
-                     static_cast<std::int16_t>(whole_duty(duties.right))}
+                          static_cast<std::int16_t>(whole_duty(duties.right))}
         .drive();
   }
 

@@ -6,10 +6,10 @@
 
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/physical.hpp"
-#include "labmouse/lab/noise_curves/noise_curves.hpp"
 #include "labmouse/lab/drive/drive_entries.hpp"
 #include "labmouse/lab/drive/fidelity.hpp"
 #include "labmouse/lab/failure_rates/failure_file.hpp"
+#include "labmouse/lab/noise_curves/noise_curves.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
@@ -116,14 +116,17 @@ TEST(Failures, TakesTheDrawsOfThePhysicalWorld) {
 
 TEST(Failures, CrashesByTheChancesOfAManoeuvre) {
   const auto turns = with([](FailureRatesByDraw& failure_rates) {
-    for (std::size_t level = 0; level < position_error_levels; ++level) at(failure_rates, Manoeuvre::turn, level) = {1.0, 0.0, {1.0}};
+    for (std::size_t level = 0; level < position_error_levels; ++level)
+      at(failure_rates, Manoeuvre::turn, level) = {1.0, 0.0, {1.0}};
   });
   const PhysicalRecord record = driven("flood-return", turns);
   EXPECT_THAT(record.ends, SizeIs(5));
   EXPECT_THAT(record.ends, Each(RunEnd::position_lost));
   EXPECT_EQ(record.carried, 5);
   EXPECT_NE(record.drive.outcome, DriveOutcome::finished);
-  const auto slides = with([](FailureRatesByDraw& failure_rates) { at(failure_rates, Manoeuvre::turn) = {1.0, 1.0, {1.0}}; });
+  const auto slides = with([](FailureRatesByDraw& failure_rates) {
+    at(failure_rates, Manoeuvre::turn) = {1.0, 1.0, {1.0}};
+  });
   EXPECT_THAT(driven("flood-return", slides).ends, Each(RunEnd::slid));
   // The clock runs on, and time to carry it back is part of it.
   for (std::size_t i = 1; i < record.drive.runs.size(); ++i)
@@ -181,17 +184,17 @@ TEST(Failures, IsWeakAllThroughAContest) {
     at(by_draws[draws], Manoeuvre::turn).crash = 1.0;
   PhysicalConditions conditions = at_noise(1.0);
   conditions.noise.variation = 5.0;
-  int weak = 0;
+  int weak_mice = 0;
   constexpr int contests = 60;
   for (std::uint64_t seed = 1; seed <= contests; ++seed) {
     const PhysicalRecord record = driven("flood", failure_rates, seed, conditions);
     const RobotSample mouse(*test::drive_model("kerise")->robot.hardware, conditions.noise, test::ring().size(), seed);
     const bool weak = draws_of(mouse) >= Draws::tyres_below_50;
     EXPECT_EQ(record.carried > 0, weak) << seed;
-    weak += weak ? 1 : 0;
+    weak_mice += weak ? 1 : 0;
   }
-  EXPECT_GT(weak, 0);
-  EXPECT_LT(weak, contests / 3);
+  EXPECT_GT(weak_mice, 0);
+  EXPECT_LT(weak_mice, contests / 3);
 }
 
 TEST(Failures, ReadsAllWallsAboutItOrNone) {
@@ -279,7 +282,8 @@ TEST(Failures, IsHeldUnderTheNearestNoisesThatWereCounted) {
   FailureRates failure_rates = harmless();
   failure_rates.paces.front().noises.push_back(no_failures());
   failure_rates.paces.front().noises.back().noise = 3.0;
-  for (FailureRatesByDraw& by_draws : failure_rates.paces.front().noises.back().by_draws) at(by_draws, Manoeuvre::turn).crash = 1.0;
+  for (FailureRatesByDraw& by_draws : failure_rates.paces.front().noises.back().by_draws)
+    at(by_draws, Manoeuvre::turn).crash = 1.0;
   int crashed = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed)
     crashed += driven("flood", failure_rates, seed, at_noise(2.0)).carried > 0 ? 1 : 0;
@@ -298,7 +302,8 @@ TEST(Failures, IsDrivenAtAPace) {
   FailureRates failure_rates = harmless();
   failure_rates.paces.insert(failure_rates.paces.begin(), {0.5, {no_failures()}});
   at(failure_rates.paces.back().noises.front().by_draws.back(), Manoeuvre::turn).crash = 1.0;
-  for (FailureRatesByDraw& by_draws : failure_rates.paces.back().noises.front().by_draws) at(by_draws, Manoeuvre::turn).crash = 1.0;
+  for (FailureRatesByDraw& by_draws : failure_rates.paces.back().noises.front().by_draws)
+    at(by_draws, Manoeuvre::turn).crash = 1.0;
   EXPECT_GT(driven("flood", failure_rates).carried, 0);
   EXPECT_EQ(driven("flood", failure_rates, 1, slow).carried, 0);
 }
@@ -362,7 +367,8 @@ TEST(Festina, SearchesMoreSlowlyAfterEachCrash) {
 }
 
 TEST(Festina, RunsSlowerAfterACrashAndFasterAfterAnotherRun) {
-  const auto failure_rates = too_fast_beyond(0.8, {Manoeuvre::run_straight, Manoeuvre::run_turn, Manoeuvre::run_diagonal});
+  const auto failure_rates =
+      too_fast_beyond(0.8, {Manoeuvre::run_straight, Manoeuvre::run_turn, Manoeuvre::run_diagonal});
   const std::vector<double> paces = paces_of(driven("festina", failure_rates), DriveRun::Kind::fast);
   ASSERT_GE(paces.size(), 3U);
   EXPECT_GT(paces[0], 0.8);
@@ -577,7 +583,7 @@ TEST(FailureWorld, RefusesWhatItCannotUse) {
   };
   EXPECT_THAT(error({{"noise", "77"}}), Says("--noise", "77", "kerise"));
   EXPECT_THAT(error({{"robot", "classic"}}), Says("--failure-rates", "kerise", "classic"));
-  EXPECT_THAT(error({{"failure_rates", "none"}}), HasSubstr("none"));
+  EXPECT_THAT(error({{"failure-rates", "none"}}), HasSubstr("none"));
   EXPECT_THAT(error({{"map", "none"}}), HasSubstr("--map"));
 }
 
@@ -589,7 +595,9 @@ TEST(FailureWorld, KeepsRecordsThatAreDrivenAgainByTheFailureRatesThatTheProgram
   RaceHooks hooks;
   std::vector<std::string> records;
   hooks.keep = [](const ContestResult&) { return Keep{true, false}; };
-  hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput& held) { records.push_back(held.record); };
+  hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput& held) {
+    records.push_back(held.record);
+  };
   hold_race(test::mice("festina"), {{"ring", test::ring()}}, order, hooks);
   ASSERT_THAT(records, SizeIs(3));
   for (const std::string& text : records) {

@@ -84,7 +84,7 @@ TEST(PhysicalWorld, CountsWhatEndedRuns) {
     all += result.score.value_or(300.0);
   }
   EXPECT_NEAR(json.at("mean_score").get<double>(), scored / (60 - unscored), 1e-9);
-  EXPECT_NEAR(json.at("par1").get<double>(), all / 60.0, 1e-9);
+  EXPECT_NEAR(json.at("mean_par1").get<double>(), all / 60.0, 1e-9);
   EXPECT_THAT(table_of(race, false), Says("at limit", "no route", "wall", "slipped", "position"));
 }
 

@@ -78,7 +78,7 @@ TEST(KnownDrives, AreToldAsATableAndAsJson) {
   const auto tallies = drive_known_ways(order(), rings(), std::vector<DriveCase>{{"strong", at_noise(6.0)}});
   EXPECT_EQ(tallies.front().variation, at_noise(6.0).noise.variation);
   EXPECT_THAT(table_of(tallies, order()),
-              Says("strong", "crashed", "wall_error", fmt::format("spread {:g}", tallies.front().variation)));
+              Says("strong", "crashed", "wrong", fmt::format("variation {:g}", tallies.front().variation)));
   const auto json = nlohmann::json::parse(json_of(tallies, order()));
   const auto& told = json.at("drives").at(0);
   EXPECT_EQ(told.at("runs"), tallies[0].runs);

@@ -147,7 +147,8 @@ TEST(CodeContest, CarriesAMouseThatCrashedUntilItsRunsAreOver) {
 }
 
 TEST(CodeContest, IsOverForAFastRunOnceItIsInTheGoal) {
-  Prompted code([](int tick, const Prompted&) { return ahead(slow, tick == 0 ? ControllerWord::fast : ControllerWord::drive); });
+  Prompted code(
+      [](int tick, const Prompted&) { return ahead(slow, tick == 0 ? ControllerWord::fast : ControllerWord::drive); });
   const Contest held = contest(code);
   ASSERT_EQ(held.record.drive.runs.size(), 5U);
   EXPECT_EQ(held.record.drive.runs[0].kind, Kind::fast);

@@ -90,8 +90,8 @@ TEST(ControllerInC, IsAskedTickByTick) {
   const PhysicalRecord record = event.hold(*code);
   // Duties within their limits, and a word that nobody knows ends the contest.
   constexpr ControllerTick spin = {ControllerTick::full, -ControllerTick::full};
-  EXPECT_EQ(record.tape,
-            (std::vector<ControllerTick>{spin, spin, {0, 0, ControllerWord::carry}, spin, {0, 0, ControllerWord::give_up}}));
+  EXPECT_EQ(record.tape, (std::vector<ControllerTick>{
+                             spin, spin, {0, 0, ControllerWord::carry}, spin, {0, 0, ControllerWord::give_up}}));
   EXPECT_THAT(calls.crashes, testing::ElementsAre(0));
   ASSERT_EQ(calls.senses.size(), 5U);
   for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(calls.senses[i].tick, calls.senses[i - 1].tick + 1);

@@ -160,7 +160,7 @@ TEST_F(AMiceFile, HasMiceThatCanBeSwept) {
   EXPECT_THAT(read_variants(spec + ":theirs", "m", values).error, Says("'theirs'", "{m}"));
   EXPECT_THAT(read_variants(spec + ":ours", "strid", values).error, Says("'strid'", "'stride'"));
   EXPECT_THAT(read_variants(mice_file("[[mouse]]\nname = \"a\"\nmouse = \"flood\"\n"
-                                   "[[mouse]]\nname = \"b\"\nmouse = \"flood\"\n"),
+                                      "[[mouse]]\nname = \"b\"\nmouse = \"flood\"\n"),
                             "stride", values)
                   .error,
               Says("2 mice", "exactly one"));
@@ -168,8 +168,8 @@ TEST_F(AMiceFile, HasMiceThatCanBeSwept) {
 
 TEST(ReadBuiltinSpecs, StartsNothingAndOpensNoMiceFile) {
   EXPECT_THAT(read_builtin_specs("X=flood:stride=1,certify").contestants, SizeIs(2));
-  for (const char* spec : {"program:sh", "X=program:sh", "flood,program:sh", "capstone:robot.py", "mms:sh", "controller:sh",
-                           "mice-file:mice.toml", "flood,mice-file:mice.toml"}) {
+  for (const char* spec : {"program:sh", "X=program:sh", "flood,program:sh", "capstone:robot.py", "mms:sh",
+                           "controller:sh", "mice-file:mice.toml", "flood,mice-file:mice.toml"}) {
     const SpecResult read = read_builtin_specs(spec);
     EXPECT_NE(read.error, "") << spec;
     EXPECT_THAT(read.contestants, SizeIs(0)) << spec;

@@ -66,10 +66,11 @@ TEST(MouseSheet, ExplainsEachParameterInASentence) {
 
 TEST(MouseSheet, SaysTheUnitOfEachNumberOfAriadne) {
   for (const Parameter& parameter : find_mouse("ariadne")->parameters)
-    if (parameter.type == ParameterType::real)
+    if (parameter.type == ParameterType::real) {
       EXPECT_THAT(std::string(parameter.meaning),
                   ::testing::ContainsRegex("1/30 step|search times of one cell|in ms|: ms for|s of search|no unit"))
           << parameter.name;
+    }
 }
 
 TEST(MouseSheet, HasAHeadingOverParametersThatCountInSecondsAlone) {

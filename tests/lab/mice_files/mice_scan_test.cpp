@@ -64,7 +64,7 @@ TEST_F(MiceScan, KnowsProgramsByWhatTheySay) {
   EXPECT_EQ(mice[1].kind + " " + mice[1].file, "mms b/Main.py");
   EXPECT_EQ(mice[2].kind + " " + mice[2].interpreter, "mms ");
   EXPECT_EQ(mice[3].kind, "");
-  EXPECT_EQ(mice[4].kind + " " + mice[4].interpreter, "pilot python3");
+  EXPECT_EQ(mice[4].kind + " " + mice[4].interpreter, "controller python3");
 }
 
 TEST_F(MiceScan, TakesTheVirtualEnvironmentBesideARobot) {

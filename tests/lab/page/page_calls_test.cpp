@@ -121,7 +121,7 @@ TEST(PageCalls, TellWhatTheCoreBrings) {
   EXPECT_EQ(counts_in["travel"], "steps");
   EXPECT_EQ(counts_in["cell_most"], "seconds");
   EXPECT_EQ(counts_in["slower"], "errors");
-  EXPECT_EQ(counts_in["mind"], "both");
+  EXPECT_EQ(counts_in["strategy"], "both");
   EXPECT_EQ(types, (std::set<std::string>{"whole", "real", "flag", "choice", "list", "prior"}));
   EXPECT_GE(about["mazes"].size(), 5U);
   EXPECT_THAT(about["mazes"], ::testing::Contains(json{{"name", "capstone-1"}, {"width", 12}, {"height", 12}}));

@@ -56,8 +56,7 @@ TEST(Layers, OnlyThoseChosenAreMade) {
   const DrawingLayers all =
       layers_of(there_and_back(), {Layer::heat, Layer::path, Layer::search_run, Layer::known, Layer::wrong,
                                    Layer::shares, Layer::distances, Layer::coordinates});
-  EXPECT_TRUE(all.coordinates && all.label && all.visits && all.unknown && all.wrong && all.search_run &&
-              all.explored);
+  EXPECT_TRUE(all.coordinates && all.label && all.visits && all.unknown && all.wrong && all.search_run && all.explored);
   EXPECT_EQ(all.route, way_to_goal());
 }
 
@@ -75,8 +74,7 @@ TEST(Layers, ExplorationWithoutGoalOrResetGoesToTheEnd) {
   const SearchLegs stayed = *layers_of(recorded({north, east, south}), {Layer::search_run}).search_run;
   EXPECT_EQ(stayed.onwards, std::vector<Pose>{goal});
   // The reset is the last step: what comes after it is no part of the search run.
-  const SearchLegs reset =
-      *layers_of(recorded({north, east, south, Action::reset()}), {Layer::search_run}).search_run;
+  const SearchLegs reset = *layers_of(recorded({north, east, south, Action::reset()}), {Layer::search_run}).search_run;
   EXPECT_EQ(reset.onwards, std::vector<Pose>{goal});
   EXPECT_TRUE(layers_of(recorded({north, east}), {Layer::path}).route.empty());
 }

@@ -30,7 +30,7 @@ std::vector<Contestant> mice(const std::string& spec) {
   return read.contestants;
 }
 std::vector<Contestant> controllers(const std::string& word = "") {
-  return mice("pilot:\"" LABMOUSE_CONTROLLER_TEMPLATE "\"" + (word.empty() ? word : " " + word));
+  return mice("controller:\"" LABMOUSE_CONTROLLER_TEMPLATE "\"" + (word.empty() ? word : " " + word));
 }
 
 std::shared_ptr<const World> world(const PhysicalConditions& conditions = test::at_noise(1.0)) {
@@ -63,7 +63,8 @@ TEST(ControllerRace, IsHeldInThePhysicalWorldUnlessTold) {
   for (const WorldEntry* other : all_worlds()) {
     const std::string error = enter(controllers(), other->name, {}).error;
     EXPECT_EQ(error.empty(), other->name == "physical") << other->name;
-    EXPECT_TRUE(error.empty() || error.find("pilot:\"" LABMOUSE_CONTROLLER_TEMPLATE "\"") != std::string::npos) << error;
+    EXPECT_TRUE(error.empty() || error.find("controller:\"" LABMOUSE_CONTROLLER_TEMPLATE "\"") != std::string::npos)
+        << error;
   }
 }
 
@@ -77,12 +78,13 @@ TEST(ControllerRace, IsTheSameAgain) {
   }
   EXPECT_NE(first.results[0].score, first.results[1].score);
   // It may have seen anything, and nobody knows.
-  for (const PhysicalFigure unknown : {PhysicalFigure::discovered, PhysicalFigure::wall_error, PhysicalFigure::no_route_left,
-                                       PhysicalFigure::wrong_walls, PhysicalFigure::contradictions})
+  for (const PhysicalFigure unknown :
+       {PhysicalFigure::discovered, PhysicalFigure::wall_error, PhysicalFigure::no_route_left,
+        PhysicalFigure::wrong_walls, PhysicalFigure::contradictions})
     EXPECT_FALSE(number_of(figure(first.results[0], unknown)));
   EXPECT_TRUE(number_of(figure(first.results[0], PhysicalFigure::position_lost)));
-  EXPECT_TRUE(std::regex_search(table_of(first, false), std::regex("pilot_template.* 0 +0 +- +- +0\\n")));
-  EXPECT_THAT(table_of(first, false), HasSubstr("pilot_template"));
+  EXPECT_TRUE(std::regex_search(table_of(first, false), std::regex("controller_template.* 0 +0 +- +- +0\\n")));
+  EXPECT_THAT(table_of(first, false), HasSubstr("controller_template"));
 }
 
 TEST(ControllerRace, KeepsRecordsThatReplay) {
@@ -133,7 +135,7 @@ TEST(ControllerRace, HasTapesOfDutiesThatMotorsTake) {
   RaceHooks hooks;
   hooks.keep = [](const ContestResult&) { return Keep{true, false}; };
   hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput& held) { text = held.record; };
-  race(mice("pilot:\"" LABMOUSE_BAD_PROGRAM "\" \"pilot give up\""), hooks);
+  race(mice("controller:\"" LABMOUSE_BAD_PROGRAM "\" \"pilot give up\""), hooks);
   const std::string line = R"({"tape":"AA","said":[[0,"give up"]]})";
   const auto place = text.find(line);
   ASSERT_NE(place, std::string::npos) << text;
@@ -153,13 +155,13 @@ TEST(ControllerRace, IsHeldBesideMiceOfOurs) {
 }
 
 TEST(ControllerRace, TellsWhyAMouseGaveUp) {
-  const Race held = race(mice("pilot:\"" LABMOUSE_BAD_PROGRAM "\" \"pilot rubbish\""));
+  const Race held = race(mice("controller:\"" LABMOUSE_BAD_PROGRAM "\" \"pilot rubbish\""));
   for (const ContestResult& result : held.results) {
     EXPECT_FALSE(result.score);
     EXPECT_EQ(result.never_started, "");
   }
   EXPECT_THAT(table_of(held, false), Says("rubbish", "'what?'"));
-  const Race ended = race(mice("pilot:\"" LABMOUSE_BAD_PROGRAM "\" \"pilot end at the start\""));
+  const Race ended = race(mice("controller:\"" LABMOUSE_BAD_PROGRAM "\" \"pilot end at the start\""));
   for (const ContestResult& result : ended.results) EXPECT_THAT(result.never_started, HasSubstr("labmouse pilot 1"));
 }
 

@@ -23,13 +23,13 @@ RecordFile short_of_steps(int budget) {
 
 TEST(ResultLine, SaysWhereAMouseStoodThatDidNotSolveIt) {
   RecordFile file = short_of_steps(2);
-  EXPECT_THAT(result_line(file), SaysAt("flood in loop", "out of steps at (0,4) heading north", "2 search",
-                                        "0 speed", "bound 4.167"));
+  EXPECT_THAT(result_line(file),
+              SaysAt("flood in loop", "out of steps at (0,4) heading north", "2 search", "0 speed", "bound 4.167"));
   file.run.end = {{3, 1}, Heading::west};
   EXPECT_THAT(result_line(file), HasSubstr("out of steps at (3,1) heading west"));
-  EXPECT_THAT(result_line(test::recorded("flood", test::without_route())),
-              SaysAt("flood in without-route", "forfeit (no way) at (0,0) heading north", "1 search", "0 speed",
-                     "; the goal"));
+  EXPECT_THAT(
+      result_line(test::recorded("flood", test::without_route())),
+      SaysAt("flood in without-route", "forfeit (no way) at (0,0) heading north", "1 search", "0 speed", "; the goal"));
 }
 
 TEST(ResultLine, DoesNotForAFinishedContestOrACutRecord) {

@@ -3,8 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/replays/mms_replay.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
+#include "labmouse/lab/replays/mms_replay.hpp"
 #include "tests/lab/records/mms_record_fixture.hpp"
 #include "tests/lab/records/record_fixture.hpp"
 #include "tests/says.hpp"

@@ -283,7 +283,8 @@ TEST(Replay, RefusesAnEndWithoutAContest) {
 
 TEST(Record, AForfeitAtTheEndNeedsAStepThatForfeits) {
   const std::string text = write_record(recorded("flood"));
-  EXPECT_THAT(problem(changed(text, "\"outcome\":\"finished\"", "\"outcome\":\"forfeit\"")).reason, HasSubstr("forfeit"));
+  EXPECT_THAT(problem(changed(text, "\"outcome\":\"finished\"", "\"outcome\":\"forfeit\"")).reason,
+              HasSubstr("forfeit"));
 }
 
 TEST(Record, AWrongSeedIsRefused) {

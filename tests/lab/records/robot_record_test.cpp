@@ -254,7 +254,8 @@ TEST(CheckedLine, SaysNothingOfAWholeRecord) {
   EXPECT_EQ(checked_line(read(text)), "");
   EXPECT_EQ(checked_line(recorded("flood")), "");
   EXPECT_EQ(checked_line(read(text.substr(0, text.rfind('\n', text.size() - 2) + 1))), "");
-  EXPECT_NE(checked_line(read(text.substr(0, text.rfind('\n', text.size() - 2) + 1) + "{\"outcome\":\"finished\"}")), "");
+  EXPECT_NE(checked_line(read(text.substr(0, text.rfind('\n', text.size() - 2) + 1) + "{\"outcome\":\"finished\"}")),
+            "");
 }
 
 }  // namespace

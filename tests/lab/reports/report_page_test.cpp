@@ -5,11 +5,11 @@
 
 #include <fstream>
 
-#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/lab/reports/report_records.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "tests/lab/mms/mms_fixture.hpp"

@@ -77,17 +77,19 @@ TEST(ActionErrorLines, OfSeveralAreInThePlural) {
 TEST(ActionErrorLines, OfAMouseWithoutActionErrorsThereAreNone) { EXPECT_EQ(action_error_lines(played(solution)), ""); }
 
 TEST(ActionErrorLines, OfOurMiceThereAreNone) {
-  EXPECT_EQ(action_error_lines(hold_race(residents_of(*first_world()), {test::loop(), test::hook()}, test::in_steps())), "");
+  EXPECT_EQ(action_error_lines(hold_race(residents_of(*first_world()), {test::loop(), test::hook()}, test::in_steps())),
+            "");
 }
 
 TEST(ActionErrorLines, OfARaceAreTotalsWithTheFirstStep) {
-  const Race race =
-      hold_race({player("program:./a", clumsy), player("program:./b", solution), player("program:./c", {Action::step(0, 1)})},
-                {test::corridor(), test::without_route()}, test::in_steps());
-  EXPECT_THAT(action_error_lines(race),
-              HasSubstr("\n  program:./a: 6 blocked by walls, 2 void rotations, 2 cut movements, 2 idle resets; first in "
-                        "corridor, step 2\n"
-                        "  program:./b: 6 blocked by walls, 1 idle reset; first in without-route, step 1\n"));
+  const Race race = hold_race(
+      {player("program:./a", clumsy), player("program:./b", solution), player("program:./c", {Action::step(0, 1)})},
+      {test::corridor(), test::without_route()}, test::in_steps());
+  EXPECT_THAT(
+      action_error_lines(race),
+      HasSubstr("\n  program:./a: 6 blocked by walls, 2 void rotations, 2 cut movements, 2 idle resets; first in "
+                "corridor, step 2\n"
+                "  program:./b: 6 blocked by walls, 1 idle reset; first in without-route, step 1\n"));
   EXPECT_THAT(action_error_lines(race), EndsWith("\n  program:./c: 2 blocked by walls; first in corridor, step 1\n"));
   EXPECT_THAT(table_of(race, false), HasSubstr(action_error_lines(race)));
 }

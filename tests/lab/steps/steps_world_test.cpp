@@ -57,8 +57,8 @@ TEST_F(RaceAsJson, HasAllFieldsOfAMaze) {
 }
 
 TEST_F(RaceAsJson, HasAllFieldsOfAMouse) {
-  EXPECT_THAT(keys(mouse("random")), IsSupersetOf({"name", "parameters", "finished", "runs", "mean_score",
-                                                   "mean_par1", "interval", "mean_ratio", "results"}));
+  EXPECT_THAT(keys(mouse("random")), IsSupersetOf({"name", "parameters", "finished", "runs", "mean_score", "mean_par1",
+                                                   "interval", "mean_ratio", "results"}));
 }
 
 TEST_F(RaceAsJson, HasAllFieldsOfAResult) {
@@ -162,7 +162,7 @@ TEST(RaceAsCsv, HasALineForEachContest) {
   const auto list = lines(csv_of(race));
   ASSERT_EQ(list.size(), 1U + race.results.size());
   EXPECT_EQ(list[0],
-            "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision,"
+            "mouse,maze,seed,outcome,score,search_steps,speed_steps,optimum,bound,microseconds_per_decision,"
             "discovered_share,visited_share");
   for (const std::string& line : list) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 11);
   EXPECT_EQ(list[1].find("certify,corridor,"), 0U);

@@ -13,10 +13,10 @@
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
+#include "labmouse/lab/store/differences.hpp"
 #include "labmouse/lab/store/schema.hpp"
 #include "labmouse/lab/store/store_changes.hpp"
 #include "labmouse/lab/store/stored_races.hpp"
-#include "labmouse/lab/store/differences.hpp"
 #include "labmouse/lab/store/verification.hpp"
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
@@ -215,7 +215,9 @@ TEST_F(AStore, HasNoRecords) {
   RaceHooks hooks;
   std::size_t records = 0;
   hooks.keep = [](const ContestResult&) { return Keep{true, false}; };
-  hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput& held) { records += held.record.empty() ? 0 : 1; };
+  hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput& held) {
+    records += held.record.empty() ? 0 : 1;
+  };
   hold_race(test::mice("flood"), {test::loop(), test::hook()}, order, hooks);
   EXPECT_EQ(store->finish(), "");
   EXPECT_EQ(records, 2U);
@@ -229,7 +231,9 @@ TEST_F(AStore, TellsOfContestsThatItHad) {
   order.store = std::make_shared<Store>(path());
   RaceHooks hooks;
   std::size_t told = 0;
-  hooks.finished = [&](const Race&, const ContestResult& contest, const ContestOutput&) { told += contest.done ? 1 : 0; };
+  hooks.finished = [&](const Race&, const ContestResult& contest, const ContestOutput&) {
+    told += contest.done ? 1 : 0;
+  };
   hold_race(test::mice("flood,certify"), {test::loop(), test::corridor(), test::without_route()}, order, hooks);
   EXPECT_EQ(told, 6U);
 }
@@ -242,7 +246,9 @@ TEST_F(AStore, KeepsWhatWasDoneBeforeAStop) {
   order.jobs = 1;
   RaceHooks hooks;
   hooks.stop = &stop;
-  hooks.finished = [&, done = 0](const Race&, const ContestResult&, const ContestOutput&) mutable { stop = ++done == 7; };
+  hooks.finished = [&, done = 0](const Race&, const ContestResult&, const ContestOutput&) mutable {
+    stop = ++done == 7;
+  };
   EXPECT_TRUE(hold_race(test::mice("random"), {test::loop()}, order, hooks).stopped);
   EXPECT_EQ(store->finish(), "");
   EXPECT_EQ(store->added(), 7U);

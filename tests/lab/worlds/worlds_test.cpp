@@ -8,9 +8,9 @@
 #include <atomic>
 #include <nlohmann/json.hpp>
 
-#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/page/calls.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
+#include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"

@@ -336,8 +336,8 @@ export interface DriveRun {
   known: number | null;
   hoped: number | null;
   /**
-   * How it ended, in the words of the record: "done", "slid", "walled in"; null in a world in which nothing goes
-   * wrong.
+   * How it ended, in the words of the record: "done", "slid", "no route left"; null in a world in which nothing
+   * goes wrong.
    */
   ended: string | null;
   /** Where the mouse crashed, which ended the run; null where it did not. */
@@ -726,7 +726,7 @@ export interface ProgramLines {
 }
 
 /** How a program ended that should not have. `line` is one of the program, from 1. */
-export type GuestEnd = {
+export type ProgramEnd = {
   kind: 'failed';
   message: string;
   line?: number;
@@ -829,14 +829,14 @@ export interface Calls {
     request: Fields & { world?: string; mouse: string; maze: MazeData; seed: number; conditions?: Fields };
     answer: { play: Play; record: string };
   };
-  /** A packed record of a report. A mouse of the list of built-in mice has its reasons again. */
+  /** A packed record of a report. A mouse of the built-in mice has its reasons again. */
   unpack: {
     request: { record: PackedRecord; maze: MazeData };
     answer: { play: Play; record: string };
   };
   /**
-   * A race in the one thread that the page has: keep it small. Without mice: all of the list of built-in mice. The settings of its
-   * world stand beside `world`, by their names.
+   * A race in the one thread that the page has: keep it small. Without mice: all of the built-in mice. The settings
+   * of its world stand beside `world`, by their names.
    */
   race: {
     request: Fields & {
@@ -856,8 +856,8 @@ export interface Calls {
   };
   /**
    * Where contests in steps in one maze lose their steps; labmouse/lab/replays/lost_steps.hpp says what that means.
-   * Lists run over cells; those that were not finished are left out of all but `contests`. `points` is what the mean
-   * contest loses of its score in that cell; they add up to `mean_score` - `bound`.
+   * Lists run over cells; those that were not finished are left out of all but `contests`. `points` is what the
+   * mean contest loses of its score in that cell; they add up to `mean_score` - `bound`.
    */
   losses: {
     request: { maze: MazeData; contests: { mouse: string; seed: number }[]; budget?: number };
@@ -896,7 +896,7 @@ export interface Calls {
    * What the program wrote, to its standard output and to its standard error, with all line ends; or how it ended.
    */
   program_hear: {
-    request: { contest: number; output?: string; printed?: string; end?: GuestEnd };
+    request: { contest: number; output?: string; printed?: string; end?: ProgramEnd };
     answer: ProgramLines;
   };
   /** Ends a contest, which counts as interrupted where it was not over. */

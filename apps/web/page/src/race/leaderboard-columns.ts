@@ -58,11 +58,5 @@ export const orderedBy = (group: RaceGroup): number => (worldOf(group).countsFai
 /** Those of a race; the figures of its world stand behind those that all have. `own`: one's mouse, and it before. */
 export function columnsOf(group: RaceGroup, mazes: number, own: string[] = []): Column<RacedMouse>[] {
   const world = worldOf(group);
-  return [
-    nameColumn(own),
-    finishedColumn,
-    world.mean,
-    intervalColumn(group.mice, world, mazes),
-    ...world.columns,
-  ];
+  return [nameColumn(own), finishedColumn, world.mean, intervalColumn(group.mice, world, mazes), ...world.columns];
 }

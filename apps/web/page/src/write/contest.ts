@@ -1,6 +1,6 @@
 // A contest of a program that runs in the page: lines from the core to the program and back.
 import type { Core } from '../core/client';
-import type { GuestEnd, ProgramLines, MazeData, PackedRecord, Play } from '../core/types';
+import type { MazeData, PackedRecord, Play, ProgramEnd, ProgramLines } from '../core/types';
 import type { Language } from './runtime';
 import type { Cage, Said, Session } from './sandbox/cage';
 import { createPatience } from './sandbox/patience';
@@ -25,7 +25,7 @@ export interface ContestOutput {
   microseconds: number;
   prints: Print[];
   /** How the program ended that should not have; null where it did not. */
-  ended: GuestEnd | null;
+  ended: ProgramEnd | null;
 }
 
 export interface Entry {
@@ -43,7 +43,7 @@ export interface Entry {
 const wellFormed = (text: string) => text.replace(/\p{Surrogate}/gu, '\ufffd');
 
 /** How a program ended, by what it said last; null where it did not. */
-function endOf(said: Said | null, silence: number): GuestEnd | null {
+function endOf(said: Said | null, silence: number): ProgramEnd | null {
   if (said === null) return { kind: 'silent', seconds: silence / 1000 };
   if (said.kind === 'flooded') return { kind: 'printed', what: 'more than 5000 pieces or a million letters' };
   if (said.kind === 'exited') return { kind: 'exited', code: said.code };
@@ -53,7 +53,14 @@ function endOf(said: Said | null, silence: number): GuestEnd | null {
 }
 
 /** The talk of one contest, until it has ended or nobody wants it any more. */
-async function talk(core: Core, session: Session, entry: Entry, first: ProgramLines, kept: Kept, wanted: () => boolean) {
+async function talk(
+  core: Core,
+  session: Session,
+  entry: Entry,
+  first: ProgramLines,
+  kept: Kept,
+  wanted: () => boolean,
+) {
   let now = first;
   let printed = '';
   let rest = '';
@@ -92,7 +99,7 @@ async function talk(core: Core, session: Session, entry: Entry, first: ProgramLi
 
 class Kept {
   prints: Print[] = [];
-  ended: GuestEnd | null = null;
+  ended: ProgramEnd | null = null;
   #room = mostPrinted;
   print(frame: number, text: string) {
     const last = this.prints.at(-1);

@@ -5,7 +5,8 @@ import { scrolling, table } from '../ui/table';
 import type { ContestOutput } from './contest';
 
 /** How far a contest stayed behind the best possible score; a failed one lost all. */
-const lossOf = ({ play }: ContestOutput) => (play.score === null || play.bound === null ? Infinity : play.score - play.bound);
+const lossOf = ({ play }: ContestOutput) =>
+  play.score === null || play.bound === null ? Infinity : play.score - play.bound;
 
 const heads: [head: string, title: string][] = [
   ['maze', 'Choose one to see the contest'],

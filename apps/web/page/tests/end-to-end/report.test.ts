@@ -80,7 +80,9 @@ describe(`a race in ${race.mazes.length} mazes`, () => {
     const rows = await leaderboard(page).locator('tbody tr').all();
     const shown = await Promise.all(rows.map((row) => row.locator('th .name, td').allTextContents()));
     const digits = (value: number | null, count: number) => (value === null ? '–' : value.toFixed(count));
-    expect(shown.map(([name, finished, all, , ratio, finishedMean]) => [name, finished, all, ratio, finishedMean])).toEqual(
+    expect(
+      shown.map(([name, finished, all, , ratio, finishedMean]) => [name, finished, all, ratio, finishedMean]),
+    ).toEqual(
       race.results.groups[0].mice.map((mouse) => [
         mouse.name,
         `${mouse.finished} of ${mouse.runs}`,

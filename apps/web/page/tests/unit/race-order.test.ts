@@ -44,7 +44,9 @@ describe('joined', () => {
         ['slow', 4, 9],
         ['fast', 4, 5],
       ];
-      const pieces = mice.map(([name, finished, mean]) => piece(name, finished, mean, failure) as unknown as RaceResults);
+      const pieces = mice.map(
+        ([name, finished, mean]) => piece(name, finished, mean, failure) as unknown as RaceResults,
+      );
       return joined(pieces, false)!.groups[0].mice.map(({ name }) => name);
     };
     expect(order(null)).toEqual(['fast', 'slow', 'lucky', 'none']);
