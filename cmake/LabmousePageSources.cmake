@@ -1,4 +1,4 @@
-# What the page asks for of the lab and the external: the sources of its WebAssembly module and of the fuzzer of its calls.
+# What the page asks for of `lab` and `external`: the sources of its WebAssembly module and of the fuzzer of its calls.
 set(LABMOUSE_PAGE_SOURCES)
 foreach(name IN ITEMS
     failure_rates/failure_file failure_rates/failure_odds failure_rates/failure_tally

@@ -11,13 +11,13 @@ def flood(longest, unseen):  # each cell's first move to a goal; `unseen`: wheth
             queue.append(end)
     return moves
 
-for word, *rest in host:  # what is told before the contest
+for word, *rest in host:  # what it knows before the contest
     if word == "size": cells = {x + 100 * y for x in range(int(rest[0])) for y in range(int(rest[1]))}
     if word == "start": start = int(rest[0]) + 100 * int(rest[1]), "nesw".index(rest[2][0])
     if word == "goal": goals.append(int(rest[0]) + 100 * int(rest[1]))
     if word == "stride": stride = int(rest[0])
     if word == "begin": print("labmouse 1", flush=True); break
-for longest, unseen, (cell, heading) in (1, True, start), (stride, False, start):  # exploration, speed run
+for longest, unseen, (cell, heading) in (1, True, start), (stride, False, start):  # search run, speed run
     for steps, (_, *readings) in enumerate(host):
         for way, free in zip([WAYS[(heading + turn) % 4] for turn in (-1, 0, 1)], map(int, readings)):
             is_open.update((2 * cell + (2 * n + 1) * way, n < free) for n in range(free + 1))

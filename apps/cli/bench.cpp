@@ -92,7 +92,7 @@ std::string memory_table(const std::vector<RobotMemory>& robots, Parts parts_of)
 
 std::string memory_text(const std::vector<RobotMemory>& robots) {
   return "a mouse that drives, KiB\n" + memory_table(robots, whole_strategies) +
-         "\nits fields among that, and the tables that all minds share, KiB\n" + memory_table(robots, fields_of);
+         "\nits fields among that, and the tables that all strategies share, KiB\n" + memory_table(robots, fields_of);
 }
 
 std::string memory_json(const std::vector<RobotMemory>& robots) {

@@ -43,7 +43,7 @@ std::vector<Contestant> mice_of(SpecResult read);
 
 /// The mice of the SPECs; throws UsageError. While an Interruptible lives, Ctrl-C ends the external mice among them.
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, ExternalOptions options = {});
-/// The same; where there is no SPEC, all of the list of built-in mice that race in that world.
+/// The same; where there is no SPEC, all built-in mice that race in that world.
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const WorldChoice& world,
                                          ExternalOptions options = {});
 

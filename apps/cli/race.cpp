@@ -45,7 +45,7 @@ struct Field {
   std::vector<NamedMaze> mazes;
 };
 
-/// Holds the races, a world after another, and saves what --out asks for.
+/// Runs the races, a world after another, and saves what --out asks for.
 class Holding {
  public:
   explicit Holding(const RaceOptions& options) : options_(options) {}

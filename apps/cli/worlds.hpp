@@ -22,7 +22,7 @@ class WorldChoice {
   std::vector<Entry> enter(std::vector<Contestant> mice) const;
   /// The same where all have to race in one world; takes those away that are left out.
   std::shared_ptr<const World> enter_one(std::vector<Contestant>& mice) const;
-  /// The world that was asked for, with its settings, or the home world.
+  /// The world that was asked for, with its settings, or the first world.
   std::shared_ptr<const World> world() const;
 
  private:

@@ -62,7 +62,7 @@ PythonBriefing briefing_of(const BriefingFields& fields) {
 }  // namespace
 
 void bind_briefings(nb::module_& module) {
-  nb::class_<PythonBriefing>(module, "Briefing", "What a mouse is told of its contest before it is put into the maze.")
+  nb::class_<PythonBriefing>(module, "Briefing", "What a mouse learns of its contest before it is put into the maze.")
       .def_prop_ro(
           "width", [](const PythonBriefing& told) { return told.briefing.size.width; }, "Columns of cells.")
       .def_prop_ro(
@@ -78,7 +78,7 @@ void bind_briefings(nb::module_& module) {
           "goals", [](const PythonBriefing& told) { return goals_of(told.briefing); }, "The goal cells.")
       .def_prop_ro(
           "world", [](const PythonBriefing& told) { return told.briefing.in_seconds() ? "seconds" : "steps"; },
-          "'strides' or 'seconds', which is also what a mouse of the physical world is told.")
+          "'strides' or 'seconds', also for a mouse in the physical world.")
       .def_prop_ro(
           "stride",
           [](const PythonBriefing& told) {

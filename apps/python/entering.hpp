@@ -34,7 +34,7 @@ struct Field {
   std::vector<std::string> remarks;
 };
 
-/// Throws UserError. Where there is no mouse, all of the list of built-in mice race that the world takes. Once `stop`
+/// Throws UserError. Where there is no mouse, all built-in mice race that the world takes. Once `stop`
 /// is true, external mice and mice in Python are ended.
 Field enter(Choice choice, const std::atomic<bool>* stop);
 

@@ -29,7 +29,7 @@ class BelievedWalls {
     against_ = {};
   }
   void forget_all();
-  /// Belief::weaken_path().
+  /// LogOddsMap::weaken_path().
   bool weaken_path(Cell from, const CellSet& to) { return log_odds_.weaken_path(from, to); }
 
   Size size() const { return maze_.size(); }

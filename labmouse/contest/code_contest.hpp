@@ -15,7 +15,7 @@
 
 namespace labmouse {
 
-/// What a program is told of such a contest; maze, rules and model must outlive it.
+/// The briefing of a program in such a contest; maze, rules and model must outlive it.
 ControllerBriefing controller_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                        const PhysicalConditions& conditions, std::uint64_t seed);
 

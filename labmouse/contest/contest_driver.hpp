@@ -15,7 +15,8 @@ class ContestDriver {
  public:
   virtual ~ContestDriver() = default;
 
-  /// Whether it can misread walls and crash. One that cannot drives at the usual pace alone, and reads at all edges.
+  /// Whether it can detect walls wrongly and crash. One that cannot drives at the usual pace alone, and reads at all
+  /// edges.
   virtual bool errs() const = 0;
 
   /// A hand puts the mouse at the start.
@@ -26,7 +27,7 @@ class ContestDriver {
   virtual void look_about() = 0;
   /// A move of a search over one edge, a dash, or to rest, and what is read at its end; false where the run broke off.
   virtual bool make(const Action& part, bool replanned) = 0;
-  /// A fast run from the start, and until the mouse stands; false where it broke off.
+  /// A speed run from the start, and until the mouse stands; false where it broke off.
   virtual bool run(const DriveRoute& route) = 0;
   /// From now on it drives at that part of its usual pace.
   virtual void set_pace(double pace) = 0;

@@ -12,7 +12,7 @@
 
 namespace labmouse {
 
-/// What it is told before the mouse is put into the maze. How much noise there is, nobody tells.
+/// What it knows before the mouse is put into the maze. How much noise there is, nobody tells.
 struct ControllerBriefing {
   Size size;
   Pose start;

@@ -3,7 +3,7 @@
 // Counted in the physical world, what breaks mice is their weakest motor or their tyres. With less than 0.3 of what the
 // book says of a motor hardly any finishes at its usual pace, and with more it does not matter how much more. Tyres are
 // not as sharp: with 0.5 some slide, with 0.3 most. Of the others, it is infrared sensors far from the nominal values
-// that make mice misread.
+// that make mice detect walls wrongly.
 #pragma once
 
 #include <array>

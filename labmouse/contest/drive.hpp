@@ -11,7 +11,7 @@
 
 namespace labmouse {
 
-/// What a mouse is told before a contest in seconds. The model must outlive the mouse, and have no error.
+/// The briefing of a mouse in a contest in seconds. The model must outlive the mouse, and have no error.
 Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& model, std::uint64_t seed);
 
 /// Runs the contest, in a maze up to 32×32. The strategy must be new and briefed as above. A move through a wall that

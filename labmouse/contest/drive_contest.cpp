@@ -84,7 +84,7 @@ class DriveContest {
     return After::over;
   }
 
-  /// From the goal to the start. A mouse without errors is carried between two fast runs.
+  /// From the goal to the start. A mouse without errors is carried between two speed runs.
   After go_back(const Action& next) {
     if (errs_ || next.kind == Action::Kind::step) return drive_home();
     driver_.carry_to_start();
@@ -99,7 +99,8 @@ class DriveContest {
     return decide_at_start();
   }
 
-  /// At the start with a map that has no way left, whatever is doubted: the mouse begins with an empty one.
+  /// At the start with a map that has no route left, even with its least sure walls unknown: the mouse begins with an
+  /// empty one.
   Action begin_anew() {
     weighed_->forget_all();
     weakens_ = 0;
@@ -159,7 +160,7 @@ class DriveContest {
 
   Action decide(const SearchPlace& place) {
     Action action = ask(place);
-    // A mouse that sees no way has misread a wall.
+    // A map without a route has a wrong wall.
     while (is_no_way(action) && weakens_++ < most_weakenings && weaken(place.pose.cell)) action = ask(place);
     return action;
   }
@@ -243,7 +244,7 @@ class DriveContest {
   /// Instead of driving through a wall that does not seem to be open, or not any more.
   After look_at(Wall wall, bool moved) {
     if (moved) return After::on_the_way;
-    // It was doubted where the mouse stands.
+    // The mouse may be elsewhere than it believes.
     if (driver_.known().state(wall) != WallState::unknown) return give_up_on_it();
     driver_.look_about();
     // It cannot see what is behind it.
@@ -298,7 +299,7 @@ class DriveContest {
     return end_run(RunEnd::done, stands ? After::at_goal : driver_.crash() ? After::crashed : After::over);
   }
 
-  /// A fast run for which no route is known.
+  /// A speed run for which no route is known.
   After find_no_way() {
     if (!errs_) {
       record_.drive.runs.pop_back();

@@ -1,7 +1,7 @@
 // One contest in seconds, in any of its worlds: a strategy decides, a driver drives, or fails to, and an operator
 // carries the mouse back to the start.
 //
-//   search ──reset──► home ──► fast run ──► asked again        crash ──► carried to the start ──► asked again
+//   search ──reset──► home ──► speed run ──► asked again        crash ──► carried to the start ──► asked again
 //
 // While it searches the mouse decides at every edge, and may reset wherever it is. Then it is driven: home over what is
 // known to be open, looking about on the way, and from the start along the fastest route that is known.

@@ -6,7 +6,7 @@
 
 namespace labmouse {
 
-/// The cells that were known and driven through before the first fast run, as shares of the reachable ones (at least
+/// The cells that were known and driven through before the first speed run, as shares of the reachable ones (at least
 /// one). A cell is known where it was driven through, or where an open wall was seen that leads into it.
 Coverage coverage_of(const DriveRecord& record, const Maze& maze, const CellSet& reachable);
 

@@ -40,7 +40,7 @@ struct SearchMove {
   friend bool operator==(const SearchMove&, const SearchMove&) = default;
 };
 
-/// One run of a contest: a search (which may go on behind the goal), the way home, or a fast run over what is known.
+/// One run of a contest: a search (which may go on behind the goal), the way home, or a speed run over what is known.
 struct DriveRun {
   enum class Kind : std::uint8_t { search, home, fast };
 
@@ -53,7 +53,7 @@ struct DriveRun {
   bool touched = false;              ///< whether a hand had touched the mouse in the maze before it
   double pace = 1.0;              ///< the part of its usual pace at which the mouse was driven, where it has a choice
   std::vector<SearchMove> moves;  ///< of a search and a way home
-  DriveRoute route;               ///< of a fast run; its times count from `begin`
+  DriveRoute route;               ///< of a speed run; its times count from `begin`
   /// What was known at the beginning, and the times of the fastest route that is known to exist and of the fastest that
   /// may exist; no_time where there is none.
   WallSet open;

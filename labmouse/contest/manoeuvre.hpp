@@ -12,7 +12,7 @@
 
 namespace labmouse {
 
-/// What a mouse does from one place to the next: a move of a search or of a way home, or a segment of a fast run.
+/// What a mouse does from one place to the next: a move of a search or of a way home, or a segment of a speed run.
 enum class Manoeuvre : std::uint8_t {
   open_cell,  ///< straight through a cell without a wall beside
   half_cell,  ///< with one
@@ -43,7 +43,7 @@ constexpr std::string_view name_of(Manoeuvre manoeuvre) {
 Manoeuvre straight_through(const Maze& maze, const Pose& pose);
 /// A move of a search, over one edge, a dash or to rest.
 Manoeuvre manoeuvre_of(const Maze& maze, const SearchPlace& from, const Action& action);
-/// A segment of a fast run.
+/// A segment of a speed run.
 Manoeuvre manoeuvre_of(const DriveSegment& segment);
 
 /// How far off its believed position a mouse is, by the distance between where it is and where it believes to be: below

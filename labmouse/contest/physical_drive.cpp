@@ -122,7 +122,8 @@ void PhysicalDriver::note_gates() {
     body_.note_gates(runs[last - 1]);
 }
 
-/// A mouse whose way leads through a wall has misread it, whatever it touches first: the wall, or a post beside it.
+/// A crash on a route through a wall is a wall detection error, whatever the mouse touches first: the wall, or a post
+/// beside it.
 std::optional<RunEnd> PhysicalDriver::crash() const {
   if (!body_.crashed()) return std::nullopt;
   const Cell cell = body_.cell();

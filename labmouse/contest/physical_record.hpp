@@ -89,7 +89,7 @@ struct PhysicalNotes {
   int carried = 0;                   ///< how often a hand took it to the start
   int wrong_walls = 0;               ///< walls that it took for what they are not
   int contradictions = 0;            ///< readings against what it had taken a wall for
-  double severity = 0.0;  ///< how unlucky the draws of this contest were, in deviations: Specimen::severity score()
+  double severity = 0.0;  ///< how unlucky the draws of this contest were, in deviations: RobotSample::severity()
 
   friend bool operator==(const PhysicalNotes&, const PhysicalNotes&) = default;
 };

@@ -1,4 +1,4 @@
-// One contest: a mouse, a maze and the rules of the capstone world. docs/reference/worlds-and-rules.md has them in
+// One contest: a mouse, a maze and the rules of the world of steps. docs/reference/worlds-and-rules.md has them in
 // words.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace labmouse {
 
-/// What a mouse is told of a maze before the contest: the size, the start, the goals and its moves, but no wall.
+/// What a mouse knows of a maze before the contest: the size, the start, the goals and its moves, but no wall.
 Briefing brief(const Maze& maze, const Rules& rules, std::uint64_t seed);
 
 /// Runs the contest to its end. The strategy must be new, or in the state in which a new one would be. The record has

@@ -145,8 +145,8 @@ void Corrections::see_front(const Sense& sense, const Corridor& corridor, const 
   const Cell before = cell_along(corridor, (line - 0.5) * cell_);
   // A mouse that knows that it may be far off takes a wall for the nearest one all the same, up to where it could be
   // another.
-  const double weaken = 2.5 * std::sqrt(estimator.variance_of(on.x, on.y, 0.0));
-  const double most = std::clamp(weaken, 0.2 * cell_, 0.42 * cell_);
+  const double uncertainty = 2.5 * std::sqrt(estimator.variance_of(on.x, on.y, 0.0));
+  const double most = std::clamp(uncertainty, 0.2 * cell_, 0.42 * cell_);
   if (sense.range > 2.0 * cell_ || std::abs(error) > most || !size_.contains(before)) return;
   if (state_of(known, before, corridor.axis, size_) == WallState::open) return;
   const Noise& noise = hardware_.noise;

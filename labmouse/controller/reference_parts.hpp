@@ -1,4 +1,4 @@
-// The parts of our pilot: a filter that walls correct, and a law of control with a model of the motors.
+// The parts of the built-in controller: a filter that walls correct, and a control law with a model of the motors.
 #pragma once
 
 #include "labmouse/controller/axis_control.hpp"

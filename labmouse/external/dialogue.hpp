@@ -1,4 +1,4 @@
-// A contest of an external mouse whose program somebody else runs: it is told what to say to the program, and hears
+// A contest of an external mouse whose program somebody else runs: it gets what to write to the program, and hears
 // what that said.
 #pragma once
 

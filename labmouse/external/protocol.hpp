@@ -1,4 +1,4 @@
-// The lines between us and an external mouse of the capstone world. docs/reference/protocols.md has them in words.
+// The lines between us and an external mouse of the world of steps. docs/reference/protocols.md has them in words.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace labmouse {
 /// The first line of both sides: the protocol and its version.
 inline constexpr std::string_view program_greeting = "labmouse 1";
 
-/// What an external mouse is told before the contest, in lines from the greeting to `begin`.
+/// The briefing of an external mouse, in lines from the greeting to `begin`.
 std::string briefing_text(const Briefing& briefing);
 
 /// The question of one step, as a line.

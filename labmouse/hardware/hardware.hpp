@@ -1,4 +1,4 @@
-// What a mouse is built of, as its maker would write it down: shape, motors, sensors, and how far each of them strays.
+// What a mouse is built of, as its maker would write it down: shape, motors, sensors, and how far each of them varies.
 //
 //              front
 //        +---------------+      x ahead of the middle of the axle, y to the left of it, in mm;
@@ -98,7 +98,7 @@ struct Sensors {
   friend bool operator==(const Sensors&, const Sensors&) = default;
 };
 
-/// How far what happens strays from the numbers above: standard deviations, unless it says otherwise.
+/// How far what happens differs from the numbers above: standard deviations, unless it says otherwise.
 struct Noise {
   // Drawn once a contest.
   double motor_gain = 0.0;     ///< share, of each motor

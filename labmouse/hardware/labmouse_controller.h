@@ -80,7 +80,7 @@ struct labmouse_cell {
   int x, y; /* column and row, from 0 */
 };
 
-/* What it is told before the mouse is put into the maze. Times are in ms. */
+/* What it knows before the mouse is put into the maze. Times are in ms. */
 struct labmouse_briefing {
   int width, height; /* of the maze, in cells */
   struct labmouse_cell start;
@@ -98,7 +98,7 @@ struct labmouse_briefing {
   struct labmouse_robot robot;
 };
 
-/* A pilot: functions, and how it is asked. Several contests may go on at once, each with its own memory. */
+/* A controller: functions, and how it is asked. Several contests may go on at once, each with its own memory. */
 struct labmouse_controller {
   /* A contest begins; what it returns is handed to the others. The briefing lasts as long as that is in use. */
   void *(*begin)(const struct labmouse_briefing *briefing);

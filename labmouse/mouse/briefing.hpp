@@ -1,4 +1,4 @@
-// What a mouse is told before it is put into the maze.
+// What a mouse knows before it is put into the maze.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace labmouse {
 class DriveFields;
 struct DriveModel;
 
-/// What a mouse is told of the world in seconds: its robot, and what of the rules it can go by.
+/// What a mouse knows of the world in seconds: its robot, and what of the rules it can go by.
 struct DriveBriefing {
   const DriveModel* model = nullptr;  ///< null in the other worlds; must outlive the mouse
   std::int64_t time_limit = 0;        ///< microseconds in the maze

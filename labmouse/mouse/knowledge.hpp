@@ -9,7 +9,7 @@ namespace labmouse {
 
 enum class WallState : std::uint8_t { unknown, open, closed };
 
-/// Belief about one maze. It only grows, unless a Belief behind it forgets a wall: a wall that was learned never
+/// Belief about one maze. It only grows, unless a LogOddsMap behind it forgets a wall: a wall that was learned never
 /// changes. The border is known from birth.
 class Knowledge {
  public:

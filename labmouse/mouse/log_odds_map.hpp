@@ -1,4 +1,4 @@
-// What a mouse believes of walls that it may have misread, and what it takes for known because of that.
+// A log-odds map: the odds of each wall to be closed, and the known walls that follow from them.
 //
 // Each wall has the logarithm of its odds to be closed, in eighths of a nat, and readings add to it. Knowledge is a
 // view of these: the first reading decides, and once others have turned the odds well to the other side the wall turns
@@ -91,7 +91,7 @@ class LogOddsMap {
   std::vector<std::int8_t> odds_;  ///< of the north and the east side of each cell
   Knowledge view_;
   int version_ = 0;
-  // To doubt by: what it takes to come to each cell, and in which heading it is entered then.
+  // For weaken_path(): what it takes to come to each cell, and in which heading it is entered then.
   std::vector<int> costs_;
   std::vector<Heading> entered_;
 };

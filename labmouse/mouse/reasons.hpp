@@ -13,7 +13,7 @@ namespace labmouse {
 /// Costs in reasons are in thirtieths of a step of the speed run.
 inline constexpr int costs_a_step = 30;
 
-/// Something that an exploring mind thought of doing next.
+/// Something that a strategy considered doing next.
 struct Candidate {
   Wall wall;          ///< the unseen wall to look at; of a goal the cell alone counts
   Cell seen_from;     ///< where to go for it

@@ -17,7 +17,7 @@ Action hopeful_step(const SearchField& field, const Knowledge& knowledge, const 
   const Heading direction = after_search(place, step).pose.heading;
   if (knowledge.open().contains(wall_at(place.pose.cell, direction))) return step;
   // Of a mouse that reads well only the wall behind it, at rest, can be unknown: the other three were just read. One
-  // that has its doubts stops, and looks that way.
+  // that is not sure stops, and looks that way.
   return step.rotation == 180 || (place.at_rest && step.rotation == 0) ? Action::step(90, 0)
                                                                        : Action::step(step.rotation, 0);
 }

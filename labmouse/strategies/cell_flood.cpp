@@ -37,7 +37,7 @@ Action CellFlood::step_towards(Cell target) {
   flood(passages, target);
   const auto [cell, heading] = pose();
   assert(cell != target);
-  Heading best = opposite(heading);  // walled in it turns, too
+  Heading best = opposite(heading);  // with walls on three sides it turns, too
   int least = unreachable + 1;       // where no way leads to the target, all directions are equally good
   for (const Heading direction : ties_.from(heading)) {
     if (!passages.contains(wall_at(cell, direction)) || distance_.at(neighbour(cell, direction)) >= least) continue;

@@ -1,6 +1,6 @@
 // certify: explores until its route is proven shortest, and no further.
 //
-// Limits: buys the proof at any price; a point of score is 30 steps of exploration, and the proof often costs more.
+// Limits: buys the proof at any price; a point of score is 30 steps of the search run, and the proof often costs more.
 #include "labmouse/mouse/driving_explorer.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/runs.hpp"

@@ -1,7 +1,7 @@
-// festina: makes haste slowly. It searches as another strategy does, with a map that doubts, at a pace that its body
-// bears, and runs faster from try to try; and where no fast run ends well it makes sure of a slow one.
+// festina: makes haste slowly. It searches as another strategy does, with a log-odds map, at a pace that its body
+// bears, and runs faster from try to try; and where no speed run ends well it makes sure of a slow one.
 //
-// Limits: what it knows of its body is how its runs ended; of the noise of the day it is told nothing.
+// Limits: what it knows of its body is how its runs ended; it does not know the noise of the day.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,7 +63,7 @@ const BuiltinMouse& explorer_for(const Briefing& briefing, std::string_view chos
   return briefing.drive.maze_time_divisor > 0 ? ariadne_mouse : certify_mouse;
 }
 
-/// The pace of fast runs: how fast one went well, and how fast one did not.
+/// The pace of speed runs: how fast one went well, and how fast one did not.
 class RunLadder {
  public:
   RunLadder(double first, double step) : next_(first), step_(step) {}
@@ -150,7 +150,7 @@ class Festina final : public DrivingStrategy {
     const int crashes = ladder_.crashes_alone();
     return makes_sure_ && crashes > 0 && (runs_ + 1 == most_runs_ || crashes == many_crashes);
   }
-  /// To the goal by known ways, as in a search; there, or where there is none, it goes on with fast runs.
+  /// To the goal by known ways, as in a search; there, or where there is none, it goes on with speed runs.
   Action safe_step(const LogOddsMap& log_odds, const SearchPlace& place) {
     const Knowledge& known = log_odds.view();
     fields_->ways().fill(known.open(), known.known_cells(), goals_);
@@ -158,7 +158,7 @@ class Festina final : public DrivingStrategy {
     safe_run_ = step.kind == Action::Kind::step && !goals_.contains(place.pose.cell);
     return safe_run_ ? step : Action::reset();
   }
-  /// Asked after a fast run, the other strategy has no more to do; whether to run again is festina's to say.
+  /// Asked after a speed run, the other strategy has no more to do; whether to run again is festina's to say.
   Action then(const Action& action) {
     const bool over = action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::finished;
     return running_ && over && ladder_.went_well() ? Action::reset() : action;

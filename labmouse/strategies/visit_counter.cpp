@@ -1,7 +1,7 @@
 // visit-counter: to where it was least often.
 //
 // Limits: no care for where the goal is. What it learns of the maze it learns by walking. Only chance marks a cell, so
-// its explorations are longer than its visits ask for. Its map can lack a way (WalkedPassages::slip). Where the share
+// its search runs are longer than its visits ask for. Its map can lack a way (WalkedPassages::slip). Where the share
 // cannot be reached it wanders for ever.
 // Choices: the share is that of the report's listing, 5/6; the program had 1/2, 3/4 and 4/5 at other times.
 #include <algorithm>

@@ -15,5 +15,5 @@ class Robot(object):
         # A step: a turn of -90 (left), 0 or 90 (right)
         # degrees, then a movement of -3 to 3 cells. Once it
         # has been in the goal, return 'Reset', 'Reset' to go
-        # back to the start for the fast run.
+        # back to the start for the speed run.
         return 0, 1

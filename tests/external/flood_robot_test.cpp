@@ -1,5 +1,5 @@
 // The bridge and the simulator against each other: `flood`, written once more as a capstone robot, does step by step
-// what the mouse of the list of built-in mice does.
+// what the built-in mouse does.
 #include <gtest/gtest.h>
 
 #include <map>

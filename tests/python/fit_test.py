@@ -117,7 +117,7 @@ def test_a_drive_of_the_physical_world_gives_its_robot_back(driven, tmp_path):
     file = tmp_path / "mine.toml"
     result = fit.robot_of_logs([fitted], "kerise")
     file.write_text(result.text, encoding="utf-8")
-    assert result.doubt == ""
+    assert result.warning == ""
     name, read = fit.robot_numbers(str(file))
     assert read["motors.drive_gain"] == pytest.approx(numbers["motors.drive_gain"].value, rel=1e-4)
     assert read["body.grip"] == base["body.grip"]
@@ -417,7 +417,7 @@ def test_published_turns_give_the_published_limits(tmp_path):
     assert found.figures == 7
     assert max(found.errors) < 5e-4
     assert found.cell == 90.0
-    assert result.doubt == ""
+    assert result.warning == ""
     assert result.numbers["curve.yaw_speed"].value == found.limits[2]
 
 
@@ -452,7 +452,7 @@ def test_a_wrong_figure_of_a_turn_stands_out():
     result = fit.robot_of_turns(turns, "classic", 180.0)
     errors = result.fits[0].errors
     assert errors[1] > 0.12 and errors[1] > 4.0 * sorted(errors)[-2]
-    assert result.doubt and result.text.startswith("# ")
+    assert result.warning and result.text.startswith("# ")
 
 
 def test_times_alone_are_a_table_of_times(tmp_path):

@@ -197,7 +197,7 @@ def race(
     out: a folder for the records, a picture for each mouse and maze, and the results, as `--out` leaves it; what an
         earlier race left there is replaced with `overwrite`, and an error without.
     progress: whether to show a bar; None for where standard error is a terminal, and in notebooks.
-    store: a file that keeps all contests; those that are there are not held again. Others may use it at the same time.
+    store: a file that keeps all contests; those that are there are not run again. Others may use it at the same time.
     label: in the store, stands for the files of external mice, and for what mice in Python read from elsewhere: give another one when
         that changes.
 

@@ -164,7 +164,7 @@ def run(
     """Holds one contest of one mouse in one maze, with the numbers of `labmouse run`.
 
     The arguments are those of `race`; `seed` is the contest's own.
-    debug: holds the contest of a mouse in Python in this process, where a debugger finds it, its prints are seen, and what it
+    debug: runs the contest of a mouse in Python in this process, where a debugger finds it, its prints are seen, and what it
         leaves in variables stays. Then sets of texts have the order that they have here; all else is as in a race.
 
     Raises Error. Ctrl-C raises Interrupted, which has the record so far as `partial`.

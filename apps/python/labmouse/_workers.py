@@ -1,4 +1,4 @@
-"""Processes in which mice in Python hold their contests.
+"""Processes that run contests of mice in Python.
 
 Each contest begins with the mouse, its globals and the modules of the user's own as they were when the race began. So it
 does not matter which contests were held before it, in which process, or how many processes there are.

@@ -328,7 +328,7 @@ def race(
 ) -> Race:
     """Races mice on mazes as `labmouse.race`, with the same numbers, on the workers of a `distributed.Client`.
 
-    store: a file of this machine that keeps all contests; those that are there are not held again. A race that was
+    store: a file of this machine that keeps all contests; those that are there are not run again. A race that was
         killed goes on where it was when it is started again.
     patience: so many seconds it waits for workers where the cluster has none; then it raises Error.
 

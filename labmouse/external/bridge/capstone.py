@@ -49,7 +49,7 @@ class NumpySower(object):
         self.next_seed = next_seed
 
     def find_spec(self, name, path=None, target=None):
-        """Python 3 asks how to load a module: numpy's dice as ever, and then they are sown."""
+        """Python 3 asks how to load a module: numpy's random numbers as ever, and then seeded."""
         if name != "numpy.random":
             return None
         import importlib.machinery

@@ -1,4 +1,4 @@
-# The side of a capstone robot in labmouse's external mouse protocol: what the robot is told, and how its answers are read.
+# The side of a capstone robot in labmouse's external mouse protocol: what the robot gets, and how its answers are read.
 # In syntax that Python 2.7, Python 3 and MicroPython all take: the page plays robots by this text, too.
 import sys
 

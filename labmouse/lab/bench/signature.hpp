@@ -6,7 +6,7 @@
 
 namespace labmouse {
 
-/// A hash over all actions of every mouse on the list of built-in mice, with its defaults, in fixed mazes of our
+/// A hash over all actions of every built-in mouse, with its defaults, in fixed mazes of our
 /// generators.
 std::uint64_t behaviour_signature();
 

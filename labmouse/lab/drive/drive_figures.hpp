@@ -10,10 +10,10 @@ namespace labmouse {
 /// The figures of a contest without errors, by their places in ContestResult::figures. Times are whole microseconds.
 enum class SecondsFigure : std::uint8_t {
   score,   ///< an object of its parts; null where no run counts
-  search,  ///< in the maze before the first fast run; all of the time where there is none
+  search,  ///< in the maze before the first speed run; all of the time where there is none
   best,    ///< the fastest run that counts, from rest to the centre; null where there is none
   excess,  ///< of that over the fastest possible one, as a share of it
-  proven,  ///< whether no faster route than the known one could exist before the last fast run
+  proven,  ///< whether no faster route than the known one could exist before the last speed run
   starts,  ///< runs from the start
   decisions,
   replanned,
@@ -30,7 +30,7 @@ enum class SecondsFigure : std::uint8_t {
 /// of a mouse whose whole program is somebody else's is null.
 enum class PhysicalFigure : std::uint8_t {
   score,   ///< an object of its parts; null where no run counts
-  search,  ///< in the maze before the first fast run; all of the time where there is none
+  search,  ///< in the maze before the first speed run; all of the time where there is none
   best,    ///< the fastest run that counts, from rest to the centre; null where there is none
   excess,  ///< of that over the fastest possible one, as a share of it
   starts,

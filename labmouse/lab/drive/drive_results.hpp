@@ -20,7 +20,7 @@ std::optional<MazeTime> best_of(const DriveScore& score);
 /// How much longer the best run took than the fastest possible one, as a share; nothing without a run or where that
 /// takes no time.
 std::optional<double> excess_of(const std::optional<MazeTime>& best, const DriveBound& bound);
-/// In the maze before the first fast run; all of the time where there is none.
+/// In the maze before the first speed run; all of the time where there is none.
 MazeTime search_time_of(const DriveRecord& record);
 /// Sets the score of a result, and its ratio to the bound.
 void add_score(MazeTime value, const DriveBound& bound, const DriveRules& rules, ContestResult& result);

@@ -30,7 +30,7 @@ struct FidelityBars {
   double interval = 0.05;
 };
 
-/// Holds all contests of an order in both worlds: for each mouse and noise what came of it.
+/// Runs all contests of an order in both worlds: for each mouse and noise what came of it.
 std::vector<Fidelity> compare_worlds(const FailureOrder& order, const FailureFile& failure_rates,
                                      std::span<const Contestant> mice, std::span<const NamedMaze> mazes,
                                      const std::atomic<bool>* stop = nullptr);

@@ -66,7 +66,7 @@ class FailureCounter {
     const Pose start = {maze_.start(), maze_.start_heading()};
     SearchPlace place = {run.moves.empty() ? start : run.moves.front().from, true};
     MazeTime time = run.begin;
-    // A way home goes on from where a search or a fast run ended: at rest only after the latter.
+    // A way home goes on from where a search or a speed run ended: at rest only after the latter.
     if (run.kind == DriveRun::Kind::home) place.at_rest = began_at_rest(run);
     for (const SearchMove& move : run.moves) {
       add(manoeuvre_of(maze_, place, move.action), move.begin, move.end);
@@ -78,7 +78,7 @@ class FailureCounter {
     add_crash(place.at_rest ? Manoeuvre::start : moving, time, end);
   }
 
-  /// A way home behind a fast run begins at rest; behind a search it goes on.
+  /// A way home behind a speed run begins at rest; behind a search it goes on.
   bool began_at_rest(const DriveRun& home) const {
     const auto& runs = record_.drive.runs;
     const auto index = static_cast<std::size_t>(&home - runs.data());

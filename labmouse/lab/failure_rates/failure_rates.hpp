@@ -26,7 +26,7 @@
 namespace labmouse {
 
 /// Counts what happened in a contest, at that usual pace, whose mouse told where it believed to be, with a point of the
-/// trace every few ticks. What a mouse does behind the goal of a fast run counts nowhere, and neither does what it did
+/// trace every few ticks. What a mouse does behind the goal of a speed run counts nowhere, and neither does what it did
 /// when the time was over.
 void count_failures(const PhysicalRecord& record, const Maze& maze, double cell, double pace, FailureCounts& counts);
 
@@ -56,7 +56,7 @@ struct MeasuredRates {
   std::vector<std::vector<FailureTally>> by_maze = {};
 };
 
-/// Holds all contests of mice that decide by Strategy; each has a seed of its own, the same under each noise and the
+/// Runs all contests of mice that decide by Strategy; each has a seed of its own, the same under each noise and the
 /// same as in a race of that seed.
 MeasuredRates measure_rates(const FailureOrder& order, std::span<const Contestant> mice,
                             std::span<const NamedMaze> mazes, const FailureHooks& hooks = {});

@@ -104,12 +104,12 @@ std::string table_of(const MeasuredRates& measured, const FailureOrder& order, s
   text += "\n" + heading("manoeuvre");
   for (const Manoeuvre manoeuvre : all_manoeuvres)
     text += manoeuvre_line(name_of(manoeuvre), counts, [&](const FailureCounts& some) { return some.of(manoeuvre); });
-  text += "\n" + heading("astray, %");
+  text += "\n" + heading("lost, %");
   for (std::size_t level = 0; level < position_error_levels; ++level)
     text += manoeuvre_line(name_of_level(level), counts, [&](const FailureCounts& some) { return some.at(level); });
   text += fmt::format("\n{:<14} {:>9} {:>9} {:>15} {:>9} {:>9} {:>15}\n", "readings", "beside", "wrong of", "95 %",
                       "ahead", "wrong of", "95 %");
-  text += fmt::format("{:<14} {:>9} {:>9} {:>15} {:>9} {:>9}\n", "astray, %", "", "1000", "", "", "1000");
+  text += fmt::format("{:<14} {:>9} {:>9} {:>15} {:>9} {:>9}\n", "lost, %", "", "1000", "", "", "1000");
   for (std::size_t level = 0; level < position_error_levels; ++level) text += readings_line(counts, level);
   return text;
 }

@@ -1,4 +1,4 @@
-// What a learner chooses from in a step: every action of the capstone world by its number.
+// What a learner chooses from in a step: every action of the world of steps by its number.
 //
 //      number = 7 * turn + movement + 3       turn: 0 left, 1 none, 2 right; movement: -3 to 3 cells
 //      21     = reset

@@ -1,4 +1,4 @@
-// Many contests of the capstone world, stepped together, for strategies that learn by playing.
+// Many contests of the world of steps, stepped together, for strategies that learn by playing.
 //
 // Each contest is that of contest/simulator, step for step: the same rules, readings, outcomes and scores. Choices go
 // in by their numbers (choices.hpp); what a learner observes comes out, into memory of the caller. A step takes no
@@ -27,7 +27,7 @@
 
 namespace labmouse {
 
-/// The columns of a contest's row: the sighting, the pose, and what a mouse is told.
+/// The columns of a contest's row: the sighting, the pose, and the briefing.
 enum class RowColumn : std::uint8_t {
   left,          ///< open cells to the left,
   ahead,         ///< ahead
@@ -115,7 +115,7 @@ class ContestBatch {
     std::uint8_t choice_case = 0;
     bool ended = false;
   };
-  /// What a mouse is told of a maze.
+  /// What a mouse knows of a maze before the contest.
   struct Facts {
     std::int16_t width, height, start_x, start_y, start_heading;
     std::int16_t goal_west, goal_south, goal_east, goal_north;

@@ -29,16 +29,18 @@ std::string freedom_note(const std::vector<Contestant>& mice) {
   std::string note;
   if (const auto free = find([](const Contestant& mouse) { return mouse.sandboxed == false; }); free != mice.end())
     note += fmt::format(
-        "Guests ran without a sandbox{}: they could do whatever you can.\nNot protected against reading mazes, nor "
+        "External mice ran without a sandbox{}: they could do whatever you can.\nNot protected against reading mazes, "
+        "nor "
         "against remembering earlier contests.\n",
         free->why_no_sandbox.empty() ? ""
                                      : fmt::format(", which this system does not offer ({})", free->why_no_sandbox));
   const auto keeps = [](const Contestant& mouse) { return mouse.sandboxed == true && mouse.keeps_folder; };
   if (find(keeps) != mice.end())
-    note += "Guests kept their folders (--keep-folder): they may remember earlier contests.\n";
+    note += "External mice kept their folders (--keep-folder): they may remember earlier contests.\n";
   const auto reads = [](const Contestant& mouse) { return mouse.reads_only; };
   if (find(reads) != mice.end())
-    note += "The folders of guests were read-only, because this system has no overlays; they could write to /tmp.\n";
+    note +=
+        "The folders of external mice were read-only, because this system has no overlays; they could write to /tmp.\n";
   return note;
 }
 

@@ -79,7 +79,7 @@ struct Contestant {
   /// Takes part as a measure and not as a contestant (the oracle).
   bool reference = false;
   std::variant<Decider, PlayedContests, ControllerProgram, MmsProgram> kind;
-  /// A program that is not ours. In all mazes of a run it is told the same seed.
+  /// A program that is not ours. It gets the same seed in all mazes of a run.
   bool external = false;
   /// Of an external mouse whether it lives in a sandbox; nothing for all others.
   std::optional<bool> sandboxed;
@@ -143,8 +143,8 @@ struct ExternalOptions {
   std::string label;           ///< stands for the content of their files in stores of contests; empty: what they hold
   std::string directory;       ///< where commands run; empty: here
   bool owns_directory = true;  ///< whether that, where it is named, is the folder of the mouse
-  /// What a mice file says of one guest: what is put before the words of its command and behind them, and variables of
-  /// its environment as NAME=VALUE.
+  /// What a mice file says of one external mouse: what is put before the words of its command and behind them, and
+  /// variables of its environment as NAME=VALUE.
   std::string interpreter;
   std::vector<std::string> arguments, environment;
   ExternalLimits limits;

@@ -1,4 +1,4 @@
-// What a program that drives a mouse itself is told before the contest, in the lines of its protocol.
+// The briefing of a controller that is a program, in the lines of its protocol.
 #pragma once
 
 #include <string>

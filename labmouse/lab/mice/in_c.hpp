@@ -1,4 +1,4 @@
-// What programs in C are told, in the structures of their header.
+// The briefing and the senses of controllers in C, in the structures of their header.
 #pragma once
 
 #include "labmouse/contest/controller_code.hpp"

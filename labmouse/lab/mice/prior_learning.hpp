@@ -21,7 +21,7 @@ struct WallCount {
   friend bool operator==(const WallCount&, const WallCount&) = default;
 };
 
-/// Counts of unseen walls along explorations: each wall once for each state of its surroundings in which it was unseen.
+/// Counts of unseen walls along search runs: each wall once for each state of its surroundings in which it was unseen.
 /// Walls between two goal cells do not count.
 struct PriorCounts {
   std::array<WallCount, wall_contexts> walls{};  ///< by folded_context

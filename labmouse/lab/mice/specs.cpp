@@ -189,7 +189,7 @@ std::string read_own(std::string_view spec, const Setting* value, std::vector<Co
   return variant.error;
 }
 
-/// Which SPECs are read: those that start programs or open mice files, too, or only mice of the list of built-in mice.
+/// Which SPECs are read: those that start programs or open mice files, too, or only built-in mice.
 enum class Origin { of_the_user, of_a_file };
 
 std::string_view without_blanks_behind(std::string_view text) { return text.substr(0, text.find_last_not_of(' ') + 1); }

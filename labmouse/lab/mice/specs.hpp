@@ -19,12 +19,12 @@ SpecResult read_specs(std::string_view text, const ExternalOptions& options = {}
 /// The same of several texts.
 SpecResult read_specs(std::span<const std::string> texts, const ExternalOptions& options = {});
 
-/// Reads a SPEC that comes from a file, which somebody else may have written: only mice of the list of built-in mice.
+/// Reads a SPEC that comes from a file, which somebody else may have written: only built-in mice.
 /// External mice and mice files are refused before anything is looked up or started, and priors are read from regular
 /// files alone.
 SpecResult read_builtin_specs(std::string_view text);
 
-/// The line of a mouse on the list of built-in mice; null for an external mouse and for the oracle.
+/// The line of a built-in mouse; null for an external mouse and for the oracle.
 const BuiltinMouse* entry_of(const Contestant& mouse);
 
 /// Why there is no mouse of that name, with the one that may have been meant.
@@ -59,7 +59,7 @@ Settings settings_in_seconds(const Contestant& mouse);
 /// Those that count in steps.
 Settings settings_in_steps(const Contestant& mouse);
 
-/// Every mouse of the list of built-in mice with its defaults.
+/// Every built-in mouse with its defaults.
 std::vector<Contestant> all_contestants();
 
 }  // namespace labmouse

@@ -102,7 +102,7 @@ bool marked_otherwise(const NamedMaze& maze) {
 std::string mms_notes(const Race& race) {
   std::string notes =
       "Score, as in mms: effective distance + turns of the best run + a tenth of all\neffective distance and turns "
-      "(total). Unsolved counts 2000. Lower is better.\n";
+      "(total). Unfinished counts 2000. Lower is better.\n";
   const auto otherwise = static_cast<int>(std::count_if(race.mazes.begin(), race.mazes.end(), marked_otherwise));
   if (otherwise > 0)
     notes += fmt::format("mms starts at (0,0) and its goal is the centre, unlike what {} {}.\n",

@@ -1,4 +1,4 @@
-// What becomes of mice as noise grows: the share of contests that they finish, and what ended the others.
+// How mice fare as noise grows: the share of contests that they finish, and what ended the others.
 #pragma once
 
 #include <array>

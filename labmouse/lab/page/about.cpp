@@ -79,7 +79,7 @@ Json setting_json(const WorldSetting& setting) {
   return json;
 }
 
-/// The worlds in which mice of the list of built-in mice race.
+/// The worlds in which built-in mice race.
 Json worlds() {
   Json list = Json::array();
   for (const WorldEntry* entry : all_worlds()) {
@@ -101,7 +101,7 @@ Json worlds() {
 }
 
 /// A contest to watch in which belief and truth part. The mouse reads a wall where there is none, finds out and turns
-/// it over, crashes in its first fast run, and comes to the goal in the next two.
+/// it over, crashes in its first speed run, and comes to the goal in the next two.
 Json parting() {
   return {{"world", "physical"},
           {"mouse", "festina"},

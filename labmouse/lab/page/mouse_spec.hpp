@@ -1,4 +1,4 @@
-// Mice that a page can race: those of the list of built-in mice and the oracle, without files.
+// Mice that a page can race: the built-in ones and the oracle, without files.
 #pragma once
 
 #include <span>

@@ -12,7 +12,7 @@
 namespace labmouse {
 namespace {
 
-/// Adds the reasons of a mouse of the list of built-in mice, which does the same when it runs again.
+/// Adds the reasons of a built-in mouse, which does the same when it runs again.
 void add_reasons(Replay& replay) {
   const std::string spec = replay.subject().mouse;
   const SpecResult mice = read_page_mice({&spec, 1});

@@ -99,7 +99,8 @@ std::vector<Tone> tones() {
   return all;
 }
 
-/// What is drawn: a fast run, over the thin lines of searches; and where a mouse believed to be, and touched something.
+/// What is drawn: a speed run, over the thin lines of searches; and where a mouse believed to be, and touched
+/// something.
 struct Drives {
   Path fast;
   std::vector<Path> searches;

@@ -39,11 +39,11 @@ struct ContestResult {
   std::size_t maze = 0;
   int run = 0;
   std::uint64_t seed = 0;
-  std::uint64_t told = 0;  ///< the seed that an external mouse is told
+  std::uint64_t told = 0;  ///< the seed that an external mouse gets
   bool done = false;       ///< false where the race was stopped before
   /// False where the machine was too busy to judge an external mouse: the contest counts nowhere and is not kept.
   bool judged = true;
-  std::string outcome;  ///< "solved", "forfeit: hit a wall"
+  std::string outcome;  ///< "finished", "forfeit: hit a wall"
   /// Why an external mouse's program did not get as far as its first word; empty where it did, and for all other mice.
   std::string never_started;
   int outcome_order = 0;  ///< in which lists of outcomes have it
@@ -88,7 +88,7 @@ std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, 
 /// The seed of a contest: from the race's seed, the maze's name without its folders, and the number of the run.
 std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run);
 
-/// The seed that an external mouse is told: from the race's seed and the number of the run alone, so that it says
+/// The seed that an external mouse gets: from the race's seed and the number of the run alone, so that it says
 /// nothing of the maze.
 std::uint64_t seed_of_program(std::uint64_t seed, int run);
 

@@ -167,7 +167,7 @@ std::string Reading::read_move(const ReadJson& json) {
 }
 
 std::string Reading::read_segment(const ReadJson& json) {
-  if (!running_ || runs().back().kind != DriveRun::Kind::fast) return "the line has a segment outside a fast run";
+  if (!running_ || runs().back().kind != DriveRun::Kind::fast) return "the line has a segment outside a speed run";
   DriveRoute& route = runs().back().route;
   if (route.segments.size() >= most_segments) return fmt::format("the run has more than {} segments", most_segments);
   JsonFields fields(json, "");

@@ -72,7 +72,7 @@ class Replay {
   std::string compare_beginning(const DriveRun& run) {
     const bool search = run.kind == DriveRun::Kind::search, fast = run.kind == DriveRun::Kind::fast;
     if (played_.runs.empty() && !search) return "the first run of a contest must be a search";
-    // Between two fast runs the mouse is carried; else only a way home goes on from where it is not at rest at the
+    // Between two speed runs the mouse is carried; else only a way home goes on from where it is not at rest at the
     // start.
     if (fast && played_.runs.back().kind == DriveRun::Kind::fast) driver_.carry_to_start();
     if ((search || fast) && driver_.place() != start_) return "it begins at the start, but the mouse is elsewhere";

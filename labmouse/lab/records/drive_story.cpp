@@ -54,7 +54,7 @@ class Story {
 
   bool did_not_end_well(std::size_t run) const { return is_crash(end_of(run)) || end_of(run) == RunEnd::no_route_left; }
 
-  /// A search that led nowhere but to the goal, over walls that it took for open before, since no fast run had ended
+  /// A search that led nowhere but to the goal, over walls that it took for open before, since no speed run had ended
   /// well.
   bool makes_sure(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
@@ -95,7 +95,7 @@ class Story {
       case Kind::search:
         if (makes_sure(i))
           return add(run.begin,
-                     "drives to the goal by ways that it knows, as in a search: no fast run has ended well" + pace);
+                     "drives to the goal by ways that it knows, as in a search: no speed run has ended well" + pace);
         return add(run.begin, (last(Kind::search, i) ? "searches again" : "searches") + pace);
       case Kind::home:
         return add(run.begin, "goes home" + why_home(i) + pace);
@@ -147,7 +147,7 @@ class Story {
       case RunEnd::no_route_left:
         return add(run.end, file_.physical->conditions.map == MapKind::learned
                                 ? "asks to be carried: its map has no way left, or does not fit what it sees"
-                                : "sees no way any more: walls on it must be misread");
+                                : "has no route left: some wall in its map must be wrong");
       case RunEnd::out_of_time:
         return add(run.end, "has no time left");
     }
@@ -163,7 +163,8 @@ class Story {
       if (other.contains(seen.wall))
         add(seen.time, fmt::format("takes {} for {} after all", wall, seen.open ? "open" : "closed"));
       else if (now.contains(seen.wall))
-        add(seen.time, fmt::format("looked at {} again, in doubt: it is {}", wall, seen.open ? "open" : "closed"));
+        add(seen.time,
+            fmt::format("looked at {} again, because it was not sure: it is {}", wall, seen.open ? "open" : "closed"));
       other.erase(seen.wall);
       now.insert(seen.wall);
     }

@@ -22,7 +22,7 @@ namespace labmouse {
 /// `mouse`, `maze` (its name), `seed` (as a text where it is above 2^53, which JavaScript would round), `actions` (a
 /// text, about one character a step), `outcome` unless the record breaks off, the `world` where it is not that of the
 /// capstone, the `rules` where they are not its, and `last_words` and `counts` where there are any. Reasons are left
-/// out: a mouse of the list of built-in mice has them again when it is run again.
+/// out: a built-in mouse has them again when it is run again.
 Json pack_record(const RecordFile& file);
 
 /// A record, or why the JSON is none: exactly one of the two is there.

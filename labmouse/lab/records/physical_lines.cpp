@@ -234,7 +234,7 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
   part.notes.foreign_parts = fields.has("foreign_parts") && fields.flag("foreign_parts");
   part.notes.by_dice = fields.has("failure_rates");
   if (part.notes.by_dice) {
-    JsonFields failure_rates(json["failure_rates"], "failure_rates");
+    JsonFields failure_rates(fields.value("failure_rates"), "failure_rates");
     part.failure_rates = failure_rates.text("name");
     part.rates_hash = failure_rates.text("hash");
     fields.reject(failure_rates.error());

@@ -157,7 +157,7 @@ Json header_json(const DriveRecordFile& contest, const DriveRun& best) {
           {"traits", traits_json({.in_steps = false,
                                   .unit = "s",
                                   .bound = "the best possible score: that of the fastest run, made at once",
-                                  .runs = {"search", "way home", "fast run"}})},
+                                  .runs = {"search", "way home", "speed run"}})},
           {"mouse", contest.mouse},
           {"maze", maze_data(contest.maze_name, *contest.maze)},
           {"rules", nullptr},

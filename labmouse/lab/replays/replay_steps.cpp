@@ -72,7 +72,7 @@ class StepsReplay final : public Replay {
   RecordFile file_;
 };
 
-/// Plays it in its maze. Where fields were left out on purpose they are not in doubt, and count as given then.
+/// Plays it in its maze. Where fields were left out on purpose they count as given.
 OpenedRecord played_steps(RecordFile file, bool packed) {
   ReplayResult result = replay(file, *file.maze);
   if (!result.disagreement.empty()) return {nullptr, {}, std::move(result.disagreement)};

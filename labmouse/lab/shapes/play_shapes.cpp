@@ -81,12 +81,12 @@ std::vector<Declaration> play_shapes() {
                   "By wall, 2 * cells: the north side of cell i at i, its east side at cells + i. The frame from which "
                   "the mouse knows that wall: the reading of a step is taken in the frame before it. The border is "
                   "known in frame 0; -1 never. In mms empty."),
-            maybe(
-                "mistaken",
-                list(object({field("wall", number), field("closed", flag, "What it takes the wall for."),
-                             field("from", number), field("to", or_null(number))})),
-                "Only of a mouse that can misread: walls, as above, that it takes for what they are not, from a frame "
-                "on, up to another one or to the end. What it has only forgotten counts as taken for the same."),
+            maybe("mistaken",
+                  list(object({field("wall", number), field("closed", flag, "What it takes the wall for."),
+                               field("from", number), field("to", or_null(number))})),
+                  "Only of a mouse that can detect walls wrongly: walls, as above, that it takes for what they are "
+                  "not, from a frame "
+                  "on, up to another one or to the end. What it has only forgotten counts as taken for the same."),
             field("goal_frame", or_null(number),
                   "The first frame in the goal, and the one in which the mouse is back at the start; null where that "
                   "never came."),

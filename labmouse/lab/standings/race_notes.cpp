@@ -74,7 +74,7 @@ std::string left_out_of(const Race& race) {
                      race.world().why_no_bound(), first, closed > 1 ? ", ..." : "");
 }
 
-/// Whether its contests depend on their seeds. External mice are told another one, the same in all mazes.
+/// Whether its contests depend on their seeds. External mice get another one, the same in all mazes.
 bool uses_seeds(const Race& race) {
   return race.world().is_stochastic() ||
          std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.uses_chance; });
@@ -120,7 +120,7 @@ std::string sandboxes_of(const Race& race) {
                        [&](const Contestant& mouse) { return mouse.sandboxed == sandbox; });
   };
   if (!has(true) || has(false)) return note;
-  return "Guests ran in a sandbox: without mazes, other files and a network (--sandbox).\n" + note;
+  return "External mice ran in a sandbox: without mazes, other files and a network (--sandbox).\n" + note;
 }
 
 }  // namespace

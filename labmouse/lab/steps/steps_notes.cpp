@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// Share of the runs that a mouse solved in each maze, to see whether two means cover the same mazes alike.
+/// Share of the runs that a mouse finished in each maze, to see whether two means cover the same mazes alike.
 std::vector<double> finished_shares(const Race& race, std::size_t mouse) {
   std::vector<int> runs(race.mazes.size()), finished(race.mazes.size());
   for (const ContestResult& contest : race.results) {
@@ -38,7 +38,7 @@ bool as_robots_expect(const Maze& maze) {
          maze.start_heading() == Heading::north && maze.goals() == centre_of(size);
 }
 
-/// Capstone robots are told the size of a maze and nothing else.
+/// Capstone robots know the size of a maze and nothing else.
 std::string note_on_robots(const Race& race) {
   const bool robots = std::any_of(race.mice.begin(), race.mice.end(),
                                   [](const Contestant& m) { return spec_of(m).starts_with("capstone:"); });
@@ -48,7 +48,7 @@ std::string note_on_robots(const Race& race) {
   if (!robots || others.empty()) return "";
   const bool one = others.size() == 1;
   return fmt::format(
-      "Capstone robots are told only the size, and {} not as they expect (a square with even sides,\n"
+      "Capstone robots know only the size, and {} not as they expect (a square with even sides,\n"
       "from (0,0) north to the centre): {}{}.\n",
       one ? "1 maze is" : fmt::format("{} mazes are", others.size()), others.front(),
       one ? "" : fmt::format(", {}{}", others[1], others.size() > 2 ? ", ..." : ""));

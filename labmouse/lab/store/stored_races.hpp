@@ -1,4 +1,4 @@
-// Races from the rows of a store, without holding a contest.
+// Races from the rows of a store, without running a contest.
 #pragma once
 
 #include <cstdint>

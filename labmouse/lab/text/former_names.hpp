@@ -2,6 +2,7 @@
 // only.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -50,6 +51,9 @@ inline constexpr std::array former_values = std::to_array<FormerName>({
     {"exploration", "search"},
 });
 
+/// The keys whose values these are.
+inline constexpr std::array<std::string_view, 5> keys_of_names = {"outcome", "ended_by", "how", "map", "run"};
+
 /// Today's name of a key; the name itself where it has not changed.
 constexpr std::string_view today_key(std::string_view name) {
   for (const FormerName& each : former_keys)
@@ -87,7 +91,7 @@ inline std::string today_spec(std::string_view spec) {
   return std::string(spec);
 }
 
-/// JSON with other keys at every depth, and other outcomes, ends of runs and maps; the values of other keys stay.
+/// JSON with other keys at every depth, and other values of those keys whose values have former names; others stay.
 /// @tparam AnyJson Json or ReadJson.
 /// @param key, value Today's or former names of a name, as above.
 template <class AnyJson>
@@ -98,7 +102,7 @@ AnyJson with_names(AnyJson json, std::string_view (*key)(std::string_view),
   if (!json.is_object()) return json;
   AnyJson renamed = AnyJson::object();
   for (auto& item : json.items()) {
-    const bool is_name = item.key() == "outcome" || item.key() == "ended_by" || item.key() == "map";
+    const bool is_name = std::find(keys_of_names.begin(), keys_of_names.end(), item.key()) != keys_of_names.end();
     renamed[std::string(key(item.key()))] = is_name && item.value().is_string()
                                                 ? AnyJson(std::string(value(item.value().template get<std::string>())))
                                                 : with_names(std::move(item.value()), key, value);

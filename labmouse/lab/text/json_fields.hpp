@@ -34,6 +34,8 @@ class JsonFields {
     if (error_.empty()) error_ = error;
   }
 
+  /// Whatever stands there, under today's or the former name of the key; null where there is none, which is an error.
+  const ReadJson& value(const char* key) { return get(key); }
   std::string text(const char* key) {
     const ReadJson& value = get(key);
     if (value.is_string()) return value.get<std::string>();

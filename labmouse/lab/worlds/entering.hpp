@@ -32,7 +32,7 @@ std::string unused_setting(const std::vector<Entry>& entries, const WorldSetting
 /// The one of these with mice, where there is no more than one; otherwise why they cannot race together.
 EntriesResult sole_entry(std::vector<Entry> entries);
 
-/// The mice of the list of built-in mice that the world takes.
+/// The built-in mice that the world takes.
 std::vector<Contestant> residents_of(const World& world);
 
 /// Takes the mazes away in which the world holds no contests, and adds them to those that were skipped. Returns why one

@@ -5,7 +5,7 @@
 
 namespace labmouse {
 
-/// What a fast run takes, in milliseconds for each edge that it crosses from cell to cell. Sums of these explain the
+/// What a speed run takes, in milliseconds for each edge that it crosses from cell to cell. Sums of these explain the
 /// times of fastest routes in contest mazes to R² = 0.997 (260 mazes, `classic`, November 2026): what a run gains on
 /// straights and loses before turns is much the same everywhere.
 struct RunPrices {

@@ -12,7 +12,7 @@
 
 namespace labmouse::ariadne {
 
-/// Costs are in thirtieths of a step of the speed run, so that a step of exploration costs 1 in a score.
+/// Costs are in thirtieths of a step of the speed run, so that a step of the search run costs 1 in a score.
 inline constexpr int step_price = costs_a_step;
 /// Weights of costs, and scores, are in 1/256.
 inline constexpr int one = 256;

@@ -162,9 +162,9 @@ TEST(Failures, SeesNoWayWhereGapsAreTakenForWallsAndLooksAgainWithAMapThatDoubts
   const PhysicalRecord first = driven("flood", failure_rates);
   EXPECT_EQ(first.drive.outcome, DriveOutcome::forfeit);
   EXPECT_EQ(first.drive.reason, ForfeitReason::no_way);
-  PhysicalConditions weakening = at_noise(1.0);
-  weakening.map = MapKind::log_odds;
-  EXPECT_GT(driven("flood", failure_rates, 1, weakening).drive.walls.size(), first.drive.walls.size());
+  PhysicalConditions weighing = at_noise(1.0);
+  weighing.map = MapKind::log_odds;
+  EXPECT_GT(driven("flood", failure_rates, 1, weighing).drive.walls.size(), first.drive.walls.size());
 }
 
 TEST(Failures, IsTheSameAgainByTheSameSeedAndAnotherByAnother) {

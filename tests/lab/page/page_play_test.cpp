@@ -31,7 +31,7 @@ json play_of(const std::string& mouse, const NamedMaze& maze = test::loop()) {
 /// The oracle explores by its shortest run, resets and runs: every number can be seen in the drawing of the hook.
 TEST(PagePlay, HasEachFrameAndEachStep) {
   json play = play_of("oracle", test::hook());
-  // Every mouse of the list of built-in mice can hold it again, by the same rules.
+  // Every built-in mouse can hold it again, by the same rules.
   EXPECT_EQ(play["again"]["with"], json::parse(R"({"world": "steps", "conditions": {"budget": 1000}})"));
   EXPECT_EQ(play["again"]["mice"].size(), builtin_mice().size());
   play.erase("again");

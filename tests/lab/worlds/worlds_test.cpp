@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/page/calls.hpp"
+#include "labmouse/lab/races/earlier_results.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
@@ -18,6 +19,8 @@
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/former_names.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 #include "labmouse/mouse/forwarding_strategy.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
@@ -284,6 +287,30 @@ TEST_P(AWorld, HasRecordsThatAreOpenedAndShown) {
   };
   hold_race(mice(), {test::loop(), test::corridor()}, order(), hooks);
   EXPECT_GT(drawings, 0);
+}
+
+TEST_P(AWorld, ReadsRecordsWithFormerNames) {
+  if (GetParam()->name == "failures") LABMOUSE_SKIP_SANITIZED();  // the physical world does the same and more
+  RaceHooks hooks;
+  hooks.keep = [](const ContestResult&) { return Keep{.record = true}; };
+  hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput& held) {
+    std::string former;
+    for (std::size_t begin = 0, end = 0; (end = held.record.find('\n', begin)) != std::string::npos; begin = end + 1)
+      former += one_line(with_names(read_ordered_json(std::string_view(held.record).substr(begin, end - begin)),
+                                    former_key, former_value)) +
+                "\n";
+    const OpenedRecord today = GetParam()->records->open(held.record, nullptr);
+    const OpenedRecord opened = GetParam()->records->open(former, nullptr);
+    ASSERT_NE(opened.replay, nullptr) << opened.disagreement << testing::PrintToString(opened.problems.size())
+                                      << former;
+    EXPECT_EQ(opened.replay->result(), today.replay->result());
+  };
+  hold_race(mice(), {test::loop()}, order(), hooks);
+}
+
+TEST_P(AWorld, ReadsResultsWithFormerNames) {
+  const Json today = read_ordered_json(json_of(race(), {}));
+  EXPECT_EQ(with_groups(with_names(today, former_key, former_value)).dump(1), today.dump(1));
 }
 
 TEST_P(AWorld, HasRecordsThatDoNotFitEveryMaze) {

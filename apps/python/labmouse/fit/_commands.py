@@ -103,9 +103,9 @@ def _fit(options: argparse.Namespace) -> int:
         print(fitted.text, end="")
     if options.plot:
         save_plot(fitted.fits[0], options.plot)
-    if fitted.doubt:
-        print(f"{path}: {fitted.doubt}", file=sys.stderr)
-    return 1 if fitted.doubt else 0
+    if fitted.warning:
+        print(f"{path}: {fitted.warning}", file=sys.stderr)
+    return 1 if fitted.warning else 0
 
 
 def _of_turns(options: argparse.Namespace) -> FittedRobot:

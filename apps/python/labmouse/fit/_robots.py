@@ -20,7 +20,7 @@ class FittedRobot:
     """A robot file that follows from fits."""
 
     text: str  #: of the file; each number has its standard error or its source
-    doubt: str  #: what speaks against it, or ''
+    warning: str  #: what speaks against it, or ''
     numbers: dict[str, Estimate]  #: what was fitted, by the keys of robot files
     fits: "Sequence[Union[LogFit, TurnFit]]" = ()  #: what it follows from, for plots
 
@@ -38,15 +38,15 @@ def robot_numbers(name: "Union[str, os.PathLike[str]]") -> tuple[str, Numbers]:
 def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") -> FittedRobot:
     """The robot file of one or more logs of a mouse, with all else from the base. Raises Error where the base has no hardware.
 
-    Where there are several logs, numbers are pooled (`pooled`). The doubt is of what a log has columns for and does not tell.
+    Where there are several logs, numbers are pooled (`pooled`). The warning names what a log has columns for and does not show.
     """
     name, robot = robot_numbers(base)
-    head, weakens = "", []
+    head, warnings = "", []
     for fit in fits:
         lines = _head(fit, robot)
         head += f"# Fitted to {_plain(fit.log.name)}; all else is from {_plain(name)}. +- is a standard error.\n"
         head += "".join(f"# {line}\n" for line, _ in lines)
-        weakens += [line.replace(": nothing fitted, ", ": ", 1) for line, doubtful in lines if doubtful]
+        warnings += [line.replace(": nothing fitted, ", ": ", 1) for line, is_warning in lines if is_warning]
     numbers, remarks = pooled(fits), {}
     ranges = _native.robot_ranges()
     for key, number in numbers.items():
@@ -61,9 +61,9 @@ def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") 
             remarks[f"motors.{axis}_gain"] += ", for the time below"
             remarks[f"motors.{axis}_time"] = f"from {_plain(name)}: the log does not tell it from the gain"
     text, problem = _native.robot_file(json.dumps(robot), remarks, f"from {_plain(name)}: the log does not determine it")
-    if problem and not weakens:
-        weakens.append(f"the robot is refused as it stands: {problem}")
-    return FittedRobot(f"{head}\n{text}", weakens[0] if weakens else "", numbers, fits)
+    if problem and not warnings:
+        warnings.append(f"the robot is refused as it stands: {problem}")
+    return FittedRobot(f"{head}\n{text}", warnings[0] if warnings else "", numbers, fits)
 
 
 def base_numbers(base: "Union[str, os.PathLike[str]]") -> Numbers:
@@ -75,7 +75,7 @@ def base_numbers(base: "Union[str, os.PathLike[str]]") -> Numbers:
 
 
 def _head(fit: LogFit, robot: Numbers) -> list[tuple[str, bool]]:
-    """How well each part fits, or why it does not; and whether that is doubtful, since the log was to tell it."""
+    """How well each part fits, or why it does not; and whether that is a warning, because the log should show it."""
     log = fit.log
     steps = [after - before for before, after in zip(log.times, log.times[1:])]
     mean, most = log.times[-1] / len(steps), max(steps)
@@ -149,11 +149,11 @@ def robot_of_turns(turns: Sequence[Turn], base: "Union[str, os.PathLike[str]]", 
         if turn.name != "K90" and robot.get(key) is not False:
             robot[key], remarks[key] = round(turn.ms, 3), "given"
     text, problem = _native.robot_file(json.dumps(robot), remarks, source)
-    doubt = f"the robot is refused as it stands: {problem}" if problem else ""
-    if not doubt and fit and max(fit.errors) > 0.01:
-        doubt = f"the limits miss a turn by {100 * max(fit.errors):.1f} %: are all turns of one robot, and the units right?"
+    warning = f"the robot is refused as it stands: {problem}" if problem else ""
+    if not warning and fit and max(fit.errors) > 0.01:
+        warning = f"the limits miss a turn by {100 * max(fit.errors):.1f} %: are all turns of one robot, and the units right?"
     numbers = {} if fit is None else {f"curve.{limit}": Estimate(value) for limit, value in zip(LIMITS, fit.limits)}
-    return FittedRobot((f"# {doubt}\n" if doubt else "") + text, doubt, numbers, [fit] if fit else [])
+    return FittedRobot((f"# {warning}\n" if warning else "") + text, warning, numbers, [fit] if fit else [])
 
 
 def _add_limits(turns: Sequence[Turn], robot: Numbers, remarks: dict[str, str], cell: float) -> TurnFit:

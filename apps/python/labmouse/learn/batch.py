@@ -45,7 +45,7 @@ class Batch:
         self.states, self.numbers = shown(states), shown(numbers)
 
     def infos(self) -> Dict[str, NDArray[Any]]:
-        """What is told besides the observations, for all contests."""
+        """What comes besides the observations, for all contests."""
         return {"action_mask": self.masks, "return": self.returns, "state": self.states, "maze": self.numbers}
 
     def take(self, name: str, values: Any, kind: Any = np.int64) -> NDArray[Any]:

@@ -20,7 +20,7 @@ class Belief:
     """What the environment shows as 'bits' and 'sighting', kept from readings and own actions alone.
 
     Args:
-        briefing: what a mouse is told: width, height, start, heading, goals, budget.
+        briefing: what a mouse knows before the contest: width, height, start, heading, goals, budget.
     """
 
     def __init__(self, briefing: Any) -> None:

@@ -1,4 +1,4 @@
-"""A mind that learns to explore: a weight for each thing that it notices about a move, and nothing else.
+"""A strategy that learns to explore: a weight for each thing that it notices about a move, and nothing else.
 
 In the search run it goes where the weighted sum of the features of a move is largest, among the moves that it knows to
 be free. The features are local: what it knows of the cell in which the move would end, of the passages on the way there,
@@ -47,7 +47,7 @@ _DX, _DY = np.array([0, 1, 0, -1]), np.array([1, 0, -1, 0])
 
 
 class Policy:
-    """The minds of n contests that share a size; each may have weights of its own.
+    """The strategies of n contests that share a size; each may have weights of its own.
 
     Args:
         weights: shape (n, WEIGHTS) or (WEIGHTS,): those before the goal, those after it, and the patience, of which

@@ -94,7 +94,7 @@ async function watch(page: Page, places: Record<string, string>) {
   }, places);
 }
 
-/** Twenty mice of the list of built-in mice, among them those that are stochastic, in all mazes of the folder. */
+/** Twenty built-in mice, among them those that are stochastic, in all mazes of the folder. */
 function bigReport(mazes: string): string {
   const roster = native('mice')
     .split('\n')

@@ -267,7 +267,7 @@ export interface Play {
    */
   known: number[];
   /**
-   * Only of a mouse that can misread: walls, as above, that it takes for what they are not, from a frame on, up to
+   * Only of a mouse that can detect walls wrongly: walls, as above, that it takes for what they are not, from a frame on, up to
    * another one or to the end. What it has only forgotten counts as taken for the same.
    */
   mistaken?: {

@@ -10,7 +10,7 @@ export interface Scenes {
   /** On the clock of the contest. */
   end: number;
   inSteps: boolean;
-  /** Fast runs, which pass slower than searches. */
+  /** Speed runs, which pass slower than searches. */
   fast: Piece[];
   /** Of the largest maze. */
   cells: number;

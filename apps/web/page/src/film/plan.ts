@@ -22,7 +22,7 @@ export const framesFor = (cells: number): number =>
 /** A piece of a contest, from one time to another on its clock. */
 export type Piece = [from: number, to: number];
 
-/** Fast runs take so many times the frames that a search of their length has. */
+/** Speed runs take so many times the frames that a search of their length has. */
 const slower = 4;
 
 /** Those pieces in their order, none in another, within the contest. */

@@ -4,7 +4,7 @@ import { runAt, type DriveTrack } from '../player/drive';
 const searching = 5;
 const running = 1;
 
-/** Seconds of the contest in a second: as it was while anybody is on a fast run. */
+/** Seconds of the contest in a second: as it was while anybody is on a speed run. */
 export function paceAt(tracks: DriveTrack[], time: number): number {
   const fast = tracks.some((track) => {
     const run = track.runs[runAt(track, time)];

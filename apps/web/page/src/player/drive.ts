@@ -99,7 +99,7 @@ export function goTo(track: DriveTrack, time: number, moment: Moment) {
   moment.v = path.v[i] + moment.a * passed;
 }
 
-export const kinds: Record<DriveRun['kind'], string> = { search: 'search', home: 'way home', fast: 'fast run' };
+export const kinds: Record<DriveRun['kind'], string> = { search: 'search', home: 'way home', fast: 'speed run' };
 
 const endings: Record<string, string> = {
   'given up': 'gave up',

@@ -54,7 +54,7 @@ function runSigns({ play: { drive }, fastest }: Shown): Sign[] {
   const steps = `0 to ${fastest.toFixed(2)} m/s, in steps of ${(fastest / 6).toFixed(2)}`;
   return [
     ['speeds', `its path in this run so far: ${steps}`],
-    ['ahead', 'the rest of a fast run'],
+    ['ahead', 'the rest of a speed run'],
   ];
 }
 

@@ -25,7 +25,7 @@ export function recordOf(records: PackedRecord[], contest: Contest, position: nu
 const sameActions = (a: Play, b: Play) =>
   a.action.length === b.action.length && a.action.every((action, i) => action === b.action[i]);
 
-/** Whether the page can run it: `flood:stride=1` and `oracle` are of the list of built-in mice, `program:...` is not. */
+/** Whether the page can run it: `flood:stride=1` and `oracle` are built in, `program:...` is not. */
 export async function isOurs(page: EarlyPage, mouse: string) {
   const { mice } = await page.ready;
   const name = mouse.split(':', 1)[0];

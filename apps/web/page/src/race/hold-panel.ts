@@ -1,4 +1,4 @@
-// The form that holds a race in the page.
+// The form that runs a race in the page.
 import type { About, MazeData } from '../core/types';
 import { isSameMaze } from '../maze/same';
 import { button } from '../ui/controls';
@@ -130,7 +130,7 @@ export function holdPanel(page: EarlyPage, about: About) {
     order: form.read,
     /** Chooses that. */
     set: form.set,
-    /** Holds the race that is chosen. */
+    /** Runs the race that is chosen. */
     start,
   };
 }

@@ -1,4 +1,4 @@
-// What becomes of mice as noise grows: of races that differ in nothing but their noise.
+// How mice fare as noise grows: of races that differ in nothing but their noise.
 import type { Fields, RaceGroup } from '../core/types';
 import { isNumber } from '../ui/format';
 

@@ -43,7 +43,7 @@ export function eachOf(world: Order['world'], worlds: WorldInPage[]): Order['wor
   return all;
 }
 
-/** Holds the race; `wanted` is asked between mice whether to go on. Null where it was stopped before its first end. */
+/** Runs the race; `wanted` is asked between mice whether to go on. Null where it was stopped before its first end. */
 export async function holdRace(
   core: Core,
   order: Order,

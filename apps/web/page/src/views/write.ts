@@ -1,4 +1,4 @@
-// The view Write: a mouse is written, run in a maze, and raced against the list of built-in mice.
+// The view Write: a mouse is written, run in a maze, and raced against the built-in mice.
 import { readAddress, type Moment } from '../link/address';
 import { mazeAt } from '../link/mazes';
 import { routeOf } from '../link/routes';

@@ -1,4 +1,4 @@
-// A race of a program of the page against mice of the list of built-in mice, and against what it was before.
+// A race of a program of the page against built-in mice, and against what it was before.
 import type { Core } from '../core/client';
 import type { MazeData, PackedRecord, PlayedMouse, RaceResults } from '../core/types';
 import { isSameMaze } from '../maze/same';

@@ -20,7 +20,7 @@ const javascript: Line[] = [
     'a step: the open cells to the left, ahead and to the right, up to the next wall. Answer with one line:',
   ],
   ['→ move DEGREES CELLS', 'turn by -90, 0 or 90, clockwise, then go up to 3 cells; negative is backwards'],
-  ['→ reset', 'in a goal or after it: back to the start, for the fast run'],
+  ['→ reset', 'in a goal or after it: back to the start, for the speed run'],
   ['→ forfeit', 'it gives up'],
   ['console.log(…)', 'writes a line to the host'],
   ['console.error(…)', 'prints for you, beside the replay'],
@@ -34,7 +34,7 @@ const python: Line[] = [
   ],
   ['next_move(self, sensors)', 'one step; sensors are the open cells to the left, ahead and to the right'],
   ['return rotation, movement', 'turn by -90, 0 or 90, clockwise, then go up to 3 cells; negative is backwards'],
-  ["return 'Reset', 'Reset'", 'once it was in the centre: back to the start, for the fast run'],
+  ["return 'Reset', 'Reset'", 'once it was in the centre: back to the start, for the speed run'],
   ['print(…)', 'prints for you, beside the replay'],
 ];
 

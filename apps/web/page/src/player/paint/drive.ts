@@ -42,7 +42,7 @@ function prepareLine({ context, g }: Brush) {
   context.lineWidth = thick(g, 0.13);
 }
 
-/** What is driven of the present run by the present frame; what is still to come of a fast run as a faint line. */
+/** What is driven of the present run by the present frame; what is still to come of a speed run as a faint line. */
 export function paintDriven(brush: Brush) {
   const { context, g, palette, track, past } = brush;
   const drive = track.drive!;
