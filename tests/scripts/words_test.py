@@ -54,6 +54,14 @@ class Words(unittest.TestCase):
     def test_headers_begin_with_a_sentence(self):
         self.assertEqual(self.said_of("# A\n", "#pragma once\n")[0], 1)
 
+    def test_comments_and_messages_are_in_plain_words(self):
+        for line in ("// A pilot.", "/* It was\n   held again. */", 'say("a guest ran");'):
+            code, lines = self.said_of("# A\n", f"// A header.\nint x = 1;\n{line}\n")
+            self.assertEqual((code, len(lines)), (1, 2), line)
+            self.assertIn("labmouse/a.hpp:", lines[0])
+        for line in ('read("guest");', "int pilot = 1;", "// As `pilot` has it.", 'say("labmouse pilot 1");'):
+            self.assertEqual(self.said_of("# A\n", f"// A header.\n{line}\n")[0], 0, line)
+
 
 class Examples(unittest.TestCase):
     def test_are_written_as_they_are_today(self):
