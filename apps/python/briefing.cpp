@@ -42,7 +42,7 @@ BriefingFields fields_of(const PythonBriefing& told) {
           {briefing.in_seconds(), briefing.drive.time_limit}};
 }
 
-/// In another process: its mice are told of no robot, but that there is one.
+/// In another process: its mice know no robot, but that there is one.
 PythonBriefing briefing_of(const BriefingFields& fields) {
   static const DriveModel some_robot;
   const auto& [place, limits, seconds] = fields;

@@ -1,4 +1,4 @@
-// What a mouse in Python is told before its contest.
+// What a mouse in Python knows before its contest.
 #pragma once
 
 #include "labmouse/mouse/briefing.hpp"

@@ -25,7 +25,7 @@ class ExternalController final : public ControllerCode {
 
  private:
   ExternalTalk talk_;
-  std::string events_, senses_;        ///< that it is still to be told
+  std::string events_, senses_;        ///< that it has not got yet
   std::vector<ControllerTick> ticks_;  ///< that it answered
   std::size_t next_ = 0;
 };

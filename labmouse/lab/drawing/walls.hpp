@@ -7,7 +7,7 @@ namespace labmouse::drawing {
 
 enum class WallLook { open, closed, unknown, guessed_open };
 
-/// How to draw a wall of the maze (or its border) in these layers. A wrong guess is told even where the wall is
+/// How to draw a wall of the maze (or its border) in these layers. A wrong guess is shown even where the wall is
 /// unknown.
 inline WallLook look_of(const Maze& maze, const DrawingLayers& layers, Wall wall) {
   if (on_border(wall, maze.size())) return WallLook::closed;

@@ -38,7 +38,7 @@ class Evolution {
  public:
   explicit Evolution(const EvolutionOrder& order);
 
-  /// The points of the next generation. Until they are told, asking again throws others.
+  /// The points of the next generation. Until their values are reported, asking again throws others.
   std::vector<UnitPoint> ask();
   /// What was measured at the points of the last ask, in their order; lower is better, and equal ones rank as they
   /// stand.

@@ -108,7 +108,7 @@ class DriveFrames {
       const DriveProfile profile(*contest_.model, run.route, i);
       const bool last = i + 1 == run.route.segments.size();
       const MazeTime planned = run.begin + at_pace(segment.end, pace);
-      // Of a mouse that crashes no more is told than it came to.
+      // A mouse that crashes is shown no further than it came.
       const bool breaks_off = contest_.physical && planned > run.end;
       const MazeTime end = contest_.physical && (last || breaks_off) ? run.end : planned;
       if (last || (contest_.physical && run.gate_in && *run.gate_in <= end)) count(number);

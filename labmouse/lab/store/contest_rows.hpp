@@ -12,7 +12,7 @@
 
 namespace labmouse {
 
-/// What the rows of one race share: who raced where, each as its key and what is told of it.
+/// What the rows of one race share: who raced where, each as its key and what is printed of it.
 struct RaceRows {
   struct Mouse {
     std::string key;  ///< empty: its contests are not kept

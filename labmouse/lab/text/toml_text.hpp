@@ -41,7 +41,7 @@ TomlText parse_toml(std::string_view text);
 
 Problem problem_at(const toml::source_position& place, std::string reason);
 
-/// The problems in the order of the file, as many as are told at once.
+/// The problems in the order of the file, as many as are printed at once.
 std::vector<Problem> in_order(std::vector<Problem> problems);
 
 /// "unknown key 'colur'; did you mean 'colour'?"

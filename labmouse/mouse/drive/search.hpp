@@ -20,7 +20,7 @@ class Search {
   /// fastest routes from there; others may be too late then.
   virtual void fill(const WallSet& passages, const CellSet& goals, int start) = 0;
   static constexpr int everywhere = -1;
-  /// The time until the end from a turn that begins at a node; one above the limit may be told as no_time.
+  /// The time until the end from a turn that begins at a node; one above the limit may be reported as no_time.
   virtual DriveTime turning(int node, std::size_t lane, DriveTime limit) const = 0;
   virtual DriveTime rolling(int node, std::size_t lane) const = 0;
   virtual int node(HalfPoint point, int direction) const = 0;

@@ -21,7 +21,7 @@ class SearchClock {
 
   /// From now on the mouse searches at that part of its usual pace.
   void set_pace(double pace) { pace_ = pace; }
-  /// What the contest's clock says, where the mouse is told.
+  /// What the contest's clock says, where the mouse gets it.
   void set(std::int64_t time) { time_ = time; }
 
   /// Whether the way home and the fastest known run would no longer fit into the time after that step, whatever it

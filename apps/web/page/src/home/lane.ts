@@ -15,7 +15,7 @@ export type Lane = ReturnType<typeof createLane>;
 
 export function createLane(core: Core, { play }: Met, hue: Tone) {
   const track = prepare(play);
-  // A search is told by the map that it draws; a run by its speed.
+  // The map shows a search run; the colour of the way shows the speed of a run.
   const layers: Layers = { ...usualLayers, speed: false };
   const scene = createScene(track, layers, { hue, plan: true });
   const what = h('span.doing');

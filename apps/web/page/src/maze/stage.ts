@@ -178,7 +178,7 @@ export function createStage(maze: MazeSize, paint: Paint, options: StageOptions 
     redraw,
     now,
     camera,
-    /** Looks at it from there; nobody is told. */
+    /** Looks at it from there; reports nothing. */
     look,
     /** Nearer by that factor, around a place of the canvas or its middle. */
     zoomBy,

@@ -1,5 +1,5 @@
 // What the browser keeps for the page until it is opened again. Where it keeps nothing (a private window, a file from the
-// disk in some browsers) everything works without, and nobody is told.
+// disk in some browsers) everything works without, and without a message.
 import { clear, createStore, get, set, type UseStore } from 'idb-keyval';
 
 /** What is kept is of this version; what another one kept is not read. */

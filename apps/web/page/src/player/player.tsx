@@ -151,7 +151,7 @@ function setSides(state: State, plays: Shown[], looked: (side: number, camera: C
   state.sides = two.map((shown, i) =>
     createSide(shown, names[i], layers, {
       looked: (camera) => looked(i, camera),
-      // Two mice are told apart by tone, as on the home page; one needs none.
+      // Two mice differ by tone, as on the home page; one needs none.
       hue: two.length > 1 ? tonesOfTwo[i] : undefined,
     }),
   );

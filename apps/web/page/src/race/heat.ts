@@ -24,7 +24,7 @@ const kinds = {
 type Kind = keyof typeof kinds;
 
 const most = 5_000;
-/** So many cells are told in words. */
+/** So many cells are listed in words. */
 const told = 5;
 /** Of a saved picture, in its pixels. */
 const side = 1200;

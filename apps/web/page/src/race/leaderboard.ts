@@ -17,7 +17,7 @@ function notesOf({ notes, world, formula, failure_score: failed }: RaceGroup): s
   return [`World of ${world}. Score: ${formula}; lower is better. ${failures}`];
 }
 
-/** `onOrder` is told the positions of the mice in their new order; `own` are marked: one's mouse, and what it was before. */
+/** `onOrder` gets the positions of the mice in their new order; `own` are marked: one's mouse, and what it was before. */
 export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void, own: string[] = []) {
   const label = `Leaderboard${worldOf(group).title}`;
   const { bound } = worldOf(group);

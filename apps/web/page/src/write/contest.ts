@@ -39,7 +39,7 @@ export interface Entry {
   races?: boolean;
 }
 
-/** Text that is no Unicode cannot be told to the core. */
+/** Text that is no Unicode cannot be passed to the core. */
 const wellFormed = (text: string) => text.replace(/\p{Surrogate}/gu, '\ufffd');
 
 /** How a program ended, by what it said last; null where it did not. */
