@@ -516,7 +516,7 @@ TEST_F(AStore, HasTheStandingsInAView) {
   Database database = open();
   for (const Standing& standing : standings_of(held)) {
     Statement find = database.prepare(
-        "SELECT mazes, contests, finished, mean, mean_solved, mean_ratio FROM standings WHERE mouse = ?1");
+        "SELECT mazes, contests, solved, mean, mean_solved, mean_ratio FROM standings WHERE mouse = ?1");
     find.bind(1, held.mice[standing.mouse].name);
     ASSERT_TRUE(find.next());
     EXPECT_EQ(find.whole(0), standing.mazes);
