@@ -142,7 +142,7 @@ def set_sighting_type(type: type) -> None:
     """Takes the class of which readings are made."""
 
 class Briefing:
-    """What a mouse is told of its contest before it is put into the maze."""
+    """What a mouse learns of its contest before it is put into the maze."""
 
     @property
     def width(self) -> int:
@@ -168,9 +168,7 @@ class Briefing:
 
     @property
     def world(self) -> str:
-        """
-        'strides' or 'seconds', which is also what a mouse of the physical world is told.
-        """
+        """'strides' or 'seconds', also for a mouse in the physical world."""
 
     @property
     def stride(self) -> int:

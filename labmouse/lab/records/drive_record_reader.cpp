@@ -110,7 +110,7 @@ std::string Reading::begin_run(const ReadJson& json) {
   if (runs().size() >= most_runs) return fmt::format("the record has more than {} runs", most_runs);
   JsonFields fields(json, "");
   DriveRun run;
-  const std::string kind = fields.text("run");
+  const std::string kind(today_value(fields.text("run")));
   bool known = false;
   for (const auto each : {DriveRun::Kind::search, DriveRun::Kind::home, DriveRun::Kind::fast})
     if (kind == name_of(each)) run.kind = each, known = true;
@@ -202,7 +202,7 @@ std::string Reading::read_end(const ReadJson& json) {
   if (running_) return "the line ends the record before the last run has ended";
   JsonFields fields(json, "");
   DriveRecord& record = file_.record;
-  const std::string name = fields.text("outcome");
+  const std::string name(today_value(fields.text("outcome")));
   bool known = false;
   for (const auto each : {DriveOutcome::finished, DriveOutcome::out_of_time, DriveOutcome::forfeit})
     if (name == name_of(each)) record.outcome = each, known = true;

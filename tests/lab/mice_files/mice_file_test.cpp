@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"", 1, 1, {"[[mouse]]"}}, Mistake{"mouse = 3\n", 1, 1, {"[[mouse]]"}}, Mistake{"[[mouse]\n", 1, 9, {}},
         Mistake{"[[mice]]\nname = 'a'\n", 1, 3, {"'mice'"}}, Mistake{"[[mouse]]\nmouse = 'flood'\n", 1, 1, {"name"}},
         Mistake{"[[mouse]]\nname = 'a'\n", 1, 1, {"capstone"}},
-        Mistake{"[[mouse]]\nname = 'a'\nmouse = 'flood'\nprogram = './a'\n", 4, 9, {"'mouse'"}},
+        Mistake{"[[mouse]]\nname = 'a'\nmouse = 'flood'\nprogram = './a'\n", 4, 11, {"'mouse'"}},
         Mistake{"[[mouse]]\nname = 'a'\nmouse = 'flood'\n[[mouse]]\nname = 'a'\nmms = 'b'\n", 5, 8, {"'a'", "twice"}},
         Mistake{"[[mouse]]\nname = 'a'\nmouse = 'flood'\ndirectory = 'x'\n", 4, 13, {"'directory'", "external mice"}},
         Mistake{"[[mouse]]\nname = 'a'\ncapstone = 'a.py'\ndirectory = 'x'\n", 4, 13, {"'directory'", "robot"}},

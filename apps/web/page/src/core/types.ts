@@ -267,8 +267,8 @@ export interface Play {
    */
   known: number[];
   /**
-   * Only of a mouse that can detect walls wrongly: walls, as above, that it takes for what they are not, from a frame on, up to
-   * another one or to the end. What it has only forgotten counts as taken for the same.
+   * Only of a mouse that can detect walls wrongly: walls, as above, that it takes for what they are not, from a
+   * frame on, up to another one or to the end. What it has only forgotten counts as taken for the same.
    */
   mistaken?: {
     wall: number;
