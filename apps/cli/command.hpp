@@ -32,8 +32,8 @@ struct Places {
 };
 void add_places(Command& command, Places& places);
 
-/// The mazes of the paths (the built-in ones where there is none), with the places applied. What was skipped is printed on
-/// standard error; a path named directly that is no maze throws UsageError.
+/// The mazes of the paths (the built-in ones where there is none), with the places applied. What was skipped is printed
+/// on standard error; a path named directly that is no maze throws UsageError.
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places);
 /// Tells what is likely to be a mistake.
 void tell_remarks(const std::vector<std::string>& remarks);
