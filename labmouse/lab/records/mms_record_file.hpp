@@ -33,6 +33,7 @@ struct MmsRecordEnd {
   double clock = 0;
 };
 
+/// The record of one run of an mms program.
 struct MmsRecordFile {
   std::string version;  ///< of the program that wrote it
   std::string maze_name;
