@@ -12,6 +12,7 @@ namespace labmouse {
 /// Limit of the size of all packed records together, in bytes before compression.
 inline constexpr std::size_t most_packed_bytes = std::size_t{64} << 20U;
 
+/// The packed records of a race and their mazes.
 struct ReportRecords {
   /// The second block of a report: an object of `records` and `left_out`, the number of records that did not fit.
   std::string json;

@@ -20,6 +20,7 @@ struct ReportMouse {
   std::map<std::string, std::set<std::uint64_t>> seeds;
 };
 
+/// A maze of the race, as the results describe it.
 struct ReportMaze {
   std::string name;
   Size size;
@@ -33,6 +34,7 @@ struct ReportWorld {
   std::vector<ReportMaze> mazes;
 };
 
+/// The results of a race with one or more worlds.
 struct ReportResults {
   std::string json;  ///< the JSON as read, in one line
   std::vector<ReportWorld> worlds;
