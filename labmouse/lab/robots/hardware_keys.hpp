@@ -8,6 +8,7 @@
 
 namespace labmouse {
 
+/// A key of a robot file that sets a field of `Hardware`.
 struct HardwareKey {
   RobotKey key;
   /// The field for the key. One unit of the field is `unit` units of the file.
