@@ -17,6 +17,7 @@
 
 namespace labmouse {
 
+/// What to vary, and how finely.
 struct RegionOrder {
   VariedNumber across;
   std::optional<VariedNumber> along;
@@ -52,8 +53,8 @@ struct RouteRegion {
   double from = 0.0, to = 0.0;  ///< the first and the last planned value
   int route = refused;          ///< its position in RouteRegions::routes
   std::string refusal;          ///< why there is no route: the robot file has an error, or the maze has no route
-  DriveTime time_from = no_time, time_to = no_time;
-  std::optional<RunnerUp> runner_up;  ///< at the middle of the region, among all routes found
+  DriveTime time_from = no_time, time_to = no_time;  ///< times of the route at `from` and at `to`
+  std::optional<RunnerUp> runner_up;                 ///< at the middle of the region, among all routes found
 };
 
 /// The regions at one value of the second number, from the first value of the varied number to the last.
@@ -62,6 +63,7 @@ struct RegionRow {
   std::vector<RouteRegion> regions;
 };
 
+/// The result of find_regions().
 struct RouteRegions {
   std::vector<RegionRoute> routes;  ///< in the order in which they win, row by row
   std::vector<RegionRow> rows;
