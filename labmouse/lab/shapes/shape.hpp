@@ -29,6 +29,7 @@ struct Shape {
   std::vector<std::string> bases;
 };
 
+/// A field of an object.
 struct ShapeField {
   std::string name;
   Shape shape;
