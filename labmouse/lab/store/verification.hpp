@@ -11,6 +11,7 @@
 
 namespace labmouse {
 
+/// The settings of a verification.
 struct VerificationOrder {
   double share = 0.05;     ///< share of the contests that are picked at random, 0 to 1
   std::uint64_t seed = 1;  ///< seed of that random choice
@@ -23,6 +24,7 @@ struct VerificationOrder {
   const std::atomic<bool>* stop = nullptr;  ///< once true, no further contest begins
 };
 
+/// The result of a verification.
 struct Verification {
   std::int64_t held = 0;                 ///< contests that were re-run
   std::int64_t equal = 0;                ///< those with the same result, apart from timings
