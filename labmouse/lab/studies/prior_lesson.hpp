@@ -19,6 +19,7 @@ struct LessonHooks {
   const std::atomic<bool>* stop = nullptr;
 };
 
+/// The result of hold_lesson(): counts of walls, from which a prior is made.
 struct Lesson {
   /// The mazes used, selected as for a study.
   MazeSelection selection;

@@ -13,6 +13,7 @@
 
 namespace labmouse {
 
+/// The settings of a study.
 struct StudyOrder {
   /// The race in each fold. Its seed also assigns the folds.
   RaceOrder race;

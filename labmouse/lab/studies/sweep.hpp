@@ -40,6 +40,7 @@ struct SweepPoint {
   std::optional<double> finished_mean = std::nullopt;
 };
 
+/// The results of a sweep.
 struct Sweep {
   std::string mouse;  ///< the SPEC without the parameter; for an external mouse the SPEC as given
   std::string parameter;

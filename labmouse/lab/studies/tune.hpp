@@ -23,6 +23,7 @@ enum class Objective : std::uint8_t {
   ratio,  ///< that score divided by the maze's bound
 };
 
+/// The settings of a search.
 struct TuneOrder {
   RaceOrder race;
   int evaluations = 0;  ///< largest number of evaluated candidates, with the mouse as given; at least 1
@@ -43,6 +44,7 @@ struct Evaluation {
   std::vector<std::optional<double>> by_maze;
 };
 
+/// The results of a search.
 struct Tune {
   TuneOrder order;
   std::vector<ParameterRange> ranges;
