@@ -46,7 +46,7 @@ std::vector<std::string> paths_like(const std::string& pattern);
 int process_number();
 
 /// Replaces this process by another program: the first of `words`, found as a shell does, with one more environment
-/// variable. Returns only on failure, with an error number; always on Windows.
+/// variable. Returns only on failure, with an error number. It always fails on Windows.
 int become_program(const std::vector<std::string>& words, const std::string& variable, const std::string& value);
 
 /// Blocks SIGINT, SIGTERM and SIGHUP in this thread while it lives.
