@@ -10,6 +10,7 @@
 
 namespace labmouse {
 
+/// A former name and the name of today.
 struct FormerName {
   std::string_view former, today;
 };

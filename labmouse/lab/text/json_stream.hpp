@@ -13,6 +13,7 @@
 
 namespace labmouse {
 
+/// Writes one JSON value to a sink.
 class JsonStream {
  public:
   explicit JsonStream(TextSink sink) : sink_(std::move(sink)) {}

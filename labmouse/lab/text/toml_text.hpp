@@ -44,7 +44,7 @@ Problem problem_at(const toml::source_position& place, std::string reason);
 /// The problems in the order of the file, at most as many as are printed.
 std::vector<Problem> in_order(std::vector<Problem> problems);
 
-/// "unknown key 'colur'; did you mean 'colour'?"
+/// The error for an unknown key: "unknown key 'colur'; did you mean 'colour'?"
 std::string unknown_key(const std::string& name, std::span<const std::string_view> known);
 
 }  // namespace labmouse
