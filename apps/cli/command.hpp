@@ -25,7 +25,7 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// --start and --goal, which override what a maze file says.
+/// --start and --goal, which override those of the maze file.
 struct Places {
   std::string start;
   std::vector<std::string> goals;

@@ -7,6 +7,7 @@
 
 namespace labmouse::cli {
 
+/// The options --explain and --candidates.
 struct ExplainOptions {
   bool wanted = false;
   int candidates = 5;  ///< number of candidates shown for each choice

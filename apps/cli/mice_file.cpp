@@ -38,7 +38,7 @@ struct CheckOptions {
 struct Trial {
   bool good = false;
   std::string how;   ///< the result in words
-  std::string last;  ///< the last line on its standard error
+  std::string last;  ///< the last line of its messages
   std::string walk;  ///< everything that must be the same in a second contest
 };
 

@@ -8,6 +8,7 @@
 
 namespace labmouse::cli {
 
+/// The options of `labmouse replay`; `delay` is in milliseconds.
 struct ReplayOptions {
   std::string file, maze, svg;
   ExplainOptions explain;
