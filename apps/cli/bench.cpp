@@ -1,5 +1,4 @@
-// labmouse bench: one number for behaviour, the speeds of this build on this machine, and the memory that strategies
-// take.
+// labmouse bench: the behaviour signature, and the speeds and memory of this build on this machine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +41,7 @@ std::string bench_json(const std::string& signature, const Speed& speed) {
   return json.dump(1) + "\n";
 }
 
-/// What the strategies take that drive a robot, in mazes of one size.
+/// The memory of strategies that drive one robot, in mazes of one size.
 struct RobotMemory {
   std::string robot;
   StrategyMemory strategies;
@@ -57,7 +56,7 @@ std::vector<RobotMemory> memory_of(const std::vector<std::string>& names) {
   return memory;
 }
 
-/// Of whole strategies: the fields and what the strategy takes itself.
+/// The memory of whole strategies: the shared fields and the strategy's own memory.
 MemoryLayout whole_strategies(const StrategyMemory& memory) {
   MemoryLayout strategies;
   for (const auto& [mouse, own] : memory.own) strategies.push_back({mouse, memory.fields + own});
@@ -70,7 +69,7 @@ MemoryLayout fields_of(const StrategyMemory& memory) {
   return parts;
 }
 
-/// A line for each robot and size, with the parts that `parts_of` names.
+/// A table with a line for each robot and size. `parts_of` names the parts.
 template <class Parts>
 std::string memory_table(const std::vector<RobotMemory>& robots, Parts parts_of) {
   std::size_t longest = 12;

@@ -1,4 +1,4 @@
-// labmouse bound: how low anyone could score, and what a mouse could have had in hindsight.
+// labmouse bound: the lowest possible scores, and what a mouse could have scored in hindsight.
 #include <fmt/format.h>
 
 #include <memory>

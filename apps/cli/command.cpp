@@ -20,7 +20,7 @@
 namespace labmouse::cli {
 namespace {
 
-/// Reads `X,Y` or, where a heading may stand behind it, `X,Y,HEADING`.
+/// Reads `X,Y` or, if allowed, `X,Y,HEADING`.
 Pose read_place(const std::string& text, bool with_heading) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -74,21 +74,21 @@ void apply(const Places& places, NamedMaze& maze) {
   maze.maze = maze.maze.with_goals(goals);
 }
 
-/// Where print writes: to standard error once a file that is asked for takes standard output.
+/// Where print() writes: standard error once a file is written to standard output.
 std::FILE* printed = stdout;
 
 void write_out(std::string_view text, std::FILE* stream, bool at_once = true) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
   if (written && (!at_once || std::fflush(stream) == 0)) return;
-  // A reader that has seen enough (`| head`) is no error, but there is nothing more to do.
+  // A reader that closed the pipe (`| head`) is no error: end the program.
   if (errno == EPIPE) std::exit(exit_good);
   throw UsageError(fmt::format("error: cannot write to standard output: {}", cause_of(errno)));
 }
 
 struct KindWords {
   std::string_view name;
-  std::string_view made;   ///< what makes such a file; empty where nothing does
-  std::string_view shown;  ///< what shows it
+  std::string_view made;   ///< the command that writes such a file; empty where there is none
+  std::string_view shown;  ///< the command that shows it
 };
 
 KindWords words_of(FileKind kind) {
@@ -107,11 +107,11 @@ KindWords words_of(FileKind kind) {
     case FileKind::unknown:
       break;
   }
-  // Of what is read there, only mice files have no kind of their own.
+  // Mice files are the only input whose kind is not recognised.
   return {"a mice file", "`labmouse mice-file init FOLDER` writes one", ""};
 }
 
-/// Throws UsageError where the file is one of ours and no maze.
+/// Throws UsageError where the file is a labmouse file of another kind.
 void refuse_other_file(const std::string& path) {
   std::error_code unknown;
   if (std::filesystem::is_regular_file(path, unknown))
@@ -154,7 +154,7 @@ void add_places(Command& command, Places& places) {
 }
 
 void tell(const std::string& text) {
-  // Where nobody listens nothing can be said about it; fmt::print would throw.
+  // A failure cannot be reported anywhere, so it is ignored; fmt::print() would throw.
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
@@ -204,12 +204,12 @@ void require_writable(const std::string& path) {
 
 namespace {
 
-/// Whether writing the one would destroy the other.
+/// Whether writing one of the files would destroy the other.
 bool collide(const Output& one, const Output& other) {
   using Kind = Output::Kind;
   if (one.path.empty() || other.path.empty() || (one.kind == Kind::input && other.kind == Kind::input)) return false;
   if (one.kind == Kind::file && other.kind == Kind::file) return is_same_file(one.path, other.path);
-  // What is a stream to the one may be a file's name to the other, and what is read from a stream is not destroyed.
+  // A stream of one option may be a file's name for the other, and reading a stream destroys nothing.
   const bool streams = descriptor_to_write(one.path) || descriptor_to_write(other.path);
   return !streams && !is_stream(one.path) && is_same_file(one.path, other.path);
 }

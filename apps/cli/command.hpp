@@ -1,4 +1,4 @@
-// What the subcommands share: how they end, how they find mazes, and how they speak.
+// Shared by all subcommands: exit codes, finding of mazes, output and errors.
 #pragma once
 
 #include <initializer_list>
@@ -17,7 +17,7 @@
 
 namespace labmouse::cli {
 
-/// exit_interrupted() is the one of a command that a signal stopped.
+/// exit_interrupted() gives the code of a command that a signal stopped.
 enum ExitCode { exit_good = 0, exit_finding = 1, exit_usage = 2, exit_signal = 128 };
 
 /// Bad usage or input: one line or several for standard error; ends the program with exit code 2.
@@ -25,69 +25,69 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// --start and --goal, which override what a maze file says.
+/// --start and --goal, which override those of the maze file.
 struct Places {
   std::string start;
   std::vector<std::string> goals;
 };
 void add_places(Command& command, Places& places);
 
-/// The mazes of the paths (the built-in ones where there is none), with the places applied. What was skipped is printed
-/// on standard error; a path named directly that is no maze throws UsageError.
+/// Loads the mazes of the paths (all built-in ones without a path) and applies the places. Prints skipped files on
+/// standard error. Throws UsageError for a directly named path that is no maze.
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places);
-/// Tells what is likely to be a mistake.
+/// Prints remarks on likely mistakes to standard error.
 void tell_remarks(const std::vector<std::string>& remarks);
-/// Names the first files that are no mazes and counts the others, which JSON lists all.
+/// Prints the first files that are no mazes and counts the others; JSON output lists all.
 void tell_skipped(const std::vector<SkippedFile>& skipped);
-/// The one maze of a path.
+/// Loads the maze of a path, which must have exactly one.
 NamedMaze find_maze(const std::string& path, const Places& places);
 
-/// A built-in robot or that of a file; throws UsageError with all that is wrong with it.
+/// Finds a built-in robot or that of a file; throws UsageError with all its problems.
 FoundRobot find_robot_or_refuse(const std::string& name);
-/// Built-in rules or those of a file; throws UsageError with all that is wrong with them.
+/// Finds built-in rules or those of a file; throws UsageError with all their problems.
 DriveRules find_rules_or_refuse(const std::string& name);
-/// --robot, which has its default.
+/// Adds --robot; `robot` has its default.
 void add_robot_option(Command& command, std::string& robot);
 
-/// Writes to standard output, or throws UsageError when it cannot; to standard error where a file takes its place.
+/// Writes to standard output, or to standard error where a file is written to standard output. Throws UsageError on
+/// failure.
 void print(const std::string& text);
-/// The same of a part of a long text, which need not be seen at once; print() writes what is left.
+/// The same for a part of a long text, without flushing; print() writes the rest.
 void print_part(std::string_view part);
-/// Writes to standard error as far as that can be written.
+/// Writes to standard error; failures are ignored.
 void tell(const std::string& text);
-/// Writes a file whole or throws UsageError; `-` is standard output.
+/// Writes a file, completely or not at all; `-` is standard output. Throws UsageError on failure.
 void save(const std::string& path, const std::string& content);
-/// Saves the results of a command that was stopped early as FILE.partial, so that FILE never holds less than all, and
-/// names that file on standard error. To standard output and other streams they go as they are.
+/// Saves incomplete results as FILE.partial, so that FILE never has less than all, and prints that name on standard
+/// error. Streams such as standard output get the results directly.
 void save_partial(const std::string& path, const std::string& content);
 
-/// Throws UsageError where the text of a file is of another kind than the one that a command reads there, so that
-/// nobody has to guess that from a syntax error.
+/// Throws UsageError where a file is of another kind than the command reads, which is clearer than a syntax error.
 void refuse_other_kind(const std::string& path, std::string_view text, FileKind wanted);
 
-/// Throws UsageError where save would fail now: to be asked before long work. No path is fine.
+/// Throws UsageError if save() would fail now. Call it before long work. An empty path is accepted.
 void require_writable(const std::string& path);
 
-/// A file that a command will write: the option that names it, and its path; empty where it was not asked for.
+/// A file that a command writes: its option, and its path (empty if not requested).
 struct Output {
   enum class Kind {
     file,   ///< written by save()
-    other,  ///< opened in another way, such as a store: only compared with the others
-    input   ///< read by the command, so nothing may take its place
+    other,  ///< written in another way, such as a store: only compared with the others
+    input   ///< read by the command, so it must not be overwritten
   };
 
   std::string_view option;
   std::string path;
   Kind kind = Kind::file;
 };
-/// To be asked before long work: throws UsageError where one of them cannot be written now, or two are one. Where one
-/// is standard output, what the command prints goes to standard error from now on, so that a program can read it.
+/// Call this before long work. Throws UsageError where a file cannot be written now, or two are the same. If a file
+/// goes to standard output, print() uses standard error from now on, so that programs can read that file.
 void expect_outputs(std::initializer_list<Output> outputs);
 
-/// Whether to colour what goes to standard output: it is a terminal and NO_COLOR is not set.
+/// Whether to colour printed text: it goes to a terminal, and NO_COLOR is not set.
 bool colours();
 
-/// Adds each subcommand; its callback leaves the exit code in `exit`.
+/// Add the subcommands; their callbacks set `exit` to the exit code.
 void add_race(Command& app, int& exit);
 void add_sweep(Command& app, int& exit);
 void add_learn(Command& app, int& exit);

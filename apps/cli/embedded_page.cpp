@@ -1,6 +1,6 @@
 #include "embedded_page.hpp"
 
-// The assembler takes the file in as it is; a string literal of that size would cost the compiler minutes.
+// The assembler includes the file directly, because a string literal of that size takes minutes to compile.
 // LABMOUSE_PAGE_COPY is its path: see cmake/LabmousePage.cmake.
 __asm__(
     ".section .rodata\n"

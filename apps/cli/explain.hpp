@@ -1,4 +1,4 @@
-// --explain: why the mouse went where it went.
+// The option --explain: the reasons of a mouse's choices.
 #pragma once
 
 #include <string>
@@ -7,9 +7,10 @@
 
 namespace labmouse::cli {
 
+/// The options --explain and --candidates.
 struct ExplainOptions {
   bool wanted = false;
-  int candidates = 5;  ///< shown of each choice
+  int candidates = 5;  ///< number of candidates shown for each choice
 };
 /// Adds --explain and --candidates.
 void add_explain(Command& command, ExplainOptions& options);

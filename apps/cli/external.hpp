@@ -1,4 +1,4 @@
-// Mice that are other programs: how they are started, and their limits.
+// Options of mice that are external programs: how they start, and their limits.
 #pragma once
 
 #include "labmouse/lab/mice/contestant.hpp"
@@ -6,13 +6,13 @@
 
 namespace labmouse::cli {
 
-/// Adds --directory, --start-limit, --decision-limit, --silence-limit, --contest-limit, --memory and --cpu.
+/// Adds --directory, --sandbox, --keep-folder and the limits of programs, such as --start-limit, --memory and --cpu.
 void add_external_options(Command& command, ExternalOptions& external_mice);
 
 /// Adds --python.
 void add_python(Command& command, ExternalOptions& external_mice);
 
-/// All of these, and --external mouse-runs, for commands that hold many contests.
+/// Adds all of these, and --label and --external-runs, for commands that run many contests.
 void add_racing_options(Command& command, ExternalOptions& external_mice);
 
 }  // namespace labmouse::cli

@@ -8,14 +8,14 @@
 namespace labmouse::cli {
 namespace {
 
-/// The text from the top of the screen, with what stood there before erased to the right and below.
+/// Terminal codes that print the text from the top of the screen and erase the rest of each line and of the screen.
 std::string over_the_last(std::string_view text) {
   std::string frame = "\x1b[H";
   for (const char letter : text) frame += letter == '\n' ? std::string("\x1b[K\n") : std::string(1, letter);
   return frame + "\x1b[J";
 }
 
-/// A frame that scrolls or wraps cannot be watched.
+/// Throws UsageError where a frame would scroll or wrap.
 void require_room(Size size, int lines) {
   const auto window = terminal_size();
   const int columns = 4 * size.width + 4, rows = 2 * size.height + 3 + lines;

@@ -1,4 +1,4 @@
-// Drawings of a maze as an animation.
+// Shows drawings of a maze as an animation.
 #pragma once
 
 #include <string>
@@ -7,13 +7,14 @@
 
 namespace labmouse::cli {
 
-/// Over each other on a terminal, one below the other elsewhere.
+/// Draws frames over each other on a terminal; elsewhere one below the other.
 class Frames {
  public:
-  /// `lines`: below the drawing. Throws UsageError where the terminal is too small for a maze of that size.
+  /// `lines`: number of lines below the drawing. Throws UsageError where the terminal is too small for a maze of that
+  /// size.
   Frames(Size size, int lines);
 
-  /// Whether they move: then each one shall stay for a while.
+  /// Whether frames replace each other; the caller then waits between them.
   bool moving() const { return moving_; }
   void show(const std::string& frame) const;
 

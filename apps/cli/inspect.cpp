@@ -1,4 +1,4 @@
-// labmouse inspect: what a maze is like, and whether it keeps the rules of the contests.
+// labmouse inspect: describes mazes and checks them against the contest rules.
 #include "labmouse/maze/inspect.hpp"
 
 #include <fmt/format.h>

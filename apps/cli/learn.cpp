@@ -1,4 +1,4 @@
-// labmouse learn: what to expect of unseen walls, counted in mazes.
+// labmouse learn: learns a prior of unseen walls from mazes.
 #include <memory>
 
 #include "command.hpp"
@@ -29,7 +29,7 @@ int learn(const LearnOptions& options) {
   expect_outputs({{"-o", options.out}});
   const Lesson lesson = hold(std::move(mazes.mazes));
   if (!lesson.error.empty()) throw UsageError("error: " + lesson.error);
-  // A prior of the first few mazes is not worth an earlier file.
+  // An incomplete prior does not replace an earlier file.
   const bool stopped = lesson.done < lesson.selection.mazes.size();
   if (!stopped) save(options.out, file_of(lesson));
   print(summary_of(lesson));

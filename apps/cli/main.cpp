@@ -1,4 +1,4 @@
-// labmouse: the command. One file a subcommand; what they do lies in labmouse/lab.
+// labmouse: the command line. Each subcommand has its own file; labmouse/lab does the work.
 #include <fmt/format.h>
 
 #include <atomic>
@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Tells what went wrong, with foreign names made harmless.
+/// Prints lines to standard error, made safe for terminals.
 void print_lines(std::string_view text) {
   for (bool more = true; more;) {
     const auto end = text.find('\n');
@@ -25,8 +25,8 @@ void print_lines(std::string_view text) {
   }
 }
 
-/// Memory that is given back when there is no other left, so that what was begun can be taken apart: some destructors
-/// need a little, and an exception out of one ends the program without a word.
+/// Memory that is freed when there is no other left, because some destructors need a little during unwinding, and an
+/// exception from a destructor ends the program without a message.
 std::unique_ptr<std::byte[]> reserve;
 std::atomic_flag gave_back = ATOMIC_FLAG_INIT;
 
@@ -99,14 +99,14 @@ int main(int argc, char** argv) {
     print_lines(error.what());
     return exit_usage;
   } catch (const std::bad_alloc&) {
-    // Nothing is put together here: there is no memory for it.
+    // No text is formatted here, because there is no memory for it.
     std::fputs(
         "error: out of memory; use fewer contests at once (--runs, --mazes, or --shard with --store), or raise the "
         "limit of `ulimit -v`\n",
         stderr);
     return exit_usage;
   } catch (const std::exception&) {
-    // Whatever is wrong with a user's input is a UsageError, so the words of this one would help nobody.
+    // Wrong input throws UsageError, so this is a bug; its message would not help a user.
     tell("error: labmouse failed, and it is not your fault; please report this with the command and its files\n");
     return exit_usage;
   }

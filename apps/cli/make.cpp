@@ -1,4 +1,4 @@
-// labmouse make: a maze from a generator. labmouse convert: a maze from one format into another.
+// labmouse make: generates a maze. labmouse convert: converts a maze to another format.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -27,7 +27,7 @@ std::string suggestion(std::string_view word, const Things& things) {
   return near.empty() ? "expected one of " + list_of(things) : fmt::format("did you mean '{}'?", near);
 }
 
-/// The format of that name; without a name the one that the path's ending suggests, or the drawing.
+/// The format with that name; without a name the format of the path's extension, or the drawing.
 const Format& choose_format(const std::string& name, const std::string& path) {
   if (name.empty()) {
     const std::string extension = std::filesystem::path(path).extension().string();

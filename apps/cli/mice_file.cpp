@@ -1,4 +1,4 @@
-// labmouse mice-file: files of mice, tried out and written.
+// labmouse mice-file: checks and writes mice files.
 #include "labmouse/lab/mice_files/mice_file.hpp"
 
 #include <fmt/format.h>
@@ -34,12 +34,12 @@ struct CheckOptions {
   ExternalOptions external_mice;
 };
 
-/// How one contest of a mouse went.
+/// The result of one contest of a mouse.
 struct Trial {
   bool good = false;
-  std::string how;   ///< in words
-  std::string last;  ///< the last line that it wrote for people
-  std::string walk;  ///< all that has to be the same the next time
+  std::string how;   ///< the result in words
+  std::string last;  ///< the last line of its messages
+  std::string walk;  ///< everything that must be the same in a second contest
 };
 
 Trial try_in_steps(const Contestant& mouse, const Maze& maze) {
@@ -124,7 +124,7 @@ Trial try_in_seconds(const Contestant& mouse, const Maze& maze) {
   return trial;
 }
 
-/// In the first world that takes the mouse.
+/// Runs a contest in the first world that accepts the mouse.
 Trial try_out(const Contestant& mouse, const Maze& maze) {
   if (const auto* program = std::get_if<MmsProgram>(&mouse.kind)) return try_in_mms(*program, maze);
   if (const auto* program = std::get_if<ControllerProgram>(&mouse.kind)) return try_physically(*program, maze);
@@ -136,7 +136,7 @@ std::string kind_of(const Contestant& mouse) {
   return mouse.sandboxed ? spec : "mouse";
 }
 
-/// A line about the mouse; true where nothing is wrong with it.
+/// Prints a line about the mouse; returns whether it works.
 bool check_one(const Contestant& mouse, const Maze& maze, std::size_t width) {
   const Trial first = try_out(mouse, maze);
   const bool same = !first.good || try_out(mouse, maze).walk == first.walk;
@@ -151,7 +151,7 @@ bool check_one(const Contestant& mouse, const Maze& maze, std::size_t width) {
   return first.good;
 }
 
-/// The mice file of a file; throws UsageError with all that is wrong with it.
+/// Reads a mice file; throws UsageError with all its problems.
 std::vector<MiceFileEntry> mice_file_of(const std::string& path) {
   const FileContent file = read_file(path);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", path, file.error));
@@ -186,7 +186,7 @@ int check(CheckOptions options) {
   return good ? exit_good : exit_finding;
 }
 
-/// The Python 2 of PATH, if there is one that works: some names there only say that there is none.
+/// The name of a working Python 2 in PATH, or nothing. Some programs of that name only print that it is missing.
 std::string python_2() {
   for (const char* name : {"python2", "python2.7"})
     if (!program_path(name, "").empty() && !python_version(name, false).empty()) return name;

@@ -1,4 +1,4 @@
-// labmouse mms: one program that was written for mms, hosted without mms.
+// labmouse mms: runs one program that was written for mms, without mms.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -27,14 +27,14 @@ struct MmsCommandOptions {
   double speed = 5.0;
 };
 
-/// Draws the mouse after each move, each as long on the screen as it takes at that speed.
+/// Draws the mouse after each move, for the simulated time of the move divided by `speed`.
 class Watching {
  public:
   Watching(const Maze& maze, double speed, const std::atomic<bool>& stop)
       : maze_(maze), speed_(speed), stop_(stop), frames_(maze.size(), 1) {}
 
   void tell(const MmsEvent& event, const MmsHost& host) {
-    // What is only drawn takes no time; it shows with the next move.
+    // Drawing takes no simulated time; it is shown with the next move.
     if (event.pose == pose_) return;
     pose_ = event.pose;
     frames_.show(mms_frame(maze_, event, host, text_drawer(colours())));
@@ -48,7 +48,7 @@ class Watching {
   void pause(double simulated) const {
     using namespace std::chrono_literals;
     const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(simulated / speed_);
-    // Ctrl-C does not wait for a slow mouse.
+    // Short waits, so that Ctrl-C takes effect at once.
     while (!stop_.load() && std::chrono::steady_clock::now() < until)
       std::this_thread::sleep_for(
           std::min<std::chrono::duration<double>>(until - std::chrono::steady_clock::now(), 50ms));

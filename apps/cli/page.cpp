@@ -1,5 +1,4 @@
-// labmouse page: the page that watches, compares and edits in a browser. labmouse report: the same page with a race in
-// it.
+// labmouse page: writes the page for a browser. labmouse report: writes that page with a race in it.
 #include <fmt/format.h>
 
 #include <memory>
@@ -16,7 +15,7 @@ struct PageOptions {
   std::string results, page, out;
 };
 
-/// The page of --page, or else the one that the program has. Throws UsageError where there is none.
+/// The page of --page, or else the embedded one. Throws UsageError where there is none.
 std::string find_page(const PageOptions& options) {
   if (options.page.empty() && embedded_page().empty())
     throw UsageError(
@@ -29,7 +28,7 @@ std::string find_page(const PageOptions& options) {
   return std::move(file.content);
 }
 
-/// Names the first that was left out and counts the others.
+/// Prints the first notes and counts the others.
 void tell_notes(const std::vector<std::string>& notes) {
   constexpr std::size_t told = 10;
   for (std::size_t i = 0; i < notes.size() && i < told; ++i) tell(notes[i] + "\n");

@@ -39,13 +39,13 @@ struct RaceOptions {
   std::string curves;
 };
 
-/// Mice in their world, and the mazes that it takes.
+/// The mice of one world, and the mazes for them.
 struct Field {
   Entry entry;
   std::vector<NamedMaze> mazes;
 };
 
-/// Runs the races, a world after another, and saves what --out asks for.
+/// Runs the races, one world after the other, and saves what --out requests.
 class Holding {
  public:
   explicit Holding(const RaceOptions& options) : options_(options) {}
@@ -61,7 +61,7 @@ class Holding {
     return races;
   }
 
-  /// What went wrong with --out, which ends the races early; or nothing.
+  /// The error of writing --out, which ends the races early; or nothing.
   const std::string& failed_write() const { return failed_write_; }
 
  private:
@@ -103,7 +103,7 @@ void report(const RaceOptions& options, const std::vector<Race>& races, const st
   print(text);
 }
 
-/// Saves the results beside the records. Returns what went wrong, or nothing.
+/// Saves the results in the folder of --out. Returns what went wrong, or nothing.
 std::string save_results(const RaceOptions& options, const std::vector<Race>& races,
                          const std::vector<SkippedFile>& skipped) {
   if (options.out.empty()) return "";
@@ -116,7 +116,7 @@ bool same_worlds(const std::vector<Entry>& entries) {
   return entries.size() > 1 && entries[0].world->name() == entries[1].world->name();
 }
 
-/// What needs races of several noises, or cannot be had of them; throws UsageError.
+/// Throws UsageError for --curves without several levels of noise, and for --out with several.
 void check_noises(const RaceOptions& options, const std::vector<Entry>& entries) {
   if (!options.curves.empty() && !same_worlds(entries))
     throw UsageError(
@@ -126,7 +126,7 @@ void check_noises(const RaceOptions& options, const std::vector<Entry>& entries)
     throw UsageError("error: --out keeps the records of one race; give one --noise, or leave --out away");
 }
 
-/// The races of several noises side by side; nothing where there are none.
+/// Reports races with several levels of noise together; does nothing for other races.
 void report_curves(const RaceOptions& options, const std::vector<Race>& races) {
   const std::vector<NoiseCurve> curves = noise_curves(races);
   if (curves.empty()) return;
@@ -139,7 +139,7 @@ void report_curves(const RaceOptions& options, const std::vector<Race>& races) {
   (stopped ? save_partial : save)(options.curves, draw_curves(curves, title));
 }
 
-/// What is more than the results goes beside them: below a table, to standard error where a program reads the output.
+/// Prints additions to the results: below a table, else on standard error, because programs read the output.
 void add(const RaceOptions& options, const std::string& text) {
   if (options.format == "table")
     print("\n" + text);
@@ -147,7 +147,7 @@ void add(const RaceOptions& options, const std::string& text) {
     tell(text);
 }
 
-/// The baseline of each race, in their order; throws UsageError where the file has none of its world.
+/// The baseline of each race, in the same order. Throws UsageError where the file has no results of its world.
 std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, const std::vector<Entry>& entries) {
   std::vector<std::optional<Baseline>> baselines(entries.size());
   if (options.baseline.empty()) return baselines;
@@ -162,7 +162,7 @@ std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, 
   return baselines;
 }
 
-/// The mice whose mean over all contests, failed ones at the limit, is above the one that is allowed.
+/// Lists the mice whose mean, with failed contests at the limit, exceeds --fail-above.
 std::string above_limit(const RaceOptions& options, const Race& race) {
   std::string text;
   const World& world = race.world();
@@ -177,7 +177,7 @@ std::string above_limit(const RaceOptions& options, const Race& race) {
   return text;
 }
 
-/// The mice with the mazes of their worlds. `skipped` gets the files that were no mazes.
+/// The mice of each world with its mazes. `skipped` gets the files that are no mazes.
 std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entries,
                              std::vector<SkippedFile>& skipped) {
   std::vector<Field> fields;
@@ -189,7 +189,7 @@ std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entr
   return fields;
 }
 
-/// "3/64"
+/// Parses a shard such as "3/64"; nothing for an invalid text.
 std::optional<Shard> shard_of(const std::string& text) {
   Shard shard;
   const auto slash = text.find('/');
@@ -202,7 +202,7 @@ std::optional<Shard> shard_of(const std::string& text) {
   return Shard{static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
 }
 
-/// The file of --out that other options could name, too.
+/// The results file of --out, which must not be the file of another option.
 std::string results_path(const RaceOptions& options) {
   return options.out.empty() ? "" : fmt::format("{}/{}", options.out, results_file_name);
 }
@@ -225,8 +225,8 @@ int race(const RaceOptions& options) {
   auto folder = take_folder(options.out, options.overwrite);
   const std::vector<Race> races = holding->hold(std::move(fields));
   std::string failed_write = holding->failed_write();
-  holding.reset();  // the bar, and what Ctrl-C does
-  // Before anything is printed: a reader of the table may leave early.
+  holding.reset();  // ends the progress bar and the handling of Ctrl-C
+  // Saved before anything is printed, because a reader of the table may leave early and end the program.
   if (failed_write.empty()) failed_write = save_results(options, races, skipped);
   folder.reset();
   report(options, races, skipped);

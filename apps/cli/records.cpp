@@ -35,7 +35,7 @@ std::unique_ptr<Replay> open_record(const std::string& path, const std::string& 
     refuse_other_kind(path, text, FileKind::record);
     throw UsageError(describe(path, opened.problems.front()));
   }
-  // What a record says is foreign: it may hold anything.
+  // The text may come from a record of somebody else, so make it safe to print.
   if (!opened.disagreement.empty())
     tell(shown(fmt::format("{}: error: the record does not match its maze: {}", path, opened.disagreement)) + "\n");
   return std::move(opened.replay);

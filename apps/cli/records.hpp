@@ -1,4 +1,4 @@
-// Records as the commands take them: from a file, and only if they could have happened.
+// Loads records for commands, and checks that they match their maze.
 #pragma once
 
 #include <memory>
@@ -9,15 +9,15 @@
 
 namespace labmouse::cli {
 
-/// Adds --maze, the maze to play a record in. Returns the option.
+/// Adds --maze, the maze in which to replay a record. Returns the option.
 Option* add_record_maze(Command& command, std::string& maze);
 
 /// The text of a record's file. Throws UsageError.
 std::string load_record_text(const std::string& path);
 
-/// The contest of a record of that text, played in the maze of that name or file, or in its own where that is empty.
-/// Throws UsageError where there is no record or no maze. Where it could not have happened it tells so on standard
-/// error, and returns null.
+/// Replays the contest of a record in the maze of that name or file; in its own maze if the name is empty. Throws
+/// UsageError where there is no record or no maze. Where the record does not match the maze, prints an error and
+/// returns null.
 std::unique_ptr<Replay> open_record(const std::string& path, const std::string& text, const std::string& maze = "");
 
 }  // namespace labmouse::cli

@@ -1,4 +1,4 @@
-// labmouse replay: plays a record again. labmouse score: what it is worth.
+// labmouse replay: replays a record. labmouse score: prints its score.
 #include "replay.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ struct ScoreOptions {
   std::string file, maze;
 };
 
-/// Draws the mouse after each of its moves, and at last what is printed without that.
+/// Draws the mouse after each move, and finally the summary.
 void watch(const Replay& replay, int delay, const std::string& summary) {
   const Frames frames(replay.subject().maze.maze.size(), 2);
   replay.animate(text_drawer(colours()), [&](const std::string& frame) {
@@ -32,7 +32,7 @@ int replay_file(const ReplayOptions& options) {
   return show_replay(options, load_record_text(options.file));
 }
 
-/// A record's score counts only if it could have happened, so it is played first.
+/// A score is printed only if the record matches its maze, so it is replayed first.
 int score_file(const ScoreOptions& options) {
   const auto replay = open_record(options.file, load_record_text(options.file), options.maze);
   if (replay) print(replay->result());

@@ -1,4 +1,4 @@
-// What `labmouse replay` shows of a record, and `labmouse run` of the one that it has just made.
+// Shows a record for `labmouse replay`, and for `labmouse run` after a contest.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace labmouse::cli {
 
+/// The options of `labmouse replay`; `delay` is in milliseconds.
 struct ReplayOptions {
   std::string file, maze, svg;
   ExplainOptions explain;
-  /// What is printed for --explain of a record without reasons.
+  /// Printed for --explain where a record has no reasons.
   std::string no_reasons = "The record has no reasons; to keep them, use `labmouse run` with --explain and --record.";
   bool watch = false;
   int delay = 60;
@@ -20,7 +21,7 @@ struct ReplayOptions {
 /// Adds --watch and --delay.
 void add_watch(Command& command, bool& watch, int& delay);
 
-/// Plays a record again, whose text is given, and shows it; returns the exit code.
+/// Replays a record from its text and shows it; returns the exit code.
 int show_replay(const ReplayOptions& options, const std::string& text);
 
 }  // namespace labmouse::cli

@@ -1,4 +1,4 @@
-// labmouse robot: what follows from the limits of a robot.
+// labmouse robot: the turns, straights and search computed from the limits of a robot.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// labmouse robot fit, labmouse robot compare: from turns that were measured, and logs that a mouse wrote.
+// labmouse robot fit, labmouse robot compare: from measured turns and logs of a mouse.
 #include "robot_fit.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace labmouse::cli {
 namespace {
 
-/// The first word is the function, the others are its command line.
+/// The first argument is the function, the others are its command line.
 constexpr const char* fit_in_python = R"python(import sys
 try:
     from labmouse.fit import _commands
@@ -24,13 +24,13 @@ except ImportError as missing:
     sys.exit(2)
 sys.exit(getattr(_commands, sys.argv[1])(sys.argv[2:])))python";
 
-/// Becomes Python; returns only by a UsageError.
+/// Replaces this process by Python; returns only by throwing UsageError.
 [[noreturn]] void hand_over(const std::string& name, const std::vector<std::string>& words) {
   const char* chosen = std::getenv("LABMOUSE_PYTHON");
   const std::string python = chosen != nullptr ? chosen : "python3";
   std::vector<std::string> line = {python, "-c", fit_in_python, name};
   line.insert(line.end(), words.begin(), words.end());
-  // No module of the folder in which it happens to start takes the place of a real one.
+  // Keeps modules in the current folder from replacing real ones.
   const int failure = become_program(line, "PYTHONSAFEPATH", "1");
   throw UsageError(fmt::format("error: labmouse robot {} needs Python: {}: {}", name, python,
                                std::generic_category().message(failure)));

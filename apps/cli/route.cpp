@@ -30,7 +30,7 @@ VariedNumber varied_number(const std::string& option, const std::string& text) {
   return std::move(read.number);
 }
 
-/// Which route wins where, as one or two numbers of the robot vary.
+/// Finds the regions in which one route stays the fastest, as one or two numbers of the robot vary.
 int regions(const RouteOptions& options, const std::vector<NamedMaze>& mazes, const DriveModel& model) {
   if (mazes.size() != 1)
     throw UsageError(fmt::format("error: --vary looks at one maze, but {} are named", mazes.size()));

@@ -13,7 +13,7 @@
 namespace labmouse::cli {
 namespace {
 
-/// The file, with all that it says of what is sure and what is not.
+/// The text of the rules file, with its remarks on what is certain.
 std::string text_of_rules(const std::string& name) {
   for (const BuiltinRules& rules : builtin_rules())
     if (rules.name == name) return std::string(rules.text);

@@ -1,4 +1,4 @@
-// labmouse run: one contest.
+// labmouse run: runs one contest.
 #include <fmt/format.h>
 
 #include <memory>
@@ -28,7 +28,7 @@ struct RunOptions {
   int delay = 60;
 };
 
-/// What a controller that failed said last: records of drives do not have that.
+/// The last error lines of a controller program that failed; drive records do not store them.
 std::string last_words_of(const Race& race, const ContestResult& result) {
   if (!std::holds_alternative<ControllerProgram>(race.mice.front().kind) || result.score) return "";
   const Value said = figure_of(race, result, said_last);
@@ -40,7 +40,7 @@ std::string last_words_of(const Race& race, const ContestResult& result) {
   return text;
 }
 
-/// Runs the contest, and shows it as its record is.
+/// Runs the contest and shows it like a record.
 int run_in(std::shared_ptr<const World> world, const RunOptions& options, const Contestant& mouse,
            const NamedMaze& maze) {
   const Interruptible interruptible;

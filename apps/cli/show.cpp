@@ -1,4 +1,4 @@
-// labmouse show: a maze, or what a record tells, as a picture of chosen layers.
+// labmouse show: draws a maze or a record with chosen layers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,11 +19,11 @@ struct ShowOptions {
   std::string maze, record, record_maze, svg;
   std::vector<std::string> layers;
   Places places;
-  int step = 0;  ///< 0 for all of the record
+  int step = 0;  ///< 0: the whole record
   bool distances = false, no_route = false, no_coordinates = false;
 };
 
-/// The layers asked for, or the usual ones; the flags add and take away.
+/// The requested layers or the usual ones, changed by the flags.
 LayerSet chosen_layers(const ShowOptions& options, const LayerSet& usual) {
   LayersResult result = read_layers(fmt::format("{}", fmt::join(options.layers, ",")));
   if (!options.layers.empty() && !result.error.empty()) throw UsageError("error: " + result.error);
@@ -36,7 +36,7 @@ LayerSet chosen_layers(const ShowOptions& options, const LayerSet& usual) {
   return layers;
 }
 
-/// Names the layers asked for by name that the terminal has to leave out.
+/// Prints the requested layers that a terminal cannot draw.
 void tell_left_out(const ShowOptions& options, const LayerSet& layers) {
   std::vector<std::string_view> names;
   for (const Layer layer : layers)
@@ -74,14 +74,14 @@ void show_maze(const ShowOptions& options) {
   draw(options, maze.maze, chosen, layers);
 }
 
-/// Takes the layers away for which the record has nothing, and tells of those asked for by name.
+/// Removes layers for which the record has no data, and prints those that were requested.
 void drop_missing(const ShowOptions& options, const RecordDrawing& drawing, LayerSet& chosen) {
   for (const auto& [layer, why] : drawing.missing)
     if (chosen.erase(layer) > 0 && !options.layers.empty())
       tell(fmt::format("not drawn: layer {}, because the record has {}\n", name_of(layer), why));
 }
 
-/// Throws UsageError where an option chooses among layers that such a record does not have.
+/// Throws UsageError where an option needs layers that this kind of record does not have.
 void refuse_layers(const Command& command, const RecordKind& kind) {
   for (const char* option : {"--layer", "--step", "--distances", "--no-route", "--no-coordinates"})
     if (command.count(option) > 0) throw UsageError(fmt::format("error: {} cannot be used with {}", option, kind.name));
@@ -100,7 +100,7 @@ int show_record(const ShowOptions& options) {
   RecordDrawing drawing = replay->drawing(chosen, options.step);
   if (!drawing.error.empty()) throw UsageError("error: " + drawing.error);
   drop_missing(options, drawing, chosen);
-  // On the terminal the result stands below, as it does after `run` and `replay`.
+  // On a terminal the result is printed below, as after `run` and `replay`.
   if (options.svg.empty()) drawing.layers.title.clear();
   draw(options, drawing.maze, chosen, drawing.layers);
   if (options.svg.empty()) print(drawing.line);
@@ -123,7 +123,7 @@ int show(const ShowOptions& options) {
   return exit_good;
 }
 
-/// The layers, one a line, for the help.
+/// The list of layers for the help, one in each line.
 std::string layer_lines() {
   std::string lines = "Layers:\n";
   for (const Layer layer : all_layers())

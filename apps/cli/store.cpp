@@ -1,4 +1,4 @@
-// labmouse store: what a store of contests holds.
+// labmouse store: lists, merges, checks and cleans up stores of contests.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ struct StoreOptions {
   bool run_programs = false;
 };
 
-/// One of the commands of a store, with its file and what picks contests.
+/// Adds a command of `store` with its file and its filter options.
 Command* add(Command& command, StoreOptions& options, const std::string& name, const std::string& meaning) {
   Command* added = command.add_subcommand(name, meaning);
   added->add_option("file", options.file, "The store")->required()->type_name("FILE");
@@ -74,7 +74,7 @@ ExitCode list(const StoreOptions& options) {
   return exit_good;
 }
 
-/// A line of the export, for people.
+/// An exported contest in lines for people.
 std::string lines_of_contest(const Json& json) {
   const auto text = [&](const char* key) {
     return json[key].is_string() ? json[key].get<std::string>() : json[key].dump();
@@ -142,7 +142,7 @@ ExitCode merge(const StoreOptions& options) {
   return exit_good;
 }
 
-/// What became of picked contests that were not run again.
+/// Explains why picked contests were not re-run.
 std::string left_out(const Verification& found) {
   std::string text;
   if (found.impossible > 0)

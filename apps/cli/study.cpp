@@ -1,4 +1,4 @@
-// labmouse study: an honest comparison of mice, each maze held out once.
+// labmouse study: compares mice by cross-validation; each maze is held out once.
 #include "labmouse/lab/studies/study.hpp"
 
 #include <memory>

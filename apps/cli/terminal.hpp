@@ -1,4 +1,4 @@
-// Terminals and signals, in which systems differ; terminal.cpp alone knows how.
+// Terminals and signals. Only terminal.cpp knows the differences between systems.
 #pragma once
 
 #include <cstdio>
@@ -7,23 +7,23 @@
 
 namespace labmouse::cli {
 
-/// Whether somebody looks at what is written there.
+/// Whether the stream is a terminal.
 bool is_terminal(std::FILE* stream);
 
 struct TerminalSize {
   int columns = 0, rows = 0;
 };
 
-/// Of the terminal that shows standard output; nothing where that is none, or does not say.
+/// The size of the terminal on standard output; nothing if it is no terminal, or its size is unknown.
 std::optional<TerminalSize> terminal_size();
 
-/// The signals by which a user or the system asks a program to end: Ctrl-C, `kill`, a terminal that closes.
+/// The signals that end a program: Ctrl-C, `kill`, and closing the terminal.
 std::span<const int> ending_signals();
-/// Whether it is that of a terminal that closes.
+/// Whether it is the signal of a closed terminal.
 bool is_hangup(int signal);
 
-/// From now on, what cannot be written, since its reader left (`| head`) or a file would grow beyond `ulimit -f`, shows
-/// as a failed write.
+/// Makes writes fail instead of ending the program: where the reader has left (`| head`), or a file would exceed
+/// `ulimit -f`.
 void let_writes_fail();
 
 }  // namespace labmouse::cli

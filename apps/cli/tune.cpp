@@ -26,8 +26,8 @@ std::vector<ParameterRange> find_ranges(const TuneOptions& options) {
   return std::move(result.ranges);
 }
 
-/// The mouse as given, and with each parameter at either end of its range: a world takes it as a candidate if it takes
-/// these.
+/// The mouse as given, and variants with one parameter at an end of its range. A world that accepts these accepts all
+/// candidates.
 std::vector<Contestant> corners(const std::string& mouse, const std::vector<ParameterRange>& ranges) {
   std::vector<Contestant> mice = mice_of(read_specs(mouse));
   for (const ParameterRange& range : ranges)
@@ -38,7 +38,7 @@ std::vector<Contestant> corners(const std::string& mouse, const std::vector<Para
   return mice;
 }
 
-/// Holds the search and writes its log; `failed_write` takes what went wrong with that, which ends it early.
+/// Runs the search and writes its log. A write error ends the search early and is stored in `failed_write`.
 Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges, const std::vector<NamedMaze>& mazes,
           const RaceOrder& race, std::string& failed_write) {
   Progress progress;
@@ -70,7 +70,7 @@ int tune(const TuneOptions& options) {
   const Tune result = hold(options, ranges, mazes.mazes, order, failed_write);
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(table_of(result, colours()));
-  // The last line is a SPEC, for programs to read.
+  // Reports on standard error, because the last line of the output is a SPEC for programs.
   options.contests.finish_store(false);
   if (!failed_write.empty()) throw UsageError(failed_write);
   const bool any = !result.evaluations.empty();

@@ -23,7 +23,7 @@ std::string why_no_world(const std::string& name) {
                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 
-/// What worlds have where nobody says: "20" where all have the same, else "20 in steps, seconds; 3 in physical".
+/// Defaults by world: "20" where all worlds have the same, else "20 in steps, seconds; 3 in physical".
 std::string by_world(const std::vector<std::pair<std::string, std::string_view>>& values) {
   std::vector<std::pair<std::string, std::vector<std::string_view>>> worlds_of;
   for (const auto& [value, world] : values) {
@@ -48,7 +48,7 @@ std::string default_of(std::string_view name) {
   return by_world(values);
 }
 
-/// What a setting does, and where: "In physical, failures: scale of all noise".
+/// A setting's meaning and its worlds: "In physical, failures: scale of all noise".
 std::string meaning_of(const WorldSetting& setting) {
   std::vector<std::string_view> worlds;
   for (const WorldEntry* entry : all_worlds())
@@ -59,7 +59,7 @@ std::string meaning_of(const WorldSetting& setting) {
   return fmt::format("In {}: {}", fmt::join(worlds, ", "), meaning);
 }
 
-/// Each setting with the first world that has it; where two share one, they share its option.
+/// Each setting with the first world that has it. Worlds with the same setting share one option.
 std::vector<std::pair<const WorldSetting*, const WorldEntry*>> all_settings() {
   std::vector<std::pair<const WorldSetting*, const WorldEntry*>> settings;
   for (const WorldEntry* entry : all_worlds())

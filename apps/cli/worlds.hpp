@@ -1,4 +1,4 @@
-// --world, and what can be set of each world.
+// The option --world and the settings of all worlds.
 #pragma once
 
 #include <map>
@@ -11,18 +11,18 @@
 
 namespace labmouse::cli {
 
-/// The world that was asked for, and its settings.
+/// The world and the settings on the command line.
 class WorldChoice {
  public:
   /// Adds --world and the settings of all worlds.
   void add_to(Command& command);
 
-  /// Which of the mice race where; throws UsageError where one cannot, and where a setting was given that none of the
-  /// worlds has in which a mouse races.
+  /// Returns the mice that race in each world. Throws UsageError where a mouse cannot race, or where no world with mice
+  /// has a given setting.
   std::vector<Entry> enter(std::vector<Contestant> mice) const;
-  /// The same where all have to race in one world; takes those away that are left out.
+  /// The same for commands with one world. Removes mice that are left out from `mice`.
   std::shared_ptr<const World> enter_one(std::vector<Contestant>& mice) const;
-  /// The world that was asked for, with its settings, or the first world.
+  /// The world on the command line (by default the first one) with its settings.
   std::shared_ptr<const World> world() const;
 
  private:
@@ -34,7 +34,7 @@ class WorldChoice {
   std::map<std::string, bool> flags_;
 };
 
-/// How many contests a mouse has in each maze where nobody says, by world.
+/// The default number of contests of a mouse in each maze, by world.
 std::string usual_runs_text();
 
 }  // namespace labmouse::cli

@@ -22,7 +22,7 @@ Json score_json(const DriveScore& score) {
                {"rest_to_centre", or_null(best.rest_to_centre)},
                {"maze_time", best.maze_time},
                {"bonus", best.bonus}};
-  // Where no mouse is touched there is none, as in records of earlier versions.
+  // The field is left out without a penalty, which keeps records of earlier versions unchanged.
   if (best.penalty != 0) json["penalty"] = best.penalty;
   return json;
 }

@@ -1,4 +1,4 @@
-// What records and reports of the world in seconds have in common, as JSON. Times are whole microseconds.
+// JSON shared by records and reports of the world in seconds. Times are whole microseconds.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,12 +13,12 @@
 
 namespace labmouse {
 
-/// [x, y, heading, place]: [0, 3, "north", "edge"].
+/// A node of a route as [x, y, heading, place], such as [0, 3, "north", "edge"].
 inline Json node_json(const DriveNode& node) {
   return {node.cell.x, node.cell.y, name_of(node.heading), name_of(node.place)};
 }
 
-/// Microseconds, null for no_time.
+/// The time in microseconds; null for no_time.
 inline Json time_json(DriveTime time) { return time < no_time ? Json(time) : Json(nullptr); }
 
 /// Sixteen hexadecimal digits.
@@ -26,7 +26,7 @@ inline std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}",
 
 Json rules_json(const DriveRules& rules);
 
-/// The best run by the rules, counted from 1, with the parts of its score; null where none counts.
+/// The best run under the rules with the parts of its score; runs are numbered from 1. Null where no run has a score.
 Json score_json(const DriveScore& score);
 
 }  // namespace labmouse

@@ -29,12 +29,12 @@ CellSet rows_in(JsonFields& fields, const char* key, Size size) {
   return cells;
 }
 
-/// That of no turn.
+/// The speed of a segment that is no turn.
 constexpr double no_speed = -1.0;
 
 std::optional<std::uint16_t> find_turn(const DriveTables& tables, const std::string& name, bool diagonal, double speed,
                                        double end_speed) {
-  constexpr double tolerance = 1e-3;  // mm/s: two speeds of a turn are further apart
+  constexpr double tolerance = 1e-3;  // mm/s; different speeds of one turn differ by more
   const std::vector<DrivenTurn>& turns = tables.turns;
   for (std::size_t i = 0; i < turns.size(); ++i)
     if (name_of(turns[i].turn) == name && begins_diagonal(turns[i].turn) == diagonal &&

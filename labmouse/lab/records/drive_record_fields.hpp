@@ -1,4 +1,4 @@
-// The fields of a line of a record in seconds, read strictly.
+// Strict readers of the fields in a line of a record in seconds.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace labmouse {
 
-/// Microseconds that a record can hold.
+/// The longest time in a record, in microseconds.
 inline constexpr std::int64_t longest_time = std::int64_t{1} << 50U;
 
-// All of these give the fields, or the outer ones, what is wrong; `size` is that of the maze.
+// These functions report errors through `fields` or `outer`. `size` is the size of the maze.
 
 /// [x, y, heading] and [x, y, heading, place].
 Pose pose_in(JsonFields& fields, const char* key, Size size);
 DriveNode node_in(JsonFields& fields, const char* key, Size size);
-/// Inner walls, as rows of hexadecimal digits.
+/// Inner walls, given as rows of hexadecimal digits.
 WallSet walls_in(const ReadJson& json, const char* key, Size size, JsonFields& outer);
-/// S3, D4, L45 and so on, from the segment's first node, which is there already; a turn has its speed beside it.
+/// Reads a piece such as S3, D4 or L45 into `segment`, whose first node must be set. A turn also gives its speed.
 void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tables, DriveSegment& segment);
 void read_drive_rules_json(const ReadJson& json, DriveRules& rules, JsonFields& outer);
 

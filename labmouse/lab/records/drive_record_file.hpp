@@ -17,38 +17,38 @@
 
 namespace labmouse {
 
-/// What a record of the physical world, or of the failure model, has besides.
+/// What a record of the physical world or of the failure model stores in addition.
 struct PhysicalPart {
   PhysicalConditions conditions;
   PhysicalNotes notes;
-  int edition = physical_edition;  ///< of its world, in which it was driven
-  std::string failure_rates;       ///< by whose dice it was held; empty in the physical world
+  int edition = physical_edition;  ///< version of the physical world in which the contest ran
+  std::string failure_rates;       ///< name of the failure rates; empty in the physical world
   std::string rates_hash;
 };
 
-/// A record with all that is needed to understand it years later.
+/// A contest in seconds with everything that is needed to replay it.
 struct DriveRecordFile {
-  std::string version;  ///< of the program that wrote it; a writer puts its own
+  std::string version;  ///< of the program that wrote it; write_drive_record() puts its own
   std::string maze_name;
-  std::optional<Maze> maze;  ///< always there, and at most 32x32
+  std::optional<Maze> maze;  ///< always set, and at most 32x32
   std::string mouse;
   std::string spec;   ///< the mouse's SPEC where its name is another
   Settings settings;  ///< written, not read back
   std::uint64_t seed = 0;
-  std::shared_ptr<const DriveModel> model;  ///< always there; without an error
-  std::uint64_t tables_hash = 0;            ///< of the tables that the record was made with; a writer puts the model's
+  std::shared_ptr<const DriveModel> model;  ///< always set, and without an error
+  std::uint64_t tables_hash = 0;            ///< of the tables it was made with; write_drive_record() puts the model's
   DriveRules rules;
   DriveRecord record;
   bool ended = true;                              ///< false where the last line, with the outcome, is missing
-  std::optional<PhysicalPart> physical{};         ///< of the physical world alone
-  std::optional<DriveRunScore> recorded_score{};  ///< what the last line gives; a writer puts the score of the record
+  std::optional<PhysicalPart> physical{};         ///< only in the physical world and the failure model
+  std::optional<DriveRunScore> recorded_score{};  ///< the score in the last line; computed by write_drive_record()
 };
 
-/// The part of the robot's usual pace at which a run of it was driven.
+/// The pace of a run as a share of the robot's usual pace.
 inline double pace_of(const DriveRecordFile& file, const DriveRun& run) {
   return file.physical ? file.physical->conditions.controller.pace * run.pace : 1.0;
 }
-/// Whether it says where the mouse was between its moves.
+/// Whether the record has trace points: positions of the mouse between its moves.
 inline bool has_trace(const DriveRecordFile& file) { return file.physical && !file.physical->notes.trace.empty(); }
 
 std::string write_drive_record(const DriveRecordFile& file);
@@ -61,16 +61,15 @@ struct ReadDriveRecordResult {
 
 ReadDriveRecordResult read_drive_record(std::string_view text);
 
-/// Plays a record again in its maze and compares all of it: places, times, walls, what was known and hoped for, gates,
-/// and the score. Who drove, and how often it decided and planned, is taken over unchecked. Returns where the record
-/// first disagrees, or nothing.
+/// Replays a record in its maze and compares places, times, walls, known and possible times, gates and the score. The
+/// mouse's name and its counts of decisions and plans are not checked. Returns the first difference, or an empty text.
 std::string replay(const DriveRecordFile& file);
 
-/// The runs as a table, and the result in a line below.
+/// The runs as a table, followed by a line with the result.
 std::string summary_of(const DriveRecordFile& file);
 
-/// How a contest went, in one line without its end: the mouse, the maze, and the score with its parts or what went
-/// wrong.
+/// The result of a contest in one line without a line feed: the mouse, the maze, and the score with its parts or the
+/// reason why there is none.
 std::string result_line(const DriveRecordFile& file);
 
 }  // namespace labmouse

@@ -10,10 +10,10 @@
 namespace labmouse {
 namespace {
 
-// Limits on what a hostile record can make us hold.
+// Limits against hostile records that would take too much memory.
 constexpr std::size_t most_runs = 1000, most_moves = 1'000'000, most_segments = 10'000;
 
-/// A file that is being read: where in it we are.
+/// The record read so far, and the reader's state between lines.
 class Reading {
  public:
   std::string read_header(const ReadJson& json);
@@ -38,7 +38,7 @@ class Reading {
   std::size_t moves_ = 0;
 };
 
-/// A time or null.
+/// Nothing where the key holds null, else what `read` returns.
 template <class Read>
 auto optional_of(const ReadJson& json, const char* key, Read read) -> std::optional<decltype(read())> {
   if (json.contains(key) && json[key].is_null()) return std::nullopt;

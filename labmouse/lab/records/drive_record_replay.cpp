@@ -22,7 +22,7 @@ std::string pose_words(const Pose& pose) {
   return fmt::format("({},{}) heading {}", pose.cell.x, pose.cell.y, name_of(pose.heading));
 }
 
-/// Makes the moves of a record again.
+/// Repeats the moves of a record and compares the results with it.
 class Replay {
  public:
   explicit Replay(const DriveRecordFile& file)
@@ -61,19 +61,18 @@ class Replay {
       return wrong;
     if (run.kind == DriveRun::Kind::home && whole && driver_.place() != start_ && !driver_.out_of_time())
       return "it does not end at rest at the start";
-    // Unless it is given up or the time is over, a search ends in the middle of the goal.
+    // A search run ends in the centre of the goal, unless the mouse forfeits or the time is over.
     const bool cut_short = last && (file_.record.outcome == DriveOutcome::forfeit || driver_.out_of_time());
     if (run.kind == DriveRun::Kind::search && whole && !cut_short && goal_entered())
       note_stop(played, *file_.maze, file_.model->search.half_cell, driver_.place(), driver_.clock());
     return whole ? compare_gates(run) : "";
   }
 
-  /// Whether the contest allows such a run then and there.
+  /// Checks whether the contest allows this kind of run at this time and place.
   std::string compare_beginning(const DriveRun& run) {
     const bool search = run.kind == DriveRun::Kind::search, fast = run.kind == DriveRun::Kind::fast;
     if (played_.runs.empty() && !search) return "the first run of a contest must be a search";
-    // Between two speed runs the mouse is carried; else only a way home goes on from where it is not at rest at the
-    // start.
+    // The mouse is carried to the start between two speed runs. Only a run home may begin elsewhere.
     if (fast && played_.runs.back().kind == DriveRun::Kind::fast) driver_.carry_to_start();
     if ((search || fast) && driver_.place() != start_) return "it begins at the start, but the mouse is elsewhere";
     if (!search && !goal_entered()) return "it begins before a goal was entered";
@@ -130,7 +129,8 @@ class Replay {
     return "";
   }
 
-  /// False, with the parts before it made, where a part of it is no move or leads through a wall not known to be open.
+  /// Makes a move, part by part. Returns false at the first part that is not a valid move or passes a wall not known to
+  /// be open; the parts before it are made.
   bool make(const SearchMove& move) {
     if (!is_search_step(driver_.place(), move.action)) return false;
     Action left = move.action;

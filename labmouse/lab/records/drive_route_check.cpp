@@ -46,7 +46,7 @@ class RouteCheck {
   }
 
  private:
-  /// The cells in a row behind the end of a route that are known to be open.
+  /// The number of open walls in a line ahead of the end of the route, up to max_drive_side.
   static int room_behind(const DriveRoute& route, const WallSet& open) {
     if (route.segments.empty()) return 0;
     const DriveNode& end = route.segments.back().to;
@@ -76,11 +76,11 @@ class RouteCheck {
 
   Turn turn() const { return model_.tables.turns[here().turn].turn; }
 
-  /// Half cells ahead of its first node that are inside, at the least.
+  /// The least number of half cells ahead of the turn's first node that must be inside the maze.
   int reach_ahead() const { return begins_diagonal(turn()) || turn() == Turn::s90 ? 1 : 2; }
 
-  /// Whether a turn of that kind begins at such a node. From diagonal to diagonal there is one side only: to the other
-  /// it would come back into the cell that it was about to leave.
+  /// Whether a turn of this kind may begin at the segment's first node. A V90 (diagonal to diagonal) has one possible
+  /// side: to the other side it would come back into the same cell.
   bool may_begin() const {
     const DriveSegment& segment = here();
     if (begins_diagonal(turn()) != segment.from.diagonal()) return false;
@@ -99,7 +99,7 @@ class RouteCheck {
     const int angle = turns ? (segment.left ? -1 : 1) * eighths(turn()) : 0;
     const HalfPoint end = turns ? end_of_turn() : moved(from, before, segment.units);
     if (to != end || after != (before + 8 + angle) % 8) return "it does not lead to its recorded end";
-    // A turn leads over points ahead of its ends; one of half a turn furthest.
+    // A turn passes points ahead of its ends; a U-turn reaches furthest.
     for (const HalfPoint point :
          {from, to, moved(from, before, turns ? reach_ahead() : 0), moved(to, after, turns ? -1 : 0)})
       if (!inside(point)) return "it leaves the maze";
@@ -110,7 +110,7 @@ class RouteCheck {
     return index < route_.segments.size() && is_turn(route_.segments[index]) ? &route_.segments[index] : nullptr;
   }
 
-  /// The time of a straight of so many units between the segments before and behind it, of which either may be missing.
+  /// The time of a straight of that length between two turns, each of which may be missing.
   DriveTime straight_time(int units, const DriveSegment* before, const DriveSegment* behind) const {
     const DriveTables& tables = model_.tables;
     const auto lane = [&](const DriveSegment* turn, std::uint8_t DrivenTurn::*end) -> std::size_t {
@@ -125,7 +125,7 @@ class RouteCheck {
         .at(units, lane(before, &DrivenTurn::to), lane(behind, &DrivenTurn::from));
   }
 
-  /// Of the straight of no length that is left out between two turns.
+  /// The time of a straight of no length between two turns, which a route leaves out.
   DriveTime time_of_nothing(std::size_t index) const {
     return straight_time(0, index > 0 ? turn_at(index - 1) : nullptr, turn_at(index));
   }

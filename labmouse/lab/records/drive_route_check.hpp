@@ -1,4 +1,4 @@
-// Whether a route of a record could have been driven, and in that time.
+// Checks that a recorded route can be driven, and in the recorded time.
 #pragma once
 
 #include <string>
@@ -9,9 +9,8 @@
 
 namespace labmouse {
 
-/// Drives the route again from rest at the start, through walls known to be open: where its pieces lead, and their
-/// times, by the tables of the robot. Returns where it first disagrees, or nothing. Any route will do, even one from
-/// outside of the maze.
+/// Drives the route from rest at the start and compares its places and times with the robot's tables. All passed walls
+/// must be in `open`. The route may be any, even one outside the maze. Returns the first difference, or an empty text.
 std::string check_route(const DriveRoute& route, Pose start, Size size, const WallSet& open, const CellSet& goals,
                         const DriveModel& model);
 

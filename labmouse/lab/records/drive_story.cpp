@@ -26,7 +26,7 @@ class Story {
       come_to_an_end(i);
     }
     look_at_walls();
-    // What was read as a run began belongs behind its beginning.
+    // Walls detected at the time when a run begins are listed after the line of that run.
     std::stable_sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) { return a.time < b.time; });
     std::string text;
     for (const Line& line : lines_) text += fmt::format("{:>9.3f}  {}\n", in_seconds(line.time), line.text);
@@ -41,7 +41,7 @@ class Story {
 
   void add(MazeTime time, std::string text) { lines_.push_back({time, std::move(text)}); }
 
-  /// Without a body nothing goes wrong.
+  /// How a run ended; RunEnd::done where the record has no physical part.
   RunEnd end_of(std::size_t run) const {
     return file_.physical && run < file_.physical->notes.ends.size() ? file_.physical->notes.ends[run] : RunEnd::done;
   }
@@ -54,8 +54,7 @@ class Story {
 
   bool did_not_end_well(std::size_t run) const { return is_crash(end_of(run)) || end_of(run) == RunEnd::no_route_left; }
 
-  /// A search that led nowhere but to the goal, over walls that it took for open before, since no speed run had ended
-  /// well.
+  /// Whether the run is a search along known walls only, after speed runs that all failed.
   bool makes_sure(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
     bool ran = false;
@@ -105,13 +104,13 @@ class Story {
     }
   }
 
-  /// By the walls that it took for open and for closed then.
+  /// Why the mouse went home, by the open and closed walls in its map at that time.
   std::string why_home(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
     if (i > 0 && (record_.runs[i - 1].kind == Kind::fast || makes_sure(i - 1))) return " from its run";
     WallSet possible = WallSet::all(file_.maze->size());
     possible -= run.closed;
-    // The failure model leaves out what nobody asked for.
+    // The failure model leaves out these times, so they are computed here.
     const DriveTime known = run.known < no_time ? run.known : fastest_over(run.open);
     const DriveTime hoped = run.hoped < no_time ? run.hoped : fastest_over(possible);
     if (known >= no_time || hoped >= no_time) return "";
@@ -153,7 +152,7 @@ class Story {
     }
   }
 
-  /// Those that it took for something before.
+  /// Adds the walls that were seen before, with the same or another state.
   void look_at_walls() {
     WallSet open, closed;
     for (const WallSeen& seen : record_.walls) {

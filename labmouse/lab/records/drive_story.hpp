@@ -1,5 +1,5 @@
-// What happened in a contest in seconds, in words and in order: what the mouse set out to do and why, which walls it
-// looked at twice, and what ended its runs.
+// The events of a contest in seconds, in words and in order: why each run began, which walls it saw again and with what
+// result, and how the runs ended.
 #pragma once
 
 #include <string>

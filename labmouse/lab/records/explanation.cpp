@@ -30,7 +30,7 @@ const Candidate* chosen_of(const Reasons& reasons) {
   return reasons.chosen < 0 ? nullptr : &reasons.candidates[static_cast<std::size_t>(reasons.chosen)];
 }
 
-/// The wall of the hope: of those with a run of that cost the one with the shortest way to it.
+/// The candidate nearest to being worth a look (its run costs `hope`); of several, the one with the shortest way to it.
 const Candidate* nearest_to_worth(const Reasons& reasons) {
   const Candidate* nearest = nullptr;
   for (const Candidate& candidate : reasons.candidates)
@@ -39,8 +39,8 @@ const Candidate* nearest_to_worth(const Reasons& reasons) {
   return nearest;
 }
 
-/// The chosen one first (where none is, the one nearest to being worth it), then those that are worth it, the lowest
-/// score first.
+/// The candidates in the order of the table: first the chosen one (or nearest_to_worth(), where none is chosen), then
+/// those worth the trip, then the others; both groups by score, the lowest first.
 std::vector<const Candidate*> ranked(const Reasons& reasons) {
   std::vector<const Candidate*> candidates;
   for (const Candidate& candidate : reasons.candidates) candidates.push_back(&candidate);
@@ -71,7 +71,7 @@ std::string table_of(const Reasons& reasons, int rows) {
   return table;
 }
 
-/// The count of the clock for the first step that ends in a goal; one more than there are where none does.
+/// The number of the first step that ends in a goal; one more than the number of steps where none does.
 int step_to_goal(const RecordFile& file) {
   const auto& steps = file.run.steps;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -87,7 +87,7 @@ std::string heading_of(const StepRecord& step, std::size_t candidates, bool goal
                      candidates == 1 ? "" : "s");
 }
 
-/// The first step of a flood; those that follow it are not told of.
+/// Reports the first step of a flood; the following ones are left out.
 std::string flood_of(const StepRecord& step) {
   return fmt::format(
       "\nstep {} at ({},{}): floods from here on. The maze is large, its budget is small for it, or half of\n"
@@ -95,7 +95,7 @@ std::string flood_of(const StepRecord& step) {
       step.step, int{step.pose.cell.x}, int{step.pose.cell.y});
 }
 
-/// Why nothing was chosen after the goal.
+/// Why nothing was chosen after the goal was reached.
 std::string hope_of(const Reasons& reasons) {
   const std::string known = fmt::format("The known run takes {} steps.\n", steps_text(reasons.known));
   const Candidate* nearest = nearest_to_worth(reasons);
@@ -120,7 +120,7 @@ std::string reset_of(const RecordFile& file, const StepRecord& step) {
                      steps_text(why->reasons.known));
 }
 
-/// Why the search run ended, where the mouse ended it itself.
+/// Why the search run ended; empty where the mouse did not end it itself.
 std::string ending_of(const RecordFile& file) {
   const auto& steps = file.run.steps;
   const auto race =
@@ -133,7 +133,7 @@ std::string ending_of(const RecordFile& file) {
   return "";
 }
 
-/// What the columns are.
+/// Explains the columns.
 std::string key_of(const RunRecord& run) {
   std::string key =
       "T: steps of the best run through that wall, guessing at walls not yet seen.\n"
@@ -152,7 +152,7 @@ std::string explanation_of(const RecordFile& file, int candidates) {
   if (file.run.reasons.empty()) return "";
   const int to_goal = step_to_goal(file);
   std::string text = key_of(file.run);
-  int flood_until = -1;  // the last step of a flood that has been told of
+  int flood_until = -1;  // the last step of a reported flood
   for (const auto& [number, reasons] : file.run.reasons) {
     const StepRecord& step = file.run.steps[static_cast<std::size_t>(number) - 1];
     const bool goes_on = flood_until == number - 1;

@@ -41,7 +41,7 @@ MmsRecorder::MmsRecorder(const std::string& mouse, const NamedMaze& maze, std::i
 
 void MmsRecorder::add(const MmsEvent& event) {
   ++events_;
-  // Once one was left out all are, so that what is there has no gap.
+  // After the first omitted event all are omitted, so the written ones have no gap.
   if (written_ + 1 < events_ || written_ >= most_ || text_.size() >= most_recorded_bytes) return;
   text_ += record_line(event_json(event));
   ++written_;

@@ -1,4 +1,4 @@
-// The record of one program that was written for mms: JSON Lines, described in docs/reference/records.md.
+// Writes the record of one mms program's run: JSON Lines, described in docs/reference/records.md.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace labmouse {
 
-/// A record has at most so many events, and no more once it has so many bytes.
+/// Limits of a record: the number of events, and the size after which no more events are written.
 inline constexpr std::int64_t most_recorded_events = 1'000'000;
 inline constexpr std::size_t most_recorded_bytes = std::size_t{64} << 20U;
 
-/// Writes down one run while it goes on.
+/// Records one run while it goes on.
 class MmsRecorder {
  public:
-  /// `most`: events that are written down; a mark stands in the place of the others.
+  /// `most`: the number of events that are written. One line at the end gives the number of the others.
   MmsRecorder(const std::string& mouse, const NamedMaze& maze, std::int64_t most = most_recorded_events);
 
   void add(const MmsEvent& event);
 
-  /// The whole record; nothing more can be added.
+  /// Returns the whole record. Call it once, last.
   std::string finish(const MmsRun& run);
 
  private:

@@ -8,13 +8,13 @@
 namespace labmouse {
 namespace {
 
-/// "ack at [1,3] heading north", with what mms would have replied.
+/// A reply of mms and a pose, in words: "ack at [1,3] heading north".
 std::string words_of(std::string_view reply, const HalfPose& pose) {
   return fmt::format("{} at [{},{}] heading {}", reply.empty() ? "no reply" : reply, pose.place.x, pose.place.y,
                      name_of(pose.heading));
 }
 
-/// The statistic that differs, or nothing.
+/// The first statistic that differs, in words; empty where none does.
 std::string compare(const MmsStatistics& was, const MmsStatistics& is) {
   for (const MmsStatistic& statistic : mms_statistics)
     if (const float recorded = was.*statistic.value, played = is.*statistic.value; recorded != played)
@@ -23,7 +23,7 @@ std::string compare(const MmsStatistics& was, const MmsStatistics& is) {
                                      : "the record and the simulator disagree on whether the mouse was in the goal";
 }
 
-/// What an event did, as a record has it.
+/// The replayed result of one event, as a record stores it.
 struct Played {
   bool any = false;
   std::string reply;
@@ -33,7 +33,7 @@ struct Played {
 }  // namespace
 
 std::string replay(const MmsRecordFile& file, const std::function<void(std::size_t event, const MmsHost&)>& after) {
-  // Whatever limits it was hosted with: it obeyed all these lines.
+  // Any limits of the original run do not matter: the program obeyed all these lines.
   MmsHost host(*file.maze, {.most_seconds = std::numeric_limits<int>::max()});
   Played played;
   host.on_event([&](const MmsEvent& event) { played = {true, std::string(event.reply), event.pose}; });

@@ -11,18 +11,18 @@
 
 namespace labmouse {
 
-/// What the best run adds to the score: effective distance + turns; nothing where none was finished.
+/// Effective distance + turns of the best run, which the score contains; nothing where no run finished.
 inline std::optional<double> best_run(const MmsStatistics& statistics) {
   if (!statistics.finished) return std::nullopt;
   return decimal(statistics.best_run_effective_distance) + decimal(statistics.best_run_turns);
 }
 
-/// Effective distance + turns of all that the mouse did; a tenth of it is in the score.
+/// Effective distance + turns of all runs, a tenth of which is in the score.
 inline double total(const MmsStatistics& statistics) {
   return decimal(statistics.total_effective_distance) + decimal(statistics.total_turns);
 }
 
-/// The number with as few decimals as it takes, whole ones without: 265.2, 12.
+/// The number with as few decimals as needed, whole numbers without: 265.2, 12.
 inline Json short_json(float value) {
   const auto whole = static_cast<std::int64_t>(value);
   if (value == static_cast<float>(whole)) return whole;

@@ -14,7 +14,7 @@ constexpr int usual_movements = 2 * usual_movement + 1;
 constexpr char first_letter = 'a';
 constexpr char last_letter = 'u';
 constexpr char reset_letter = 'R';
-constexpr std::uint64_t largest_number = std::uint64_t{1} << 53U;  // up to which JavaScript has all whole ones
+constexpr std::uint64_t largest_number = std::uint64_t{1} << 53U;  // JavaScript has all whole numbers up to this one
 
 bool usual(const Action& step) {
   return (step.rotation == -90 || step.rotation == 0 || step.rotation == 90) && step.movement >= -usual_movement &&
@@ -58,7 +58,7 @@ std::optional<Action> read_action(std::string_view text) {
   if (letter >= first_letter && letter <= last_letter) return usual_step(letter);
   if (letter == reset_letter) return Action::reset();
   const auto action = letter == '(' ? read_unusual_step(text) : letter == '!' ? read_forfeit(text) : std::nullopt;
-  // An action has one form only.
+  // Other forms of the same action are refused.
   if (action && text.starts_with(text_of(*action))) return action;
   return std::nullopt;
 }

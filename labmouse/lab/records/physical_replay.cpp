@@ -17,7 +17,7 @@
 namespace labmouse {
 namespace {
 
-/// Without what a script does not know.
+/// The record with its marks of planning cleared: a replay does not plan.
 DriveRecordFile unplanned(DriveRecordFile file) {
   file.record.replanned = 0;
   for (DriveRun& run : file.record.runs)
@@ -30,7 +30,7 @@ void cut_to(std::vector<Item>& list, const std::vector<Item>& shorter) {
   list.resize(std::min(list.size(), shorter.size()));
 }
 
-/// What of a contest stands in a record that breaks off; where that ends within a run, the run is taken to end.
+/// Cuts the re-run to the length of a record that breaks off; a run that breaks off counts as ended there.
 void cut_like(DriveRecordFile& again, const DriveRecordFile& file) {
   DriveRecord& record = again.record;
   PhysicalNotes& notes = again.physical->notes;

@@ -1,4 +1,4 @@
-// Records of the physical world, driven again.
+// Replays records of the physical world and the failure model.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace labmouse {
 
-/// Runs the contest again, with the decisions of the record in place of a strategy, and compares all that was written;
-/// where the record first disagrees, or nothing. Who drove, and how often it planned, is taken over unchecked.
+/// Re-runs the contest with the recorded decisions in place of a strategy, and compares the result with the record. The
+/// mouse's name and its number of plans are not checked. Returns the first difference, or an empty text.
 std::string replay_physically(const DriveRecordFile& file);
 
-/// The contest of a record that replay_physically() agrees with as it is run again, with a point of the trace each so
-/// many ticks.
+/// Re-runs the contest of a record with which replay_physically() found no difference, with one trace point every
+/// `trace_every` ticks.
 PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every);
 
 }  // namespace labmouse

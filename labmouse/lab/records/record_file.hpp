@@ -13,29 +13,30 @@
 
 namespace labmouse {
 
-/// Which fields of a step stand in its record. Those that do not are known only after the record was played.
+/// The fields that the record of a step contains. A replay restores the missing ones.
 struct GivenFields {
   bool run = true, cell = true, heading = true, reading = true, blocked = true;
 
   friend constexpr bool operator==(const GivenFields&, const GivenFields&) = default;
 };
 
-/// A record with all that is needed to understand it years later. One that a robot wrote may lack much of it.
+/// A contest in a world of steps with everything that is needed to replay it. A record from a real robot may lack much
+/// of it.
 struct RecordFile {
-  std::string world;  ///< its name, where it is another one than that of these rules alone
+  std::string world;  ///< name of the world; empty for the default world of steps, which the rules describe fully
   std::string maze_name;
-  std::optional<Maze> maze;  ///< always there when written
+  std::optional<Maze> maze;  ///< always set by a writer
   std::string mouse;
   std::string spec;         ///< the mouse's SPEC where its name is another
   Settings settings;        ///< written, not read back
-  std::string interpreter;  ///< with its version, of an external mouse that has one
+  std::string interpreter;  ///< interpreter of an external mouse and its version
   std::uint64_t seed = 0;
   Rules rules;
-  std::string version;  ///< of the program that wrote it; a writer puts its own
+  std::string version;  ///< of the program that wrote it; write_record() puts its own
   RunRecord run;
   bool ended = true;               ///< false where the last line, with the outcome, is missing
-  std::vector<GivenFields> given;  ///< of each step as it was read; a step beyond them has all
-  GivenFields given_end;           ///< of the last line, which has only a cell and a heading of them
+  std::vector<GivenFields> given;  ///< fields of each step as read; a step beyond this list has all fields
+  GivenFields given_end;           ///< of the last line, where only the cell and the heading matter
 };
 
 std::string write_record(const RecordFile& file);
@@ -47,9 +48,8 @@ struct ReadRecordResult {
 };
 ReadRecordResult read_record(std::string_view text);
 
-/// Plays a record's actions again in a maze and compares what the record gives. Returns the whole record that comes
-/// out, or where it first disagrees. What the mouse counted is taken over unchecked, and so are its reasons, but for
-/// walls that the maze does not have.
+/// Replays a record's actions in a maze and compares the result with the record: the replayed run, and the first
+/// difference. The mouse's counts and reasons are not checked, except that the maze must have the walls of the reasons.
 struct ReplayResult {
   RunRecord run;
   std::string disagreement;  ///< empty where all that is given agrees

@@ -5,7 +5,7 @@
 namespace labmouse {
 namespace {
 
-/// The drawing for human eyes: with S and G where it can hold both, which it cannot on one cell.
+/// The drawing, for people. It shows S and G, except where start and goal share one cell.
 std::string drawing_of(const Maze& maze) {
   const WriteResult marked = drawing_format.write(maze.with_start(maze.start(), Heading::north));
   if (marked.content) return *marked.content;
@@ -23,7 +23,7 @@ CellSet read_goals(JsonFields& fields) {
 Json record_maze_json(const std::string& name, const Maze& maze) {
   Json goals = Json::array(), drawing = Json::array();
   maze.goals().for_each([&](Cell cell) { goals.push_back(Json{cell.x, cell.y}); });
-  // A drawing cannot hold every start and heading, so start and goals stand beside it.
+  // A drawing cannot show every start and heading, so start and goals are fields of their own.
   std::string text = drawing_of(maze);
   for (std::size_t end; (end = text.find('\n')) != std::string::npos; text.erase(0, end + 1))
     drawing.push_back(text.substr(0, end));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_counts = 64;
 constexpr std::size_t longest_count_name = 64;
-constexpr std::int64_t largest_count = std::int64_t{1} << 53U;  // what every JSON reader keeps exactly
+constexpr std::int64_t largest_count = std::int64_t{1} << 53U;  // every JSON reader keeps numbers up to this exactly
 
 bool is_count(const ReadJson& value) {
   if (value.is_number_unsigned()) return value.get<std::uint64_t>() <= static_cast<std::uint64_t>(largest_count);

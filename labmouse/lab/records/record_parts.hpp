@@ -1,4 +1,4 @@
-// What records have in common, as lines of JSON or packed, read strictly.
+// Strict readers of the parts that records share, as JSON Lines or packed.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@
 
 namespace labmouse {
 
-// Limits on what a hostile record can make us hold.
+// Limits against hostile records that would take too much memory.
 inline constexpr int longest_record = 1'000'000;              // steps
 inline constexpr std::size_t longest_last_words = 1U << 16U;  // bytes
 
-/// Reads the object `rules` over those that are there; returns what is wrong, or nothing.
+/// Reads the object `rules`; keys that are missing keep their value in `rules`. Returns what is wrong, or nothing.
 std::string read_record_rules(const ReadJson& json, Rules& rules);
 
-/// Reads the object `counts`, what the mouse counted; returns what is wrong, or nothing.
+/// Reads the object `counts`, the mouse's own counters; returns what is wrong, or nothing.
 std::string read_record_counts(const ReadJson& json, std::vector<Count>& counts);
 
-/// The outcome of that name.
+/// The outcome with that name, if there is one.
 std::optional<Outcome> outcome_of(std::string_view name);
 
 }  // namespace labmouse

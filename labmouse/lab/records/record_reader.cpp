@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-/// Reads what the header says of the maze, which need not be its drawing; returns what is wrong, or nothing.
+/// Reads the header's maze, whose drawing may be missing; returns what is wrong, or nothing.
 std::string read_maze_field(const ReadJson& json, RecordFile& file) {
   JsonFields fields(json, "maze");
   if (fields.has("name")) file.maze_name = fields.text("name");
@@ -50,7 +50,7 @@ std::string read_header(const ReadJson& json, RecordFile& file) {
 }
 
 Action read_action(const ReadJson& json, JsonFields& fields) {
-  constexpr int far = 1'000'000;  // wrong rotations and movements are part of a record, within reason
+  constexpr int far = 1'000'000;  // invalid rotations and movements are recorded too, within this limit
   if (json.is_array() && json.size() == 2)
     return Action::step(fields.whole(json[0], "action", -far, far), fields.whole(json[1], "action", -far, far));
   if (json == "reset") return Action::reset();
@@ -73,7 +73,7 @@ Sighting read_reading(JsonFields& fields) {
   return {cells(0), cells(1), cells(2)};
 }
 
-/// Reads what a step gives besides its action and its number.
+/// Reads the given fields of a step, apart from its action and its number.
 StepRecord read_given(JsonFields& fields, const GivenFields& given) {
   StepRecord step;
   if (given.run) step.run = read_run(fields);

@@ -1,4 +1,4 @@
-// The reasons of a mouse in the lines of a record.
+// JSON of the reasons of a mouse, in the lines of a record.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace labmouse {
 
-/// As docs/reference/records.md describes them.
+/// The JSON of reasons, as docs/reference/records.md describes it.
 Json reasons_json(const Reasons& reasons);
 
-/// Reads them for a maze of that size; returns what is wrong, or nothing.
+/// Reads reasons for a maze of that size; returns what is wrong, or nothing.
 std::string read_reasons(const ReadJson& json, Size size, Reasons& reasons);
 
-/// Whether a maze of that size has all their walls and cells.
+/// Whether all walls and cells of the reasons are in a maze of that size.
 bool fit(const Reasons& reasons, Size size);
 
 }  // namespace labmouse

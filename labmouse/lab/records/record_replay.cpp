@@ -15,7 +15,7 @@ RunRecord play(const RecordFile& file, const Maze& maze) {
   for (const StepRecord& step : file.run.steps) actions.push_back(step.action);
   Script script(maze.size(), std::move(actions));
   Rules rules = file.rules;
-  // A record without its last line may stop anywhere: play as far as it goes.
+  // A record without its last line may stop anywhere, so the replay stops after its last step.
   if (!file.ended) rules.budget = std::min(rules.budget, static_cast<int>(file.run.steps.size()));
   return run(maze, rules, script);
 }
@@ -30,14 +30,14 @@ bool agree(const StepRecord& was, const StepRecord& is, const GivenFields& given
          (!given.blocked || was.blocked == is.blocked);
 }
 
-/// "at (0,0) heading north", or the half of it that is given.
+/// The given parts of a pose, in words: "at (0,0) heading north".
 std::string pose_words(const Pose& pose, const GivenFields& given) {
   std::string words = given.cell ? fmt::format("at ({},{})", pose.cell.x, pose.cell.y) : "";
   if (given.heading) words += fmt::format("{}heading {}", words.empty() ? "" : " ", name_of(pose.heading));
   return words;
 }
 
-/// What is given of a step, in words.
+/// The given fields of a step, in words.
 std::string step_words(const StepRecord& step, const GivenFields& given) {
   std::vector<std::string> words;
   if (given.run) words.emplace_back(step.run == Run::speed ? "in the speed run" : "in the search run");
@@ -62,14 +62,14 @@ std::string wall_words(const Sighting& was, const StepRecord& is) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// How a step that does not agree was recorded and played.
+/// Describes a step whose record and replay differ.
 std::string difference(const StepRecord& was, const StepRecord& is, GivenFields given) {
-  // These two are worth a word only where they are what differs.
+  // Run and `blocked` are named only where they differ.
   given.run = given.run && was.run != is.run;
   given.blocked = given.blocked && was.blocked != is.blocked;
   const GivenFields all = {given.run, true, true, true, given.blocked};
   std::string words = fmt::format("recorded {}; replayed {}", step_words(was, given), step_words(is, all));
-  // A reading in another place says nothing of the walls of this one.
+  // A reading at another pose says nothing about these walls.
   if (given.reading && was.sighting != is.sighting && same_pose(was.pose, is.pose, given))
     words += fmt::format("; the maze has {}", wall_words(was.sighting, is));
   return words;
@@ -114,7 +114,7 @@ std::string compare_reasons(const RecordFile& file, Size size) {
 
 ReplayResult replay(const RecordFile& file, const Maze& maze) {
   ReplayResult result{play(file, maze), ""};
-  // What the mouse counted and thought cannot be played again, so it is taken as it stands.
+  // A replay cannot repeat the mouse's counts and reasons, so they are copied.
   result.run.counts = file.run.counts;
   result.run.last_words = file.run.last_words;
   result.run.reasons = file.run.reasons;

@@ -6,7 +6,7 @@
 
 namespace labmouse {
 
-/// Name to value. Numbers stand as numbers, everything else as in a SPEC.
+/// Maps each name to its value: numbers as numbers, all else as text as in a SPEC.
 inline Json settings_json(const Settings& settings) {
   auto json = Json::object();
   for (const Setting& setting : settings.all()) {

@@ -1,4 +1,4 @@
-// What a file is, by its text: for messages to a user who named another file than was meant.
+// The kind of a file, found from its text. Messages name it when a user passes the wrong file.
 #pragma once
 
 #include <cstdint>

@@ -25,12 +25,12 @@ namespace fs = std::filesystem;
 constexpr std::string_view place = "<!-- labmouse:report -->";
 constexpr std::size_t longest_results = std::size_t{1} << 28U;  // bytes
 
-/// Nothing of a file's text stands in the page as it is: base64 has no character that means something in HTML.
+/// A block with compressed text. Base64 has no characters with a meaning in HTML, so nothing needs escaping.
 std::string block(std::string_view id, std::string_view json) {
   return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, base64(gzip(json)));
 }
 
-/// The maze of that name, if it is still the one that the results speak of.
+/// The maze of that name, if size and optimum are still those of the results.
 std::optional<Maze> find_again(const ReportMaze& wanted) {
   auto maze = maze_named(wanted.name);
   if (!maze || maze->size() != wanted.size) return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<Maze> find_again(const ReportMaze& wanted) {
   return maze;
 }
 
-/// The links of the mazes by their names. `notes` gets a line where some are not found.
+/// A link for each maze, by its name. Adds a line to `notes` where mazes are not found.
 Json links_of(const ReportResults& results, const ReportRecords& records, std::vector<std::string>& notes) {
   Json links = Json::object();
   std::set<std::string> lost;

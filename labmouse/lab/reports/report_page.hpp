@@ -1,4 +1,4 @@
-// The page with a race in it: one HTML file to look at and to hand on.
+// The page with the results of a race inside: one HTML file to view and to share.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace labmouse {
 
-/// What is wrong with a text as the page, or nothing: it must have one place for a report.
+/// What is wrong with the text of a page, or nothing. A page must have exactly one place for a report.
 std::string wrong_page(std::string_view page);
 
-/// The page with a report: two blocks of text, each by gzip and base64. `report` and `records` are JSON; see Report and
-/// ReportRecords in apps/web/page/src/core/types.ts.
+/// The page with a report inserted as two text blocks, both compressed with gzip and encoded in base64. `report` and
+/// `records` are JSON; see Report and ReportRecords in apps/web/page/src/core/types.ts.
 std::string with_report(std::string_view page, std::string_view report, std::string_view records);
 
 /// A page, or why there is none: exactly one of the two is there.
@@ -22,9 +22,9 @@ struct ReportPage {
   std::vector<std::string> notes;
 };
 
-/// The page (which must be one) with a race: `path` is the folder that a race left, or the JSON of a race. In it go the
-/// results as they are; the records that lie in the folder or beside the JSON; and the mazes, of the records or as long
-/// as they are found under their names.
+/// Makes a page from a race. `page` must pass wrong_page(); `path` is the folder of a race or its JSON file. The page
+/// gets the results, the records in that folder or beside the file, and the mazes: those of the records, else those
+/// found by name.
 ReportPage make_report(const std::string& path, std::string_view page);
 
 }  // namespace labmouse

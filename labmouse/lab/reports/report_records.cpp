@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t longest_file = std::size_t{1} << 28U;  // bytes
 constexpr std::size_t block_size = 256;                      // records that are in memory at a time
 
-/// A record that may lie in the folder.
+/// A record whose file exists in the folder.
 struct RecordPlace {
   std::string path;
   const ReportMouse* mouse = nullptr;
@@ -29,12 +29,12 @@ struct RecordPlace {
   const ReportWorld* world = nullptr;
 };
 
-/// What was found there: a packed record, or a note why there is none, or neither.
+/// The result of reading one: a packed record, or a note why there is none.
 struct Found {
   std::string packed;
   std::optional<Maze> maze;
   std::string note;
-  /// Whether the maze starts and ends where its file says; some worlds have places of their own.
+  /// False in worlds that set start and goals themselves, where the maze differs from its file.
   bool own_places = true;
 };
 
@@ -61,7 +61,7 @@ Found read_place(const RecordPlace& place) {
           world.make({}).world->fixed_places().empty()};
 }
 
-/// Where a record lies: its file has the number of the run, or none in a world where each mouse has one run in a maze.
+/// The path of a record, with or without the number of the run in its name; empty where there is no such file.
 std::string path_of(const RacePaths& numbered, const RacePaths& single, std::size_t mouse, std::size_t maze) {
   for (const RacePaths* paths : {&numbered, &single}) {
     std::string path = paths->record(mouse, maze, 0);
@@ -71,8 +71,7 @@ std::string path_of(const RacePaths& numbered, const RacePaths& single, std::siz
   return "";
 }
 
-/// Where the records of a world lie that the results speak of, in the order of the results; `missing` counts those that
-/// are not there.
+/// Adds the record files of a world, in the order of the results. `missing` counts those that do not exist.
 void add_places(const ReportWorld& world, const std::string& folder, std::vector<RecordPlace>& places, int& missing) {
   std::vector<std::string> mice = names_of(world.mice), mazes = names_of(world.mazes);
   std::sort(mice.begin(), mice.end());
@@ -93,7 +92,7 @@ void add_places(const ReportWorld& world, const std::string& folder, std::vector
     }
 }
 
-/// Takes what was found, as far as there is room.
+/// Collects packed records until there is no more room.
 class Shelf {
  public:
   explicit Shelf(std::size_t room) : room_(room) {}
@@ -109,7 +108,7 @@ class Shelf {
     if (full() || found.packed.size() > room_) return leave_out(1);
     room_ -= found.packed.size();
     list_ += (list_.empty() ? "" : ",") + found.packed;
-    // A maze with other places is a makeshift where no other record has it.
+    // A maze with other start and goals is used only where no other record has it.
     if (!found.own_places && found.maze) records_.mazes.try_emplace(*place.maze, *found.maze);
   }
 

@@ -9,20 +9,21 @@
 
 namespace labmouse {
 
-/// Packed records take at most so much together, before they are compressed.
+/// Limit of the size of all packed records together, in bytes before compression.
 inline constexpr std::size_t most_packed_bytes = std::size_t{64} << 20U;
 
+/// The packed records of a race and their mazes.
 struct ReportRecords {
-  /// The second block of a report: an object of `records` and `left_out`, how many more there were that did not fit.
+  /// The second block of a report: an object of `records` and `left_out`, the number of records that did not fit.
   std::string json;
-  /// The mazes that the records were made in, by their names.
+  /// The mazes of the records, by their names.
   std::map<std::string, Maze> mazes;
   /// What was left out and why, one line each.
   std::vector<std::string> notes;
 };
 
-/// Reads the records that lie in the folder of a race, by the names that RacePaths gives: of each mouse and maze the
-/// first. One that cannot be read, or that is not of this race, is left out and noted.
+/// Reads the record of the first contest of each mouse and maze from the folder of a race (RacePaths gives the file
+/// names). Records that cannot be read, or are of another race, are left out and noted.
 ReportRecords read_report_records(const ReportResults& results, const std::string& folder,
                                   std::size_t most_bytes = most_packed_bytes);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* how_to_make = "create one with `labmouse race --format json` or `--out`";
 
-/// Reads values and remembers the first that is missing or wrong. In place of that it gives an empty one.
+/// Reads values and remembers the first one that is missing or wrong; returns an empty value in its place.
 class ResultReading {
  public:
   const std::string& error() const { return error_; }
@@ -99,7 +99,7 @@ std::vector<ReportWorld> read_worlds(const Json& json, ResultReading& reading) {
   return worlds;
 }
 
-/// What a text is that is no results, where that can be seen; or nothing.
+/// The kind of a text that is not results, in words; empty where it is unknown.
 std::string what_it_is(std::string_view text) {
   switch (kind_of_file(text)) {
     case FileKind::record:

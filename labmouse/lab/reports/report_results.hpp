@@ -1,4 +1,4 @@
-// The results of a race as a report takes them: as they are, and what has to be known of them to find their records.
+// The results of a race, read for a report: their JSON, and the names and seeds that locate the records.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 
 namespace labmouse {
 
-/// A mouse of the race: the mazes that it ran in by their names, each with the seeds of its contests (none in a world
-/// without dice).
+/// A mouse of the race: the names of its mazes, with the seeds of its contests there (none in a deterministic world).
 struct ReportMouse {
   std::string name;
   std::map<std::string, std::set<std::uint64_t>> seeds;
 };
 
+/// A maze of the race, as the results describe it.
 struct ReportMaze {
   std::string name;
   Size size;
@@ -34,8 +34,9 @@ struct ReportWorld {
   std::vector<ReportMaze> mazes;
 };
 
+/// The results of a race with one or more worlds.
 struct ReportResults {
-  std::string json;  ///< as it is, in one line
+  std::string json;  ///< the JSON as read, in one line
   std::vector<ReportWorld> worlds;
 };
 
@@ -45,7 +46,7 @@ struct ReadResultsResult {
   std::optional<Problem> problem;
 };
 
-/// Reads the JSON of a race. Of what is something else it says what it is, where that can be seen.
+/// Reads the JSON of a race. For another kind of file the problem names that kind, if it is known.
 ReadResultsResult read_report_results(std::string_view text);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// The records and pictures that a race leaves behind.
+// Saves the records and pictures of a race.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace labmouse {
 
-/// A folder that takes the contests of one race: the record of each, and for the first run a picture; RacePaths has
-/// where.
+/// A folder with the record of each contest of a race, and a picture of each mouse's first run in a maze. RacePaths
+/// gives the paths.
 class RaceFolder {
  public:
   RaceFolder(std::string folder, const Race& race);
 
-  /// What it has room for of a contest.
+  /// What to save of a contest.
   static Keep keep(const ContestResult& contest) { return {true, contest.run == 0}; }
 
   /// Saves a contest of the race. Returns what went wrong, or nothing.

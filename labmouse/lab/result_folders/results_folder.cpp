@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* lock_name = ".labmouse-race";
 
-/// The mouse of a record, from its first line; empty where the file is none.
+/// The name of the mouse in a record's first line; empty where the file is no record.
 std::string mouse_of(const fs::path& file) {
   constexpr std::size_t longest_header = std::size_t{1} << 16U;
   std::string line(longest_header, '\0');
@@ -35,7 +35,7 @@ std::string mouse_of(const fs::path& file) {
   return mouse->at("name").is_string() ? mouse->at("name").get<std::string>() : "";
 }
 
-/// Whether a race would have put the record there: into a folder with the name of its mouse, or that and a number.
+/// Whether a race would have written the record there: the folder has the name of its mouse, or that name and a number.
 bool is_in_its_place(const fs::path& file) {
   if (file.extension() != ".jsonl") return false;
   const std::string mouse = mouse_of(file);
@@ -43,7 +43,7 @@ bool is_in_its_place(const fs::path& file) {
   return !mouse.empty() && folder.substr(0, folder.find('~')) == file_names({mouse}).front();
 }
 
-/// The picture beside MAZE-1.jsonl; empty beside others.
+/// The picture beside a record of a first run, MAZE-1.jsonl; an empty path for other records.
 fs::path picture_of(fs::path record) {
   const std::string stem = record.stem().string();
   return stem.ends_with("-1") ? record.replace_filename(stem.substr(0, stem.size() - 2) + ".svg") : fs::path();
@@ -57,7 +57,7 @@ std::vector<fs::path> paths_in(const fs::path& folder) {
   return paths;
 }
 
-/// What a race left in the folder, as many files as are asked for: its results, records and pictures.
+/// Files of an earlier race in the folder: results, records and pictures. Stops when `most` are found.
 std::vector<fs::path> remains_of_a_race(const fs::path& folder, std::size_t most) {
   std::error_code unknown;
   std::vector<fs::path> files;
@@ -74,13 +74,13 @@ std::vector<fs::path> remains_of_a_race(const fs::path& folder, std::size_t most
   return files;
 }
 
-/// Removes the files, and the folders of mice that are empty then. Returns what went wrong, or nothing.
+/// Removes the files, and then the empty folders of mice. Returns what went wrong, or nothing.
 std::string remove_all(const fs::path& folder, const std::vector<fs::path>& files) {
   std::error_code error;
   for (const fs::path& file : files) {
     fs::remove(file, error);
     if (error) return fmt::format("cannot remove {}: {}", file.string(), cause_of(error.value()));
-    if (file.parent_path() != folder) fs::remove(file.parent_path(), error);  // which fails while there is more in it
+    if (file.parent_path() != folder) fs::remove(file.parent_path(), error);  // fails while the folder has other files
   }
   return "";
 }
@@ -117,7 +117,7 @@ std::string ResultsFolder::take(const std::string& path, bool overwrite) {
 }
 
 ResultsFolder::~ResultsFolder() {
-  // Before it is unlocked, so that nobody has locked it when it goes.
+  // Removed before it is unlocked, so that no other race has locked it by then.
   std::error_code unknown;
   if (!lock_path_.empty()) fs::remove(lock_path_, unknown);
 }

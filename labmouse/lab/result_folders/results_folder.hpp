@@ -1,4 +1,4 @@
-// The folder of one race, and of no other.
+// The folder for the results of one race, locked against other races.
 #pragma once
 
 #include <string>
@@ -7,18 +7,18 @@
 
 namespace labmouse {
 
-/// A folder that a race writes its results into. While this lives no other race can take it, in no process; the lock
-/// goes with the process, however that ends.
+/// A folder into which a race writes its results. No other race, in any process, can take it while this object lives.
+/// The lock ends with the process, even after a crash.
 class ResultsFolder {
  public:
-  /// Takes the folder, and makes it where there is none. What an earlier race left there, results and the records and
-  /// pictures of its mice, is removed with `overwrite`, and an error without.
+  /// Takes the folder and creates it if needed. Files of an earlier race (results, and records and pictures of its
+  /// mice) are removed with `overwrite`, and an error without.
   ResultsFolder(const std::string& path, bool overwrite);
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
   ~ResultsFolder();
 
-  /// Why it could not be taken, as a line for the user; empty where it was.
+  /// Why the folder could not be taken, as a line for the user; empty on success.
   const std::string& error() const { return error_; }
 
  private:

@@ -1,4 +1,4 @@
-// The robots that the program carries with it: those of the folder robots/.
+// The robots built into the program: the files of the folder robots/.
 #pragma once
 
 #include <span>

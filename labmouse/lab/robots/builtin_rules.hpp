@@ -1,4 +1,4 @@
-// The rules of contests in seconds that the program carries with it: those of the folder rules/.
+// The rules of contests in seconds that are built into the program: the files of the folder rules/.
 #pragma once
 
 #include <span>

@@ -39,7 +39,7 @@ std::string range_of(const RulesNumber& number) {
                      number.high);
 }
 
-/// Takes the values out of a table, and notes what is wrong with it.
+/// Reads values from a table and collects its problems.
 class RulesReader {
  public:
   explicit RulesReader(const toml::table& table) : table_(table) {
@@ -48,7 +48,7 @@ class RulesReader {
         add(key.source().begin, unknown_key(std::string(key.str()), rule_keys));
   }
 
-  /// The number of a key; 0 where it is left out, or wrong.
+  /// The number of a key; 0 where it is missing or wrong.
   double number(const RulesNumber& key) {
     const toml::node* node = table_.get(key.name);
     if (node == nullptr) {
@@ -61,7 +61,7 @@ class RulesReader {
     return 0.0;
   }
 
-  /// The text of a key, which is needed and not empty.
+  /// The text of a required key, which must not be empty.
   std::string text(std::string_view key, std::string_view meaning) {
     const toml::node* node = table_.get(key);
     if (node == nullptr) {

@@ -18,17 +18,17 @@ struct DriveRulesResult {
   std::vector<Problem> problems;
 };
 
-/// Reads rules of at most 64 KiB, which will have that name.
+/// Reads rules from a text of at most 64 KiB and gives them the name `name`.
 DriveRulesResult read_drive_rules(std::string_view text, std::string_view name);
 
-/// Rules, or why there are none: a line for each problem, as `describe` words them.
+/// Rules, or why there are none: a line for each problem, as `describe` formats it.
 struct FoundRules {
   DriveRules rules;
   std::vector<std::string> errors;
 };
 
-/// The built-in rules of that name, or those of a file, whose name has a slash or ends in `.toml`. Rules' own name is
-/// the one given here.
+/// Finds rules by the name of built-in ones, or by the path of a file (a name with a slash or the ending `.toml`). They
+/// get the name given here.
 FoundRules find_rules(const std::string& name);
 
 }  // namespace labmouse

@@ -5,7 +5,7 @@
 namespace labmouse {
 namespace {
 
-// Those to the left; to the right all is the same.
+// Files give the left beams; the right ones mirror them.
 constexpr auto side = static_cast<std::size_t>(BeamPlace::left);
 constexpr auto front = static_cast<std::size_t>(BeamPlace::left_ahead);
 

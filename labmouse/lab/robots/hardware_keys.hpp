@@ -1,4 +1,4 @@
-// The keys of robot files that say what a mouse is built of, and the number that each of them is.
+// The keys of robot files that describe the hardware, and the field of `Hardware` that each of them sets.
 #pragma once
 
 #include <span>
@@ -8,9 +8,10 @@
 
 namespace labmouse {
 
+/// A key of a robot file that sets a field of `Hardware`.
 struct HardwareKey {
   RobotKey key;
-  /// The number in some hardware, in its own unit; and how many of the file's are one of its own.
+  /// The field for the key. One unit of the field is `unit` units of the file.
   double& (*number)(Hardware&);
   double unit = 1.0;
 };

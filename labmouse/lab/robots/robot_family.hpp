@@ -1,4 +1,4 @@
-// A robot with numbers that vary: all the robots that one file stands for.
+// The robots that differ from one robot file in some numbers.
 #pragma once
 
 #include <span>
@@ -11,19 +11,20 @@
 
 namespace labmouse {
 
-/// A number of robot files, by the name of its key ("curve.lateral_acceleration"), in the key's unit.
+/// A number of a robot file: the name of its key, such as "curve.lateral_acceleration", and its value in the key's
+/// unit.
 struct RobotNumber {
   std::string_view key;
   double value = 0.0;
 };
 
-/// The robots that differ from one file in some of its numbers.
+/// Makes robots from one robot file with some numbers replaced.
 class RobotFamily {
  public:
-  /// Of the text of a robot file, which may be wrong.
+  /// Takes the text of a robot file, which may be wrong; with() reports its problems.
   RobotFamily(std::string_view text, std::string_view name);
 
-  /// The one with these numbers in place of its own, or what is wrong with it.
+  /// The robot with these numbers in place of its own, or what is wrong with it.
   RobotResult with(std::span<const RobotNumber> numbers) const;
 
  private:
@@ -31,8 +32,8 @@ class RobotFamily {
   Json values_;
 };
 
-/// Why a number of that key cannot be varied, as a line without an end; empty where it can: the key of a number that is
-/// no whole one.
+/// Why the number of that key cannot be varied, in a line without a line feed; empty where it can. Only numbers that
+/// are not whole can.
 std::string why_not_varied(std::string_view key);
 
 }  // namespace labmouse

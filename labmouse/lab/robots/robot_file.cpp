@@ -26,7 +26,7 @@ std::pair<std::string_view, std::string_view> split(std::string_view key) {
                                        : std::pair(key.substr(0, dot), key.substr(dot + 1));
 }
 
-/// Takes the numbers out of a table, and notes what is wrong with it.
+/// Reads numbers from a table and collects its problems.
 class RobotReader {
  public:
   explicit RobotReader(const toml::table& root)
@@ -38,20 +38,19 @@ class RobotReader {
     for (const auto& [name, value] : root_) check_name("", name, value);
   }
 
-  /// The number of a key, or the other one where it does not stand there.
+  /// The number of a key, or `otherwise` where the key is missing or is no number.
   double number(std::string_view key, double otherwise = 0.0) const {
     const auto* found = node(key);
     return found == nullptr ? otherwise : found->value<double>().value_or(otherwise);
   }
-  /// Whether a key stands there with a number; without one `false` may stand there.
+  /// Whether a key has a number. Some keys may have `false` instead.
   bool has_number(std::string_view key) const { return node(key) != nullptr && node(key)->is_number(); }
-  /// Of a key that may be true or false, and is true where it does not stand there; of others whether they are not
-  /// false.
+  /// Whether a key is not false; true where it is missing.
   bool flag(std::string_view key) const {
     const auto* found = node(key);
     return found == nullptr || found->value_exact<bool>().value_or(true);
   }
-  /// The text of a key, or the other one where it does not stand there.
+  /// The text of a key, or `otherwise` where the key is missing or is no text.
   std::string_view text(std::string_view key, std::string_view otherwise) const {
     const auto* found = node(key);
     return found == nullptr ? otherwise : found->value<std::string_view>().value_or(otherwise);
@@ -89,7 +88,7 @@ class RobotReader {
                  : add(found->source().begin, fmt::format("'{}' must be {}", key.name, range_of(key)));
     }
     if (!found->is_number()) return add(found->source().begin, fmt::format("'{}' must be {}", key.name, words_of(key)));
-    // A whole number that a double cannot hold is far out of any range.
+    // A whole number too large for a double is out of any range.
     const double value = found->value<double>().value_or(std::numeric_limits<double>::infinity());
     if (!(value >= key.low && value <= key.high) || (key.kind == Kind::whole && !found->is_integer()))
       add(found->source().begin,
@@ -168,7 +167,7 @@ void set_layouts(Robot& robot, const RobotReader& reader) {
 Hardware hardware_of(const RobotReader& reader) {
   Hardware hardware;
   for (const HardwareKey& key : hardware_keys()) key.number(hardware) = reader.number(key.key.name) / key.unit;
-  // Files have the left ones alone; to the right all is the same.
+  // Files give the left beams; the right ones mirror them.
   auto& beams = hardware.sensors.infrared.beams;
   const auto mirror = [&](BeamPlace left, BeamPlace right) {
     const Beam& from = beams[static_cast<std::size_t>(left)];

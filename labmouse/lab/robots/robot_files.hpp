@@ -1,4 +1,4 @@
-// Robots from files, and those that the program brings.
+// Finds robots: built-in ones and those of files.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace labmouse {
 
-/// A robot with all that follows from it, or why there is none: a line for each problem, as `describe` words them.
+/// A robot with the model computed from it, or why there is none: a line for each problem, as `describe` formats it.
 struct FoundRobot {
   Robot robot;
   DriveModel model;
   std::vector<std::string> errors;
-  std::vector<std::string> remarks;  ///< on likely mistakes, a line each, with its name
+  std::vector<std::string> remarks;  ///< likely mistakes, one line each, which begins with the robot's name
 };
 
-/// The built-in robot of that name, or that of a file, whose name has a slash or ends in `.toml`. A robot's own name is
-/// the one given here.
+/// Finds a robot by the name of a built-in one, or by the path of a file (a name with a slash or the ending `.toml`).
+/// It gets the name given here.
 FoundRobot find_robot(const std::string& name);
 
-/// The robots that differ from that one in some numbers, or why there are none. What is wrong with the file itself
-/// shows with the first of them.
+/// The family of robots that one file gives, or why there is none. Errors in the file itself are reported by
+/// RobotFamily::with().
 struct FoundFamily {
   std::optional<RobotFamily> family;
   std::string error;

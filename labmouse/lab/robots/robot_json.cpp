@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-/// Those that have keys of their own.
+/// Turns with keys of their own.
 constexpr std::array named_turns = {Turn::f45, Turn::f90, Turn::f135, Turn::f180, Turn::v90, Turn::s90};
 
 double milliseconds(DriveTime time) { return time / 1e3; }
@@ -24,7 +24,7 @@ void add_turns(Json& json, const Robot& robot) {
     if (robot.yaw_speed > 0.0) json["curve.yaw_speed"] = robot.yaw_speed;
     if (robot.yaw_jerk > 0.0) json["curve.yaw_jerk"] = robot.yaw_jerk;
     if (robot.grip > 0.0) json["curve.grip"] = robot.grip;
-    // Left out where they mean what they did before there was a choice, so that those records stay as they were.
+    // Defaults of records are left out, so that older records stay unchanged.
     if (robot.speeds != recorded_speeds) json["curve.speeds"] = robot.speeds;
     if (robot.stop != Stop::beyond) json["stop"] = "goal";
     for (const Turn turn : named_turns)
@@ -39,7 +39,7 @@ void add_turns(Json& json, const Robot& robot) {
     if (robot.drives(named_turns[i])) json[fmt::format("turns.{}", name_of(named_turns[i]))] = milliseconds(times[i]);
 }
 
-/// What is said only of robots that do not drive something.
+/// Adds the diagonals and turns that the robot does not drive.
 void add_omissions(Json& json, const Robot& robot) {
   if (!robot.diagonals) json["diagonals"] = false;
   for (const Turn turn : named_turns)
@@ -63,7 +63,7 @@ void add_search(Json& json, const Robot& robot) {
   json["search.half_cell"] = milliseconds(robot.search.half_cell);
 }
 
-/// The text of a robot file; nothing, with the reason in the fields, where the JSON cannot be one.
+/// The text of a robot file; empty, with the error in `fields`, where the JSON has other keys or values.
 std::string toml_of(const ReadJson& parameters, JsonFields& fields) {
   std::string text;
   if (!parameters.is_object()) return fields.reject("'robot.parameters' is not an object"), "";
@@ -72,7 +72,7 @@ std::string toml_of(const ReadJson& parameters, JsonFields& fields) {
     const bool end = value.is_string() && (value == "goal" || value == "beyond");
     if (!plain || !(value.is_number() || value.is_boolean() || end))
       return fields.reject("'robot.parameters' has a key or a value that no robot has"), "";
-    // What is whole must stay so.
+    // Whole numbers must stay whole.
     text +=
         fmt::format("{} = {}\n", name, value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump());
   }

@@ -8,16 +8,16 @@
 
 namespace labmouse {
 
-/// What of a robot counts: its limits alone, or what it is built of, too.
+/// The parts of a robot to write: its limits alone, or its hardware, too.
 enum class RobotParts : unsigned char { limits, with_body };
 
-/// Its name and its parameters, under the keys of robot files: "straight.speed".
+/// Its name and its parameters, with the keys of robot files such as "straight.speed".
 Json robot_json(const Robot& robot, RobotParts parts = RobotParts::limits);
 
-/// "fixed" where all nodes have one speed, or "classes".
+/// "fixed" where the robot has one speed at all nodes, else "classes".
 inline const char* model_name(const Robot& robot) { return robot.fixed ? "fixed" : "classes"; }
 
-/// Reads them, and makes the model; the fields hold what is wrong, and the model has an error then.
+/// Reads a robot and makes its model. On failure `fields` holds the error, and so does the model.
 DriveModel read_robot_json(JsonFields& fields, const ReadJson& json);
 
 }  // namespace labmouse

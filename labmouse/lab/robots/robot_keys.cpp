@@ -23,11 +23,11 @@ constexpr std::string_view layout_meaning =
     "for a turn that is not driven";
 constexpr std::string_view turn_meaning = "the whole turn, from node to node; false for a turn that is not driven";
 
-/// The speed that the path of a turn is laid out for.
+/// A key with the design speed of a turn's path.
 constexpr RobotKey layout(std::string_view name, bool diagonal) {
   return {name, layout_meaning, "mm/s", 10.0, 20'000.0, With::curves, optional, Kind::number_or_false, diagonal};
 }
-/// The time of a turn.
+/// A key with the time of a turn.
 constexpr RobotKey turn(std::string_view name, bool diagonal) {
   return {name, turn_meaning, "ms", 1.0, 10'000.0, With::turns, needed, Kind::number_or_false, diagonal};
 }
@@ -146,12 +146,12 @@ std::string_view key_in(std::string_view sentence) {
   std::size_t first = sentence.size();
   const auto consider = [&](std::string_view key, std::string_view text) {
     const auto at = sentence.find(text);
-    // Where two begin there, the longer one is meant.
+    // Of two at the same position, the longer one is meant.
     if (at > first || at == std::string_view::npos || (at == first && text.size() <= found.size())) return;
     first = at;
     found = key;
   };
-  // Short names are words of any sentence.
+  // Short names are common words, so they count only in quotes.
   constexpr std::size_t telling = 6;
   for (const RobotKey& key : limit_keys) {
     std::string words(key.name);

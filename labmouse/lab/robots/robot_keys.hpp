@@ -1,4 +1,4 @@
-// The keys of robot files: what each may be, and which go together.
+// All keys of robot files: their ranges, and which of them go together.
 #pragma once
 
 #include <span>
@@ -9,22 +9,23 @@
 
 namespace labmouse {
 
-/// All of them, in the order of docs/reference/files.md, those of hardware_keys() last.
+/// All keys, in the order of docs/reference/files.md; those of hardware_keys() come last.
 std::span<const RobotKey> robot_keys();
-/// The sections that say what a robot is built of: a file has all of them or none.
+/// Whether a section describes the hardware. A file has all of these sections or none.
 bool is_body_section(std::string_view section);
 
-/// Of which key a sentence about a robot speaks first, by its name or in words ("search speed"); empty for none.
+/// The first key that a sentence names, by its name or in words ("search speed"); empty for none.
 std::string_view key_in(std::string_view sentence);
 
-/// "50 to 20000 mm/s"
+/// The range of a key in words: "50 to 20000 mm/s".
 std::string range_of(const RobotKey& key);
 
-/// What is said behind that of a value that is in range once it is taken for one in metres, seconds or degrees; empty
-/// otherwise.
+/// A hint for the message about a value out of range, where it would be in range in metres, seconds or degrees; else
+/// empty.
 std::string hint_of(const RobotKey& key, double value);
 
-/// Which of the two ways a file goes, four times.
+/// The form of a robot file: times of turns or curves by limits, times of a search or its speed, with or without
+/// diagonals, with or without a body.
 struct RobotForms {
   bool turns = false;
   bool search_times = false;
@@ -34,7 +35,7 @@ struct RobotForms {
   bool has(const RobotKey& key) const;
 };
 
-/// Behind the name of a key that the forms do not have.
+/// Why a key has no effect in these forms, to be written behind the name of the key.
 std::string_view why_not(const RobotKey& key, const RobotForms& forms);
 
 }  // namespace labmouse

@@ -10,10 +10,11 @@ namespace {
 
 constexpr double degree = 3.141592653589793 / 180.0;
 
-/// Turning gains its full speed within hundredths of a second. What does in a few thousandths, by a number as large as
-/// this, is likely to be in degrees: of known mice none turns so hard, and in degrees the number is that of many.
+/// A mouse needs hundredths of a second to reach its full yaw rate. A number above these limits (rad/s², rad/s³) that
+/// needs less than 4 ms is likely to be in degrees. No known mouse turns so hard, but many would have such a number in
+/// degrees.
 constexpr double likely_seconds = 0.004, likely_acceleration = 1000.0, likely_jerk = 50'000.0;
-/// Six turns a second, rad/s.
+/// About six turns a second, rad/s.
 constexpr double likely_speed = 40.0;
 
 std::string in_degrees(std::string_view key, double value, std::string_view unit, std::string_view what) {
@@ -38,7 +39,7 @@ std::string too_near(std::string_view key, double length) {
                      length * 1e3);
 }
 
-/// The quickest that it turns in a curve, rad/s.
+/// The highest yaw rate in a curve, rad/s.
 double quickest_curve(const DriveModel& model) {
   double quickest = 0.0;
   for (std::size_t i = 0; i < model.shapes.size(); ++i)

@@ -1,4 +1,4 @@
-// What is allowed in a robot, and likely to be a mistake.
+// Finds values of a robot that are allowed but likely to be mistakes.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace labmouse {
 
-/// Numbers that look as if they were in another unit: degrees for radians, metres for millimetres. A line each, without
-/// the robot's name; none for a robot that is as mice are.
+/// Numbers that look as if they had another unit: degrees for radians, metres for millimetres. One line each, without
+/// the robot's name.
 std::vector<std::string> robot_remarks(const Robot& robot, const DriveModel& model);
 
 }  // namespace labmouse

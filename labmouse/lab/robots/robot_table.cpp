@@ -10,10 +10,10 @@
 namespace labmouse {
 namespace {
 
-/// Thousandths only where there are any: "300 ms", "295.54 ms".
+/// The time in milliseconds, with decimals only where needed: "300 ms", "295.54 ms".
 std::string milliseconds_text(DriveTime time) { return fmt::format("{} ms", time / 1e3); }
 
-/// Where the times of turns are given, only they and what follows from them is known.
+/// A line for one turn. A robot with given times has no shapes, only speeds and times.
 std::string turn_line(const Robot& robot, const DrivenTurn& turn, const TurnShape& shape, bool first) {
   std::string line =
       fmt::format("{:<5} {:>7.1f} {:>8.3f}", first ? name_of(turn.turn) : "", turn.speed, turn.time / 1e3);

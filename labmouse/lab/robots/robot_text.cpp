@@ -8,7 +8,7 @@
 namespace labmouse {
 namespace {
 
-/// The section of a key, empty without one, and its name there.
+/// The section of a key (empty for none) and its name there.
 std::pair<std::string, std::string> parts_of(std::string_view key) {
   const auto dot = key.find('.');
   if (dot == std::string_view::npos) return {"", std::string(key)};

@@ -1,4 +1,4 @@
-// The text of a robot file, and the values in one.
+// Writes robot files, and reads the values in one.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,13 @@
 
 namespace labmouse {
 
-/// A file with those values, by the names of their keys, in the order of robot_keys(): in sections, each line with its
-/// unit and its remark, where there are any.
+/// The text of a file with those values, by the names of their keys, in the order of robot_keys(). Each line has its
+/// unit and its remark, if there are any.
 std::string robot_text(
     const ReadJson& values,
     const std::function<std::string(std::string_view key)>& remark = [](std::string_view) { return std::string(); });
 
-/// The values of all keys that stand in a file, right or wrong, as long as they are numbers, truths or texts; none of a
-/// text that is no TOML.
+/// The values of all known keys in a file that are numbers, booleans or texts, even wrong ones. Empty for invalid TOML.
 Json robot_values(std::string_view text);
 
 }  // namespace labmouse

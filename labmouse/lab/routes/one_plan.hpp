@@ -1,4 +1,4 @@
-// The fastest route of one maze, planned once.
+// Plans the fastest route of one maze.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// From the start of a maze to its goals over some of its passages; one with no_time where there is none.
+/// The fastest route from the start of a maze to its goals through `passages`; its time is no_time where there is none.
 inline DriveRoute fastest_route(const Maze& maze, const WallSet& passages, std::shared_ptr<const RouteTables> tables) {
   const Pose start = {maze.start(), maze.start_heading()};
   FastestRoutes routes(maze.size(), std::move(tables));

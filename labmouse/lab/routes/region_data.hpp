@@ -1,4 +1,4 @@
-// Which route wins for which robot, as JSON.
+// JSON of the regions in which one route stays the fastest.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-/// What `labmouse route --vary --format json` says, times in microseconds.
+/// The output of `labmouse route --vary --format json`; times in microseconds.
 Json regions_json(const RouteRegions& regions, const RegionOrder& order, const std::string& maze,
                   const std::string& robot);
 

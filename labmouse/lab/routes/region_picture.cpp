@@ -28,7 +28,7 @@ const Tone& tone_of(int route) {
   return *tones[static_cast<std::size_t>(route) % tones.size()];
 }
 
-/// Where a region begins and ends: in the middle between its last value and the first one of its neighbour.
+/// The range in which a region is drawn: its borders lie midway between its values and those of its neighbours.
 struct Stretch {
   double from, to;
 };
@@ -47,12 +47,12 @@ std::string area_svg(const Tone& tone, double x1, double y1, double x2, double y
                      y2, x1);
 }
 
-/// The letter of a route in an area that has room for it.
+/// The letter of a route, if the area has room for it.
 std::string letter_svg(int route, double x1, double x2, double y) {
   return x2 - x1 < 2 * letter_width ? "" : text_svg((x1 + x2) / 2.0, y, "middle", ink, letter_of(route));
 }
 
-/// Times over one number: a line a route, and the winners on a strip below the axis of the chart's top.
+/// Plots the times over one number, a line for each route, with a strip of the winners.
 std::string times_svg(const RouteRegions& regions, const RegionOrder& order) {
   DriveTime least = no_time, most = 0;
   for (const auto& times : regions.times)
@@ -89,7 +89,7 @@ std::string times_svg(const RouteRegions& regions, const RegionOrder& order) {
   return svg;
 }
 
-/// The winners over two numbers: a band for each value of the second.
+/// Maps the winners over two numbers, a band for each value of the second.
 std::string map_svg(const RouteRegions& regions, const RegionOrder& order) {
   const double half = (order.along->to - order.along->from) / (2.0 * (order.rows - 1));
   const Axis x(order.across.from, order.across.to, chart.left, chart.right, 8);
@@ -113,7 +113,7 @@ std::string map_svg(const RouteRegions& regions, const RegionOrder& order) {
   return svg + axes_svg(chart, x, y, label_of(order.across), label_of(*order.along));
 }
 
-/// The routes that win in most of the range, the first ones of equals.
+/// The routes that win in the largest part of the range; of equals, the first ones.
 std::vector<int> most_winning(const RouteRegions& regions) {
   std::vector<double> wins(regions.routes.size(), 0.0);
   for (const RegionRow& row : regions.rows)

@@ -1,4 +1,4 @@
-// Which route wins for which robot, as a picture: the regions, and the routes beside them.
+// A picture of the regions in which one route stays the fastest, and of these routes.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace labmouse {
 
-/// One self-contained SVG picture: of one number that is varied, the times of all routes over it; of two, the map of
-/// their regions. Below it the routes that win in most of the range, at most three, each in its maze.
+/// A self-contained SVG picture. For one varied number it plots the times of all routes; for two it maps their regions.
+/// Below are the routes that win in most of the range (at most three), each in its maze.
 std::string draw_regions(const Maze& maze, const RouteRegions& regions, const RegionOrder& order,
                          const std::string& title);
 

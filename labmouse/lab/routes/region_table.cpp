@@ -17,7 +17,7 @@ std::string range_text(const VariedNumber& number) {
                      unit);
 }
 
-/// As many digits as tell the two sides of a border apart.
+/// The number of decimals that separates the two sides of a border.
 int digits_of(const RegionOrder& order) {
   int digits = 0;
   for (double close = order.sharpness * (order.across.to - order.across.from); close < 1.0 && digits < 6; close *= 10.0)
@@ -45,7 +45,8 @@ std::string one_row(const RouteRegions& regions, const RegionOrder& order) {
   return text;
 }
 
-/// "A 27431 B": the routes of a row with the borders between them, each where its right side begins.
+/// The routes of a row and the borders between them, such as "A 27431 B"; a border is the first value of the right
+/// side.
 std::string row_text(const RegionRow& row, int digits) {
   std::string text;
   for (const RouteRegion& region : row.regions) {

@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-/// What `labmouse route --format json` says of one maze, times in microseconds.
+/// The JSON of one maze in `labmouse route --format json`; times in microseconds.
 Json route_json(const RouteReport& report, const std::string& maze, const DriveModel& model);
 
 }  // namespace labmouse

@@ -16,7 +16,7 @@ DriveRoute fastest_by(const Maze& maze, const WallSet& passages, const DriveMode
   return fastest_route(maze, passages, std::make_shared<const RouteTables>(model.tables, maze.size()));
 }
 
-/// The passages of a route, and those straight behind its end.
+/// The passages of a route, and the open ones straight ahead of its end.
 WallSet passages_of(const DriveRoute& route, const Maze& maze) {
   WallSet passages = walls_of(route);
   if (route.segments.empty()) return passages;
@@ -27,7 +27,7 @@ WallSet passages_of(const DriveRoute& route, const Maze& maze) {
   return passages;
 }
 
-/// One plan: the robot with a number, or two, and its route.
+/// One plan: the values of the varied numbers, and the route of that robot.
 struct Plan {
   double across = 0.0;
   std::size_t row = 0;
@@ -91,7 +91,7 @@ class Search {
     if (plan.route.time >= no_time) plan.refusal = "no route leads from the start to a goal";
   }
 
-  /// Makes these plans and sorts them in among those before.
+  /// Computes these plans and merges them into the sorted list.
   void make(std::vector<Plan>& plans) {
     for_each_parallel(plans.size(), order_.jobs, [&](std::size_t i) { plan(plans[i]); });
     std::move(plans.begin(), plans.end(), std::back_inserter(plans_));
@@ -103,7 +103,7 @@ class Search {
     return a.refused() ? b.refused() : !b.refused() && a.walls == b.walls;
   }
 
-  /// The middles between neighbours that do not agree and are not yet close enough.
+  /// The midpoints between neighbours with different routes that are not yet close enough.
   std::vector<Plan> between() const {
     const double close = order_.sharpness * (order_.across.to - order_.across.from);
     std::vector<Plan> middles;
@@ -193,7 +193,7 @@ class Search {
   const RobotFamily& family_;
   const RegionOrder& order_;
   std::size_t rows_;
-  std::vector<Plan> plans_;  ///< row by row, by their values
+  std::vector<Plan> plans_;  ///< sorted by row, then by value
   std::vector<RegionRoute> routes_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 using Tables = std::shared_ptr<const RouteTables>;
 
-/// The robot with some of its turns alone.
+/// The tables of the robot with only some of its turns.
 template <class Keep>
 Tables with_turns(DriveTables tables, Keep keep) {
   std::erase_if(tables.turns, [&](const DrivenTurn& turn) { return !keep(turn.turn); });
@@ -35,14 +35,14 @@ DistanceField cells_from(const Maze& maze, const CellSet& cells) {
   return field;
 }
 
-/// Adds what is open straight behind a goal, where a mouse may stop.
+/// Adds the open passages in a line through a goal, where a mouse may stop.
 void add_open_lines(WallSet& passages, const Maze& maze, Cell goal) {
   for (const Heading heading : all_headings)
     for (Cell cell = goal; maze.open_walls().contains(wall_at(cell, heading)); cell = neighbour(cell, heading))
       passages.insert(wall_at(cell, heading));
 }
 
-/// The passages of all routes of the fewest cells, and those behind their ends.
+/// The passages of all routes with the fewest cells, and the open ones in a line through the goals.
 WallSet shortest_passages(const Maze& maze, const DistanceField& start, const DistanceField& goal) {
   const int fewest = goal.at(maze.start());
   WallSet passages;

@@ -1,4 +1,4 @@
-// The fastest route of a maze, and what its diagonals and its way are worth.
+// The fastest route of a maze, compared with routes without diagonals and with the fewest cells.
 #pragma once
 
 #include <memory>
@@ -13,32 +13,32 @@
 
 namespace labmouse {
 
-/// The fastest route of one maze, beside others.
+/// The fastest route of one maze, and others to compare it with.
 struct RouteReport {
-  std::string error;  ///< why there is none; then nothing else counts
+  std::string error;  ///< why there is no route; the other fields are then invalid
   DriveRoute route;
-  DriveTime gate_to_gate = 0;  ///< of the route: from leaving the start cell to entering a goal, microseconds
-  int cells = 0;               ///< that the route enters
-  /// The fastest route without diagonals, of straights along the axes and the turns between them.
+  DriveTime gate_to_gate = 0;  ///< time of the route from leaving the start cell to entering a goal, microseconds
+  int cells = 0;               ///< number of cells that the route enters
+  /// Time of the fastest route without diagonals: straights along the axes and the turns between them.
   DriveTime without_diagonals = no_time;
-  /// The same with the small turns of a search alone, S90.
+  /// Time of the fastest route with S90, the small turns of a search, as its only turns.
   DriveTime small_turns = no_time;
-  int fewest_cells = 0;  ///< that any route enters
-  /// The fastest route over passages that lie on routes of the fewest cells; nothing where that one enters more of
-  /// them.
+  int fewest_cells = 0;  ///< smallest number of cells that any route enters
+  /// Time of the fastest route through passages of routes with the fewest cells; nothing where it enters more cells.
   std::optional<DriveTime> fewest_cells_time;
 
-  /// The share of another route's time that this one saves; nothing where there is none, or no time passes.
+  /// The share of another route's time that this route saves; nothing where `other` is 0 or no_time.
   std::optional<double> gain_over(DriveTime other) const;
 };
 
-/// What is looked for in every maze, with what the searches for it share.
+/// Makes reports for many mazes; keeps what their plans share.
 class RouteReporter {
  public:
   /// The model must outlive it.
   explicit RouteReporter(const DriveModel& model);
 
-  /// A maze too large for the world of seconds, and one without a route in the direction of its start, give an error.
+  /// Reports an error for a maze too large for the world in seconds, and for one without a route in the direction of
+  /// its start.
   RouteReport report(const Maze& maze) const;
 
  private:
@@ -46,17 +46,17 @@ class RouteReporter {
   std::shared_ptr<const RouteTables> all_, without_diagonals_, small_turns_;
 };
 
-/// Of one maze.
+/// Reports on one maze.
 inline RouteReport route_report(const Maze& maze, const DriveModel& model) { return RouteReporter(model).report(maze); }
 
-/// The route as a table of its segments, and how it compares.
+/// The route as a table of its segments, and its comparisons.
 std::string table_of(const RouteReport& report, const NamedMaze& maze, const DriveModel& model);
 
-/// The routes of many mazes: a line each, then medians. Those without a route have a reason in place of numbers.
+/// A line for each maze, then medians. Mazes without a route have a reason in place of numbers.
 std::string summary_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes,
                        const DriveModel& model);
 
-/// All of the routes, with their segments.
+/// All routes with their segments, as JSON.
 std::string json_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes,
                     const DriveModel& model);
 

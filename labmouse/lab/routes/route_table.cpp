@@ -13,7 +13,7 @@ namespace {
 
 double seconds(DriveTime time) { return time / 1e6; }
 
-/// "(0,7.5) N", in cells: the middle of the wall north of (0,7), heading north.
+/// The place and direction of a node, in cells: "(0,7.5) N" is the middle of the wall north of (0,7), heading north.
 std::string place_text(const DriveNode& node) {
   constexpr const char* directions[] = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
   const HalfPoint point = half_point(node);
@@ -34,7 +34,7 @@ std::string segments_text(const DriveRoute& route, const DriveModel& model) {
   return text;
 }
 
-/// Another route's time, and what this one gains over it.
+/// Another route's time, and the share of it that this route saves.
 std::string gain_text(const RouteReport& report, DriveTime other) {
   if (other >= no_time) return "no route";
   const auto gain = report.gain_over(other);
@@ -46,7 +46,7 @@ std::string gains_text(const RouteReport& report) {
                      gain_text(report, report.without_diagonals), gain_text(report, report.small_turns));
 }
 
-/// How much slower the best route of the fewest cells is, as a share; nothing where it is unknown.
+/// How much slower the fastest route with the fewest cells is, as a share; nothing where it is unknown.
 std::optional<double> loss_of(const RouteReport& report) {
   if (!report.fewest_cells_time || report.route.time == 0) return std::nullopt;
   return static_cast<double>(*report.fewest_cells_time) / report.route.time - 1.0;
@@ -76,8 +76,8 @@ std::string percent(const std::optional<double>& share) {
   return number(share ? std::optional(100.0 * *share) : std::nullopt, 1);
 }
 
-/// Fastest route, without diagonals and gain, with small turns and gain, cells, fewest cells, and how much slower those
-/// are.
+/// The columns of a line: the fastest route, without diagonals and its gain, with small turns and its gain, cells,
+/// fewest cells, and how much slower a route with the fewest cells is.
 using Numbers = std::array<std::string, 8>;
 
 std::string summary_line(const Numbers& numbers, const std::string& maze) {
@@ -101,7 +101,7 @@ std::string line_of(const RouteReport& report, const NamedMaze& maze) {
       shown(maze.name));
 }
 
-/// Of the routes that there are: their medians, and in how many a longer way is faster.
+/// The medians over all mazes with a route, and the number of mazes where a longer way is faster.
 std::string medians_text(const std::vector<RouteReport>& reports) {
   std::vector<double> times, without, gains, small, small_gains, losses, cells, fewest;
   int longer = 0;

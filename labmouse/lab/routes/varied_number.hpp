@@ -1,4 +1,4 @@
-// A number of a robot file and how far it is varied.
+// A number of a robot file and its range of variation.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace labmouse {
 
-/// By the name of its key, in the key's unit; both ends are included.
+/// The key of the number, and its range in the key's unit with both ends included.
 struct VariedNumber {
   std::string key;
   double from = 0.0, to = 0.0;
@@ -15,7 +15,7 @@ struct VariedNumber {
 /// The unit of its key.
 std::string unit_of(const VariedNumber& number);
 
-/// The number that `KEY=FROM:TO` names, or why it names none: exactly one of the two counts.
+/// Parses `KEY=FROM:TO`: a number, or an error.
 struct VariedNumberResult {
   VariedNumber number;
   std::string error;

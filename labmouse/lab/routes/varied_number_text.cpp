@@ -1,4 +1,4 @@
-// Apart from the rest: only the command line reads such texts.
+// A file of its own, because only the command line reads such texts.
 #include <optional>
 
 #include "labmouse/functions/parse_number.hpp"

@@ -1,4 +1,4 @@
-// What the core brings.
+// Shapes of the answer to `about`: rules, worlds, mice and what else the core contains.
 #include "labmouse/lab/shapes/shapes.hpp"
 
 namespace labmouse {

@@ -1,4 +1,4 @@
-// Every call: what it is asked, and what it answers.
+// The request and the answer of every call.
 #include "labmouse/lab/shapes/shapes.hpp"
 
 namespace labmouse {

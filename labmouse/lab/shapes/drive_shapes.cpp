@@ -1,4 +1,4 @@
-// What only a play in seconds has.
+// Shapes that occur only in contests in seconds.
 #include "labmouse/lab/shapes/shapes.hpp"
 
 namespace labmouse {

@@ -1,4 +1,4 @@
-// Programs that the page runs.
+// Shapes of external programs that the page runs.
 #include "labmouse/lab/shapes/shapes.hpp"
 
 namespace labmouse {

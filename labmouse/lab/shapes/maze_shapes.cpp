@@ -1,4 +1,4 @@
-// Mazes, and what is wrong with one.
+// Shapes of mazes and of their problems.
 #include "labmouse/lab/shapes/shapes.hpp"
 
 namespace labmouse {

@@ -1,4 +1,4 @@
-// A contest, frame by frame.
+// Shapes of a contest, frame by frame.
 #include "labmouse/lab/shapes/shapes.hpp"
 
 namespace labmouse {

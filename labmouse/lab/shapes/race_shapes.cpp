@@ -1,4 +1,4 @@
-// Races, reports and what else is answered.
+// Shapes of races, reports and other answers.
 #include "labmouse/lab/shapes/shapes.hpp"
 
 namespace labmouse {

@@ -1,4 +1,4 @@
-// A robot that is being edited, and what follows from it.
+// Shapes of a robot in the editor, and of the model computed from it.
 #include "labmouse/lab/shapes/shapes.hpp"
 
 namespace labmouse {

@@ -1,5 +1,5 @@
-// The shape of JSON as a value: what may stand where. TypeScript is written from it, and answers are checked against
-// it.
+// Describes the structure of JSON (a schema). The page's TypeScript types are generated from it, and tests check
+// answers against it.
 #pragma once
 
 #include <string>
@@ -10,28 +10,30 @@ namespace labmouse {
 
 struct ShapeField;
 
-/// What may stand at a place.
+/// The structure of one JSON value.
 struct Shape {
   enum class Kind { anything, text, number, flag, null, bytes, word, exactly, named, list, tuple, map, object, either };
 
-  /// From a kind alone, so that `text` and `number` are shapes.
+  /// Implicit, so that `text` and `number` can be used as shapes.
   Shape(Kind what);  // NOLINT(google-explicit-constructor)
   Shape(Kind what, std::string words, std::vector<Shape> several);
 
   Kind kind;
-  /// The one word of a word, the number of `exactly`, and the declaration that a named one refers to.
+  /// The value of a `word` or an `exactly`, or the name of the declaration that `named` refers to.
   std::string text;
-  /// What a list and a map have in each place, a tuple in turn, and what may stand where it is one of several.
+  /// The shape of each element of a `list` or `map`, of the elements of a `tuple` in order, or the alternatives of an
+  /// `either`.
   std::vector<Shape> parts;
   std::vector<ShapeField> fields;
-  /// Declarations whose fields an object has, too.
+  /// Names of declarations whose fields an object inherits.
   std::vector<std::string> bases;
 };
 
+/// A field of an object.
 struct ShapeField {
   std::string name;
   Shape shape;
-  /// A sentence or a few for those who read the answer; empty where the name says it all.
+  /// A description for readers of the answer; empty where the name is enough.
   std::string meaning;
   bool optional = false;
 };
@@ -46,7 +48,7 @@ struct Declaration {
   Shape shape;
 };
 
-/// The words in which shapes are written.
+/// Short names and functions to write shapes.
 namespace shapes {
 
 constexpr auto anything = Shape::Kind::anything;
@@ -54,7 +56,7 @@ constexpr auto text = Shape::Kind::text;
 constexpr auto number = Shape::Kind::number;
 constexpr auto flag = Shape::Kind::flag;
 constexpr auto null = Shape::Kind::null;
-/// Goes beside the JSON.
+/// Binary data, which is sent beside the JSON.
 constexpr auto bytes = Shape::Kind::bytes;
 
 inline Shape word(std::string one) { return {Shape::Kind::word, std::move(one), {}}; }

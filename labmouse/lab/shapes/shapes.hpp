@@ -1,5 +1,5 @@
-// Every shape of the page, once: what each call is asked and what it answers. The page's TypeScript types are written
-// from these, and tests check the answers against them.
+// The shapes of all requests and answers between the page and the core. The page's TypeScript types are generated from
+// them, and tests check the answers against them.
 #pragma once
 
 #include <string_view>
@@ -8,17 +8,17 @@
 
 namespace labmouse {
 
-/// Whether bytes go beside a request.
+/// Whether binary data is sent beside a request.
 enum class CallBytes { none, optional, some };
 
-/// A call of the page.
+/// A function of the core that the page can call.
 struct CallShape {
   std::string name, meaning;
   Shape request, answer;
   CallBytes bytes = CallBytes::none;
 };
 
-/// The named shapes, by what they are about; and the calls, in the order of `page_calls`.
+/// The named shapes by subject, and the calls in the order of `page_calls`.
 std::vector<Declaration> maze_shapes();
 std::vector<Declaration> about_shapes();
 std::vector<Declaration> play_shapes();
@@ -31,7 +31,7 @@ std::vector<CallShape> call_shapes();
 /// All named shapes.
 const std::vector<Declaration>& all_shapes();
 
-/// The shape of that name; null where there is none.
+/// The shape with that name; null where there is none.
 const Shape* find_shape(std::string_view name);
 
 }  // namespace labmouse

@@ -40,7 +40,7 @@ std::string comment(const std::string& meaning, const std::string& indent) {
   return text + "\n" + indent + " */\n";
 }
 
-/// An object in one line; empty where it does not fit, or has more to say.
+/// An object in one line; empty where it is too long or a field has a comment.
 std::string short_body(const Shape& object, const std::string& indent) {
   std::string text = "{";
   for (const ShapeField& field : object.fields) {

@@ -1,4 +1,4 @@
-// The behaviour signature of this build, known without computing it.
+// The behaviour signature of this build, computed at build time.
 #pragma once
 
 #include <string_view>

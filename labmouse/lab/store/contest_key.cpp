@@ -13,7 +13,7 @@
 namespace labmouse {
 namespace {
 
-/// All numbers of a prior, two digits each.
+/// All numbers of a prior, each as two hexadecimal digits.
 std::string prior_text(const WallPrior& prior) {
   std::string text;
   for (const std::uint8_t number : prior.walls) text += fmt::format("{:02x}", number);
@@ -26,7 +26,7 @@ std::string prior_text(const WallPrior& prior) {
 std::string conditions_text(const World& world) { return one_line(conditions_json(world)); }
 
 std::string key_of(const World& world) {
-  // With the names of the first version, so that what stores have stays valid.
+  // Uses the names of the first version, so that existing stores stay valid.
   std::string fields;
   for (const ContestField& field : world.fields().contest) fields += fmt::format(" {}", former_key(field.key));
   const Json conditions = with_names(conditions_json(world), former_key, former_value);

@@ -1,4 +1,4 @@
-// What determines a contest, as texts: the world, the mouse and the maze, besides the seed.
+// Keys of a contest: texts of its world, mouse and maze, which with the seed determine its result.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace labmouse {
 
-/// The name of a world, how it scores, its conditions, and what its results look like.
+/// The key of a world: its name, edition, score formula, conditions and result fields.
 std::string key_of(const World& world);
-/// The conditions as an object of JSON, as restore_world reads it.
+/// The conditions as a JSON object, which restore_world() reads.
 std::string conditions_text(const World& world);
 
-/// A mouse of ours with all parameters that count in this world, what it has learned, and the behaviour signature of
-/// this build; an external mouse as external_identity says it. Empty for a mouse of which nothing is known that could
-/// be compared.
+/// The key of a mouse. A built-in mouse has all parameters that matter in this world, its learned prior, and the
+/// behaviour signature of this build; an external mouse has its external_identity. Empty for a mouse that cannot be
+/// compared later.
 std::string key_of(const World& world, const Contestant& mouse);
 
-/// The maze as a link without a name: its walls, start and goals.
+/// The key of a maze: its link without a name, with walls, start and goals.
 std::string key_of(const Maze& maze);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// A contest of a race as a row of a store, and back.
+// Converts contests of a race to rows of a store and back.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@
 
 namespace labmouse {
 
-/// What the rows of one race share: who raced where, each as its key and what is printed of it.
+/// The part that all rows of one race share: its world, mice and mazes with their keys and printed texts.
 struct RaceRows {
   struct Mouse {
-    std::string key;  ///< empty: its contests are not kept
+    std::string key;  ///< empty: its contests are not stored
     std::string name, spec, parameters, about;
   };
   struct MazeRow {
@@ -28,10 +28,10 @@ struct RaceRows {
   std::vector<MazeRow> mazes;
 };
 
-/// A race in which nothing has to be held yet. Reads the files of external mice.
+/// The shared part of the rows of a race. Reads the files of external mice. No contest has to be run.
 RaceRows rows_of(const Race& race);
 
-/// A row, with its mouse and maze by their places in the race.
+/// A row of the table of contests; `mouse` and `maze` are positions in the race.
 struct ContestRow {
   std::shared_ptr<const RaceRows> race;
   std::size_t mouse = 0, maze = 0;
@@ -40,8 +40,7 @@ struct ContestRow {
   std::int64_t time = 0;  ///< seconds since 1970
 };
 
-/// The row of a contest that was held. Its timings stand in a list of their own, and are 0 among the figures and absent
-/// from the fields.
+/// The row of a contest that was run. Its timings are in `timings`; they are 0 in `figures` and missing in `fields`.
 ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const ContestResult& result);
 
 /// The columns of contests and timings that fill_in reads.
@@ -49,10 +48,11 @@ inline constexpr const char* result_columns =
     "run, outcome, outcome_order, never_started, score, counted, ratio, contests.figures AS figures, "
     "timings.figures AS timings, race_seed";
 
-/// Fills in what a row with these columns says; false where its figures or its seed cannot be read. It is done then.
+/// Fills in the result from a row with these columns and marks it as done. Returns false where its figures or its seed
+/// cannot be read.
 bool fill_in(const Statement& row, const World& world, ContestResult& result);
 
-/// What a store tells of a mouse beside its name, as JSON, and back.
+/// The stored properties of a mouse besides its name, as JSON.
 std::string about_text(const Contestant& mouse);
 void read_about(std::string_view about, Contestant& mouse);
 std::string parameters_text(const World& world, const Contestant& mouse);

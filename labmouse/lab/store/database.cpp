@@ -16,17 +16,17 @@
 namespace labmouse {
 namespace {
 
-/// How long another program may keep the file locked.
+/// How long to wait for another program's lock, in milliseconds.
 constexpr int patience_ms = 60'000;
 
-/// The primary code of an extended one.
+/// The primary code of an extended SQLite code.
 int primary(int code) { return code & 0xff; }
 
 std::string with_cause(const std::string& text, int error_number) {
   return error_number == 0 ? text : fmt::format("{}: {}", text, cause_of(error_number));
 }
 
-/// What SQLite's code means to a user.
+/// SQLite's error in words for a user.
 std::string words_of(int code, int error_number, bool writes, const char* message) {
   const std::string what = writes ? "cannot be written" : "cannot be read";
   switch (primary(code)) {
@@ -51,8 +51,8 @@ std::string words_of(int code, int error_number, bool writes, const char* messag
   }
 }
 
-/// Why a file cannot be written or made, by asking the system. SQLite tries once more to open it for reading, so the
-/// error number that it leaves tells of that, such as that the file is not there.
+/// The error number that explains why a file cannot be written or created. SQLite's own number may be from its second
+/// try, which opens the file only for reading.
 int why_unwritable(const std::string& path, int error_number) {
   namespace fs = std::filesystem;
   std::error_code unknown;
@@ -63,7 +63,7 @@ int why_unwritable(const std::string& path, int error_number) {
   return reason != 0 ? reason : error_number;
 }
 
-/// A path as SQLite takes one in an address: read-only, and without files beside it.
+/// A path as a URI for SQLite that opens the file read-only and creates no files beside it.
 std::string unchanging_address(const std::string& path) {
   std::string address = "file:";
   for (const char letter : std::filesystem::absolute(path).string())
@@ -72,8 +72,8 @@ std::string unchanging_address(const std::string& path) {
   return address + "?immutable=1";
 }
 
-/// A file may come from somebody else: what its schema says starts nothing that could change more than its rows, and
-/// no statement can reach the schema's own table.
+/// A file may come from somebody else, so its schema must not run code that changes other things than its rows, and no
+/// statement may write to the schema table.
 void distrust(sqlite3* database) {
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
@@ -86,8 +86,7 @@ void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(dat
 void Statement::Finish::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 Database::Database(const std::string& path, Access access) : path_(path), writes_(access != Access::read) {
-  // Who only reads may write as well, where the file can be written: so he removes the files beside it when he is the
-  // last.
+  // A reader opens the file for writing too, where it may: then the last connection can remove the files beside it.
   int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_READWRITE;
   if (access == Access::create || access == Access::scratch) flags |= SQLITE_OPEN_CREATE;
   const auto open = [&](const std::string& name, int more) {
@@ -100,8 +99,8 @@ Database::Database(const std::string& path, Access access) : path_(path), writes
                              : code;
   };
   int code = open(path, 0);
-  // In a folder that nobody may write to there is no room for the files beside it; and where nobody has left any, it
-  // does not change.
+  // SQLite cannot create its files beside the database in a read-only folder. Without a -wal file nobody is writing, so
+  // the database can be opened as immutable.
   std::error_code unknown;
   if (!writes_ && (primary(code) == SQLITE_CANTOPEN || primary(code) == SQLITE_READONLY) &&
       std::filesystem::exists(path, unknown) && !std::filesystem::exists(path + "-wal", unknown))
@@ -166,7 +165,7 @@ Statement& Statement::bind(int place, std::int64_t value) {
 }
 
 Statement& Statement::bind(int place, std::string_view value) {
-  // The text of an empty view may be null, which SQLite would take for no text.
+  // An empty view may have a null pointer, which SQLite would store as NULL.
   if (statement_ && database_->good())
     database_->check(sqlite3_bind_text64(statement_.get(), place, value.empty() ? "" : value.data(), value.size(),
                                          SQLITE_TRANSIENT, SQLITE_UTF8));

@@ -1,4 +1,4 @@
-// A file of SQLite: what is asked of it, and what goes wrong.
+// A thin wrapper of SQLite that collects errors.
 #pragma once
 
 #include <cstdint>
@@ -14,37 +14,37 @@ namespace labmouse {
 
 class Statement;
 
-/// A connection. Once something went wrong it does nothing more, and says what that was: so it has to be asked only at
-/// the end of what belongs together. For one thread at a time.
+/// A connection to a database. After the first error it does nothing and keeps that error, so a check at the end of a
+/// series of calls is enough. Use it in one thread at a time.
 class Database {
  public:
   enum class Access : std::uint8_t {
-    read,    ///< of a file that is there
-    write,   ///< the same
-    create,  ///< where there is no file, makes one
-    scratch  ///< the same, of a file that need not outlive a power cut
+    read,    ///< reads an existing file
+    write,   ///< reads and writes an existing file
+    create,  ///< creates the file if needed
+    scratch  ///< the same, for a file that need not survive a power failure
   };
 
   Database(const std::string& path, Access access);
 
-  /// What went wrong first, in words: "is no database", "cannot be written: no space is left on the device"; or
-  /// nothing.
+  /// The first error in words, such as "cannot be written: no space left on the device"; empty where there is none.
   const std::string& error() const { return error_; }
   bool good() const { return error_.empty(); }
-  /// Notes what went wrong outside of SQLite, if nothing did before.
+  /// Records an error outside SQLite, unless there is one already.
   void fail(const std::string& error);
 
-  /// Runs statements that have no values.
+  /// Runs statements without parameters.
   void run(const std::string& sql);
-  /// The same for what needs the file alone: where several programs ask for that at once, SQLite itself waits for none.
+  /// The same for statements that need exclusive access. It retries, because SQLite itself does not wait for such a
+  /// lock.
   void run_patiently(const std::string& sql);
   Statement prepare(std::string_view sql);
-  /// The number that a statement gives, or 0.
+  /// The number that a query returns, or 0.
   std::int64_t number(std::string_view sql);
-  /// Rows that the last statement changed, and where the last one was inserted.
+  /// The number of rows that the last statement changed, and the id of the last inserted row.
   std::int64_t changes() const;
   std::int64_t last_row() const;
-  /// Leaves a transaction that was begun, where there is one, also after an error.
+  /// Rolls back an open transaction, if there is one, even after an error.
   void roll_back();
 
  private:
@@ -54,7 +54,7 @@ class Database {
     void operator()(sqlite3* database) const;
   };
 
-  /// Notes what SQLite says; true where all is well.
+  /// Records SQLite's error; true where there is none.
   bool check(int code);
 
   std::string path_;
@@ -63,17 +63,17 @@ class Database {
   std::string error_;
 };
 
-/// A statement of a database, which has to outlive it: values by number, counted from 1, and rows with columns by name,
-/// or counted from 0.
+/// A prepared statement; its database must outlive it. Parameters are numbered from 1. Columns have names, or numbers
+/// from 0.
 class Statement {
  public:
   Statement& bind(int place, std::int64_t value);
   Statement& bind(int place, std::string_view value);
   Statement& bind(int place, const std::optional<double>& value);
-  /// The value in a column of the present row of a statement, of this database or another.
+  /// Binds a column of the current row of another statement, of any database.
   Statement& bind(int place, const Statement& row, int column);
 
-  /// Goes to the next row; false behind the last one, and then the statement can be used again.
+  /// Moves to the next row. Returns false after the last one; the statement can then be used again.
   bool next();
   /// Runs it to its end.
   void run();
@@ -84,7 +84,7 @@ class Statement {
   std::string text(int column) const;
   bool is_null(int column) const;
 
-  /// The same of the column that has that name, which must be there.
+  /// The same by the name of a column, which must exist.
   std::int64_t whole(const char* name) const { return whole(column(name)); }
   std::optional<double> real(const char* name) const { return real(column(name)); }
   std::string text(const char* name) const { return text(column(name)); }

@@ -11,9 +11,9 @@
 namespace labmouse {
 namespace {
 
-/// More say no more.
+/// Differences that are named; the others become "...".
 constexpr std::size_t most_words = 2;
-/// Of members in members: conditions have no more, and a file that somebody made may have any number.
+/// Depth of nested objects to compare. Conditions have no more; a file from elsewhere may.
 constexpr int most_depth = 3;
 
 ReadJson member_of(const ReadJson& json, const std::string& key) { return json.value(key, ReadJson()); }
@@ -37,7 +37,7 @@ std::vector<ReadJson> members(const std::vector<ReadJson>& all, const std::strin
   return values;
 }
 
-/// Adds to the words of each what differs below; `path` says where that is, as "robot ".
+/// Adds the differences at and below these objects to the words of each. `path` is a prefix such as "robot ".
 void compare(const std::vector<ReadJson>& all, const std::string& path, int depth,
              std::vector<std::vector<std::string>>& words) {
   std::set<std::string> keys;
@@ -50,7 +50,7 @@ void compare(const std::vector<ReadJson>& all, const std::string& path, int dept
   for (const std::string& key : keys) {
     const std::vector<ReadJson> values = members(all, key);
     if (!differ(values)) continue;
-    // What such an object holds is meant, not that it holds it.
+    // The key "parameters" is left out of the path: only its members are informative.
     const std::string inner = key == "parameters" ? path : path + key + " ";
     if (all_objects(values) && depth < most_depth)
       compare(values, inner, depth + 1, words);
@@ -66,7 +66,7 @@ std::vector<std::string> differences_of(std::span<const std::string> conditions)
   std::vector<ReadJson> all;
   for (const std::string& text : conditions) all.push_back(read_json(text));
   if (!all_objects(all)) return told;
-  // A hash of what the other members say.
+  // "tables" is only a hash of the other members.
   for (ReadJson& json : all) json.erase("tables");
   std::vector<std::vector<std::string>> words(all.size());
   compare(all, "", 1, words);

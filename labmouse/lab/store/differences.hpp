@@ -1,4 +1,4 @@
-// What tells the conditions of two races in one world apart, in a few words.
+// Names the differences between the conditions of races in one world, in a few words.
 #pragma once
 
 #include <span>
@@ -7,9 +7,9 @@
 
 namespace labmouse {
 
-/// Of each of several conditions, objects of JSON, what it has where they differ: "budget 500", "robot kerise" where
-/// the names differ, or "robot straight.speed 1500" of robots of one name. Empty of all where they are equal or one is
-/// no object.
+/// For each of several conditions (JSON objects), its values where they differ: "budget 500", "robot kerise" where the
+/// names differ, or "robot straight.speed 1500" for robots of one name. All empty where they are equal or one is no
+/// object.
 std::vector<std::string> differences_of(std::span<const std::string> conditions);
 
 }  // namespace labmouse

@@ -28,7 +28,7 @@ std::optional<std::string> bytes_of(std::string_view hexadecimal) {
   return bytes;
 }
 
-/// A text in quotation marks; as bytes where it is no UTF-8.
+/// A text in quotation marks; {"bytes": ...} for invalid UTF-8.
 std::string quoted(const std::string& text) {
   std::string json = one_line(Json(text));
   if (ReadJson::parse(json).get_ref<const std::string&>() == text) return json;
@@ -50,7 +50,7 @@ std::string text_of_figure(const Value& value) {
   return std::holds_alternative<std::nullptr_t>(value) ? "null" : "[]";
 }
 
-/// A text, or {"bytes": ...}.
+/// Reads a text or {"bytes": ...}.
 std::optional<std::string> read_text(const ReadJson& json) {
   if (json.is_string()) return json.get<std::string>();
   if (json.is_object() && json.size() == 1 && json.contains("bytes") && json["bytes"].is_string())

@@ -1,4 +1,4 @@
-// The figures of a contest as text that gives them back exactly, whatever world they are of.
+// The figures of a contest as text, without loss, for any world.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,12 @@
 
 namespace labmouse {
 
-/// A list of JSON: numbers with as many digits as they need, real ones with a point or an exponent; [] for no value,
-/// {"json": "..."} for JSON as its world wrote it, {"real": "nan"} and {"bytes": "..."} for what JSON cannot say.
+/// A JSON list. Numbers have as many digits as needed, real ones with a point or an exponent. Other values: [] for
+/// none, {"json": "..."} for JSON as its world wrote it, {"real": "nan"} and {"bytes": "..."} for values that JSON
+/// cannot express.
 std::string figures_text(std::span<const Value> figures);
 
-/// What figures_text wrote; nothing where a text is no such list.
+/// Reads the text of figures_text(); nothing where it is invalid.
 std::optional<std::vector<Value>> read_figures(std::string_view text);
 
 }  // namespace labmouse

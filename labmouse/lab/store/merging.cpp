@@ -9,20 +9,20 @@
 namespace labmouse {
 namespace {
 
-/// So many conflicts are named; where there is one there are often many.
+/// Number of conflicts that are listed.
 constexpr std::size_t named_conflicts = 10;
 
-/// A contest of theirs: four numbers of rows, the seed, what the clock said, and behind it what stores say of contests
-/// in the same way.
+/// The contests of the other store: four row ids, the seed, the timings, and then the columns that are copied
+/// unchanged.
 constexpr const char* their_contests =
     "SELECT world, mouse, maze, build, seed, timings.figures, run, race_seed, outcome, outcome_order, never_started, "
     "score, counted, ratio, fields, contests.figures, time "
     "FROM contests LEFT JOIN timings ON timings.contest = contests.id ORDER BY contests.id";
-/// Columns of it.
+/// Column numbers of that query.
 constexpr int seed = 4, clock_figures = 5, first_copied = 6, outcome = 8, never_started = 10, score = 11, counted = 12,
               ratio = 13, figures = 15, columns_count = 17;
 
-/// Our number of a row of theirs, which is damaged where it names what it does not have.
+/// Our id for a row of the other store, which is damaged if it refers to a missing row.
 std::int64_t number_of(const std::map<std::int64_t, std::int64_t>& numbers, std::int64_t theirs, Database& database) {
   const auto found = numbers.find(theirs);
   if (found != numbers.end()) return found->second;
@@ -61,7 +61,7 @@ void Merging::add(Database& theirs, const std::string& path, Merge& merge) {
   theirs.run("COMMIT");
 }
 
-/// Adds the rows of a table whose key says which of them are the same.
+/// Adds the rows of a table that are new by their key. Returns our ids of all of them.
 Merging::Numbers Merging::add_named(Database& theirs, const char* table, const std::string& key,
                                     const std::string& rest) {
   const std::string columns = key + rest;
@@ -115,7 +115,7 @@ void Merging::add_contests(Database& theirs, const std::string& path, Merge& mer
   if (unnamed_ > 0) merge.conflicts.push_back(fmt::format("and {} more in {}", unnamed_, shown(path)));
 }
 
-/// Compares a contest with the one that we have in its place.
+/// Compares a contest with the one of the same key in our store.
 void Merging::compare(const Statement& row, const std::array<std::int64_t, 4>& place, const std::string& path,
                       Merge& merge) {
   for (int i = 0; i < 4; ++i) find_.bind(i + 1, place[static_cast<unsigned>(i)]);

@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// "LMst", in the header of the file: what it holds, for programs that name kinds of files.
+/// "LMst" in the file's header, SQLite's application id: tools that name file types can use it.
 constexpr std::int64_t application = 0x4C4D7374;
 
 constexpr const char* first_version = R"(
@@ -108,7 +108,7 @@ SELECT worlds.name AS world, worlds.conditions, one.world AS world_id, mice.name
 
 constexpr std::array<const char*, 1> all_migrations = {first_version};
 
-/// Why the path cannot be that of a store; empty where it can.
+/// Why the path cannot be a store; empty where it can.
 std::string refuse(const std::string& path, Database::Access access) {
   std::error_code error;
   if (path.empty()) return "the path of the store is empty";
@@ -121,7 +121,7 @@ std::string refuse(const std::string& path, Database::Access access) {
   return "";
 }
 
-/// What is in the schema of a database: "trigger x", with the text that made it.
+/// The objects in a database's schema, such as "trigger x", with their SQL.
 std::map<std::string, std::string> objects_of(Database& database) {
   std::map<std::string, std::string> objects;
   Statement rows =
@@ -130,22 +130,22 @@ std::map<std::string, std::string> objects_of(Database& database) {
   return objects;
 }
 
-/// What a store of that version has.
+/// The schema objects of a store of that version.
 std::map<std::string, std::string> expected_objects(std::span<const char* const> steps, std::size_t version) {
   Database model(":memory:", Database::Access::create);
   for (std::size_t i = 0; i < version; ++i) model.run(steps[i]);
   return objects_of(model);
 }
 
-/// The tables that SQLite itself adds where a user lets it ANALYZE the rows.
+/// The tables that SQLite adds when a user runs ANALYZE.
 bool is_statistics(const std::string& name, const std::string& text) {
   return (name == "table sqlite_stat1" && text == "sqlite_stat1\nCREATE TABLE sqlite_stat1(tbl,idx,stat)") ||
          (name == "table sqlite_stat4" &&
           text == "sqlite_stat4\nCREATE TABLE sqlite_stat4(tbl,idx,neq,nlt,ndlt,sample)");
 }
 
-/// The first thing in the schema of a store that its version does not have, or has otherwise; empty where there is
-/// none. Views and triggers of somebody else would run when the store is read or written.
+/// The first schema object that does not belong to that version; empty where there is none. Foreign views and triggers
+/// would run when the store is read or written.
 std::string foreign_object(Database& database, std::span<const char* const> steps, std::size_t version) {
   const auto found = objects_of(database), expected = expected_objects(steps, version);
   for (const auto& [name, text] : found) {
@@ -159,9 +159,9 @@ std::string foreign_object(Database& database, std::span<const char* const> step
   return "";
 }
 
-/// Why what the file holds is no store of a version that this program knows; empty where it is one, or nothing at all.
+/// Why the file is no store of a known version; empty where it is one, or where the file is empty.
 std::string refuse(Database& database, std::span<const char* const> steps) {
-  // All of the same moment: another program may just be making the store.
+  // One transaction, for a consistent view: another program may be creating the store now.
   database.run("BEGIN");
   const std::int64_t kind = database.number("PRAGMA application_id");
   const std::int64_t version = database.number("PRAGMA user_version");
@@ -179,10 +179,10 @@ std::string refuse(Database& database, std::span<const char* const> steps) {
   return foreign.empty() ? "" : foreign + "; the file is not used: mend it with sqlite3, if you trust it";
 }
 
-/// Takes the steps that are missing, in one transaction.
+/// Runs the missing migrations in one transaction.
 void migrate(Database& database, std::span<const char* const> steps) {
   database.run("BEGIN IMMEDIATE");
-  // Another program may have done it in between.
+  // Another program may have migrated it meanwhile.
   const auto version = static_cast<std::size_t>(database.number("PRAGMA user_version"));
   for (std::size_t i = version; i < steps.size(); ++i) database.run(steps[i]);
   if (version < steps.size())
@@ -210,7 +210,7 @@ Database open_store(const std::string& path, Database::Access access, std::span<
     if (const std::string reason = refuse(database, steps); !reason.empty()) database.fail(reason);
   const auto version = database.number("PRAGMA user_version");
   if (access != Database::Access::read) {
-    // A committed contest is on the disk, whatever happens to the power.
+    // With WAL and FULL a committed contest survives a power failure.
     database.run_patiently(access == Database::Access::scratch
                                ? "PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF"
                                : "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");

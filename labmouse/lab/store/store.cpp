@@ -14,14 +14,14 @@
 namespace labmouse {
 namespace {
 
-/// So long a contest waits at most before it is written: what a power cut may cost.
+/// Longest wait of a contest before it is written; a power failure loses at most these contests.
 constexpr std::chrono::milliseconds longest_wait{250};
-/// As soon as there are so many, they are written; and no more of them at once.
+/// Number of contests that are written at once; a full batch is written without waiting.
 constexpr std::size_t full_batch = 4096;
-/// Contests that may wait; whoever brings another has to wait, too.
+/// Limit of waiting contests; beyond it, keep() blocks.
 constexpr std::size_t most_waiting = 65536;
 
-/// The number of the row that has this text; 0 where there is none.
+/// Finds and caches the id of the row with a text; 0 where there is none.
 class Ids {
  public:
   Ids(Database& database, const std::string& table)
@@ -69,7 +69,7 @@ class Writing {
     while (find.next()) build_ = find.whole(0);
   }
 
-  /// Whether it was not there before.
+  /// Adds a contest. Returns whether it was new.
   bool add(const ContestRow& row) {
     const Place place = place_of(row);
     const ContestResult& result = row.result;
@@ -89,8 +89,8 @@ class Writing {
     std::int64_t world = 0, mouse = 0, maze = 0;
   };
 
-  /// The numbers of what the row belongs to, which is added where it is new. Each is asked for once a batch: another
-  /// program may change the store between two.
+  /// The ids of the row's world, mouse and maze, which are added if new. They are cached for one batch only, because
+  /// another program may change the store between batches.
   Place place_of(const ContestRow& row) {
     const RaceRows& race = *row.race;
     const auto [known, is_new] = places_.try_emplace({row.race.get(), row.mouse, row.maze});
@@ -153,7 +153,7 @@ void Store::recall(Race& race, const std::function<bool(const ContestResult&)>& 
     while (find.next()) {
       const int run = contest.run;
       if (fill_in(find, race.world(), contest)) ++recalled_;
-      // The same maze may have been called otherwise; the run is the one of this race.
+      // The stored run may be of a maze with another name; keep the run of this race.
       contest.run = run;
     }
   }
@@ -185,7 +185,7 @@ void Store::write_batches() {
     rows.swap(waiting_);
     writing_now_ = true;
     lock.unlock();
-    // Not more at once, so that a disk that is full keeps what fitted.
+    // In batches, so that a full disk keeps those that fitted.
     for (std::size_t begin = 0; begin < rows.size() && !failed_; begin += full_batch)
       write_or_fail(std::span(rows).subspan(begin, std::min(full_batch, rows.size() - begin)));
     rows.clear();
@@ -195,7 +195,7 @@ void Store::write_batches() {
   }
 }
 
-/// An exception would end the program from this thread.
+/// Catches exceptions, because one would end the program from this thread.
 void Store::write_or_fail(std::span<const ContestRow> rows) {
   try {
     write(rows);

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Adds stores to the one in a file, in a transaction: all, or none where something is wrong with one of them or
-/// contradicts another. People know them as `called`, where that is not empty.
+/// Adds stores to a target in one transaction, which fails as a whole at an error or a conflict. `called`, if not
+/// empty, is the name of the stores in messages.
 void add_to(const std::string& target, Database::Access access, const std::vector<std::string>& paths,
             const std::string& called, Merge& merge) {
   Database ours = open_store(target, access);
@@ -38,34 +38,34 @@ void add_to(const std::string& target, Database::Access access, const std::vecto
   if (merge.error.empty()) merge.error = error_line(target, ours.error());
 }
 
-/// Why a store cannot be read by a merge; empty where it can.
+/// Why a merge cannot read a store; empty where it can.
 std::string refuse(const std::string& path, const std::string& target) {
   std::error_code none;
   if (fs::equivalent(path, target, none)) return error_line(path, "is the target of the merge itself");
   return error_line(path, open_store(path, Database::Access::read).error());
 }
 
-/// Gives a store its name, unless a store has that; whether it is done, which a merge that failed is, too. Another
-/// program may make the target at this moment: it must not be lost, so the name is given only where there is none.
+/// Gives a new store its name, if no file has it yet. Returns false where another program has just created the target,
+/// which must not be replaced; true after success or an error.
 bool becomes(const std::string& beside, const std::string& target, Merge& merge) {
   std::error_code error;
   if (fs::exists(target, error)) return false;
   fs::create_hard_link(beside, target, error);
   if (error == std::errc::file_exists) return false;
-  // Some file systems have no second names.
+  // Some file systems have no hard links.
   if (error) fs::rename(beside, target, error);
   if (error) merge.error = error_line(target, "cannot be written: " + cause_of(error.value()));
   return true;
 }
 
-/// Where a merge did not go well, nothing was changed.
+/// Resets the counters of a failed merge, which changed nothing.
 Merge as_it_ended(Merge merge) {
   if (!merge.good()) merge.added = merge.equal = 0;
   return merge;
 }
 
-/// A file beside the target in which a merge puts its parts together, for as long as this lives. One that was killed
-/// left its own: nobody has locked that any more, so the next merge into the target removes it.
+/// A locked temporary file beside the target for a merge, removed in the destructor. A killed merge leaves its file
+/// unlocked; the next merge into the target removes it.
 class FileBeside {
  public:
   explicit FileBeside(const std::string& target) : begin_(target + ".merging-") {
@@ -79,18 +79,18 @@ class FileBeside {
   FileBeside(const FileBeside&) = delete;
   FileBeside& operator=(const FileBeside&) = delete;
   ~FileBeside() {
-    // Before it is unlocked, so that nobody has locked it when it goes.
+    // Removed before it is unlocked, so that no other merge has locked it by then.
     if (lock_) remove(path_);
   }
 
-  /// Why there is none; empty where there is one.
+  /// Why it could not be created; empty where it could.
   std::string error() const { return error_ == 0 ? "" : "cannot be written: " + cause_of(error_); }
   const std::string& path() const { return path_; }
 
  private:
   static constexpr const char* lock_ending = "-lock";
 
-  /// Locks the file of that number and empties it; nothing where another merge has it, or where it cannot be made.
+  /// Locks and removes the file of that number; nothing where another merge uses it, or where it cannot be created.
   std::optional<Descriptor> taken(const std::string& number, int& error) const {
     Descriptor file = locked_file(begin_ + number + lock_ending, error);
     if (error == EWOULDBLOCK)
@@ -102,7 +102,7 @@ class FileBeside {
     return std::nullopt;
   }
 
-  /// Our own is locked, as those of all others at work are.
+  /// Removes files of killed merges. Our own file and those of running merges are locked.
   void remove_leftovers(const fs::path& target) const {
     const std::string begin = target.filename().string() + ".merging-";
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -153,7 +153,7 @@ Merge merge_stores(const std::vector<std::string>& paths, const std::string& tar
     add_to(target, Database::Access::write, paths, "", merge);
     return as_it_ended(std::move(merge));
   }
-  // A store that is new has its name once it is whole.
+  // A new store gets its name only when it is complete.
   add_to(beside.path(), Database::Access::create, paths, "", merge);
   if (!merge.good() || becomes(beside.path(), target, merge)) return as_it_ended(std::move(merge));
   merge.added = merge.equal = 0;

@@ -1,4 +1,4 @@
-// What changes a store besides races: merging others into it, and forgetting.
+// Merges stores, and deletes contests from one.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace labmouse {
 
-/// Whether a merge looks first whether its target is damaged, which takes as long as the target is large. Who merges
-/// many small stores into one, one after the other, checks it once himself.
+/// Whether to check first that the target is not damaged. The check takes longer for a larger target, so callers that
+/// merge many small stores in sequence check it once.
 enum class TargetCheck { now, done_before };
 
-/// Adds all contests of the stores to the target, which is made where there is none: all of them, or nothing where one
-/// contest has another result in two of them. Timings do not count for that; those that are there first stay.
+/// Adds all contests of the stores to the target, which is created if needed. Nothing is changed if two of them have
+/// different results for one contest. Different timings are no conflict; the existing ones stay.
 Merge merge_stores(const std::vector<std::string>& paths, const std::string& target,
                    TargetCheck check = TargetCheck::now);
 
-/// Removes the contests that the filter means, and what then belongs to none.
+/// Deletes the contests that match the filter, and rows that no contest uses any more.
 struct Forgotten {
   std::int64_t contests = 0;
   std::string error;

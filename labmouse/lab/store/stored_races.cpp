@@ -27,7 +27,7 @@ std::string sql_text(std::string_view text) {
   return quoted + "'";
 }
 
-/// Nothing where the parameters of a row cannot be read.
+/// The mouse of a row; nothing where its parameters cannot be read.
 std::optional<Contestant> mouse_of(const Statement& row) {
   Contestant mouse;
   mouse.name = row.text("name");
@@ -69,7 +69,7 @@ class Reader {
  public:
   Reader(Database& database, std::string condition) : database_(database), condition_(std::move(condition)) {}
 
-  /// Nothing where the maze of a row cannot be read.
+  /// Reads the race; nothing where the maze of a row cannot be read.
   std::optional<Race> read(std::int64_t world_id, std::shared_ptr<const World> world) {
     Race race;
     race.order.world = std::move(world);
@@ -136,7 +136,7 @@ class Reader {
           return false;
         }
         std::string name = find.text("name");
-        // Another maze under the same name.
+        // Another maze with the same name.
         if (const int count = ++names[name]; count > 1) name += fmt::format(" ({})", count);
         found.emplace(place, NamedMaze{std::move(name), link.maze->maze});
       }
@@ -145,7 +145,7 @@ class Reader {
     return database_.good() && race.mazes.size() == mazes_.size();
   }
 
-  /// Puts things in the order of their names, and gives back the new place of each.
+  /// Sorts things by name and returns the new position of each.
   template <class Things>
   static std::vector<std::size_t> sort_by_name(Things& things) {
     std::vector<std::size_t> order(things.size()), places(things.size());
@@ -181,7 +181,7 @@ std::string with(const std::string& condition, const std::string& more) {
   return condition + (condition.empty() ? " WHERE " : " AND ") + more;
 }
 
-/// Of mice with one name, those that a study taught nothing, and of these the one that raced last.
+/// Of mice with one name, takes those without a learned prior, and of these the last one to race.
 std::string only_latest(const std::string& condition) {
   return fmt::format(
       "contests.mouse IN (SELECT mouse FROM (SELECT mouse, row_number() OVER (PARTITION BY contests.world, mice.name "
@@ -191,7 +191,7 @@ std::string only_latest(const std::string& condition) {
       condition);
 }
 
-/// The one seed that the rows were held with; an error where there are several.
+/// The only seed of the rows; an error where there are several.
 std::string seed_of(Database& database, const std::string& condition) {
   std::vector<std::string> seeds;
   Statement find = database.prepare(
@@ -241,7 +241,7 @@ StoredRaces read_races(const std::string& path, StoreFilter filter, bool one_rac
     }
     auto race = Reader(database, condition).read(id, std::move(world));
     if (!race || race->results.empty()) continue;
-    // fill_in has read it in each row.
+    // Valid: fill_in() has parsed it in each row.
     race->order.seed = one_race ? *parse_whole<std::uint64_t>(seed) : 0;
     found.races.push_back(std::move(*race));
   }
@@ -250,7 +250,7 @@ StoredRaces read_races(const std::string& path, StoreFilter filter, bool one_rac
   return found;
 }
 
-/// Says where not every mouse met every maze equally often with one of its kind: means then do not compare.
+/// Warns where some mouse has no contest in some maze: their means are then not comparable.
 void remark_on_holes(StoredRaces& found) {
   for (const Race& race : found.races) {
     std::vector<std::size_t> met(race.mice.size() * race.mazes.size());
@@ -369,7 +369,7 @@ std::string export_store(const std::string& path, const StoreFilter& filter, Exp
   const std::string last =
       most > 0 ? fmt::format("(SELECT * FROM results{} ORDER BY id DESC LIMIT {})", condition_of(filter), most)
                : "results" + condition_of(filter);
-  // Which of two contests is kept first is a matter of threads.
+  // The order in which threads store contests is random, so all of them are sorted by their names.
   const char* order = most > 0 ? "id" : "world, mouse, maze, seed, id";
   Statement rows = database.prepare(fmt::format("SELECT {} FROM {} ORDER BY {}", joined_columns(), last, order));
   std::string lines;

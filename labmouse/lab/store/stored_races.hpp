@@ -1,4 +1,4 @@
-// Races from the rows of a store, without running a contest.
+// Restores races from the rows of a store, without running a contest.
 #pragma once
 
 #include <cstdint>
@@ -11,38 +11,37 @@
 
 namespace labmouse {
 
-/// Which contests of a store are meant: all whose world, mouse, maze and so on have one of these names; of an empty
-/// list, all have.
+/// Selects contests of a store: a contest matches if each non-empty list contains its value.
 struct StoreFilter {
   std::vector<std::string> worlds, mice, mazes, versions;
   std::optional<std::uint64_t> race_seed;
 };
 
-/// The condition on the view `results` that picks them, for SQL; empty where all are meant.
+/// The filter as a WHERE clause in SQL for the view `results`; empty for an empty filter.
 std::string condition_of(const StoreFilter& filter);
 
-/// A race in each world under each of its conditions, or why there is none.
+/// A race for each world and each of its conditions, or an error.
 struct StoredRaces {
   std::vector<Race> races;
-  /// What the races lack and were not asked to lack, a line each.
+  /// Warnings about what the races lack beyond the filter, one line each.
   std::vector<std::string> remarks;
   std::string error;
 };
 
-/// The races that were held with one seed; an error where the rows have several and none was asked for. Of mice with
-/// one name, such as an older external mouse, the one that raced last, and none that a study taught. Mice and mazes are
-/// as the rows say: nothing can be run again.
+/// The races with one seed; an error where the rows have several and the filter names none. Of mice with the same name
+/// (such as versions of an external mouse) it takes the last one to race, and prefers those without a learned prior.
+/// Mice and mazes are as the rows describe them: no contest can be run again.
 StoredRaces stored_races(const std::string& path, const StoreFilter& filter);
 
-/// The same with all mice and seeds: results have their own, and the names of mice are not unique.
+/// The same with all mice and seeds. Each result has its own seed, and names of mice may repeat.
 StoredRaces all_stored_contests(const std::string& path, const StoreFilter& filter);
 
-/// A mouse of a world in a store.
+/// The contests of one mouse in one world of a store.
 struct StoredMouse {
   std::string world, conditions, mouse;
-  std::string apart;  ///< what tells its conditions from others of that world; empty where there are no others
+  std::string apart;  ///< how its conditions differ from others of that world; empty where there are no others
   std::int64_t mazes = 0, contests = 0, finished = 0;
-  std::optional<double> mean;        ///< of what its contests count, in mazes that count
+  std::optional<double> mean;        ///< mean of `counted` in mazes with a bound
   std::int64_t first = 0, last = 0;  ///< seconds since 1970
 };
 struct StoredMice {
@@ -51,9 +50,9 @@ struct StoredMice {
 };
 StoredMice stored_mice(const std::string& path, const StoreFilter& filter);
 
-/// Each contest with all that is known of it, as JSON in a line or as CSV with a header, by world, mouse, maze and
-/// seed, a part of the text after the other; stops where `take` returns false. With `most` the last ones alone, in the
-/// order in which they were kept; 0 takes all. Returns what went wrong, or nothing.
+/// Exports each contest with all its columns, as JSON Lines or as CSV with a header, ordered by world, mouse, maze and
+/// seed. Calls `take` with one part of the text after the other and stops where it returns false. With `most` above 0,
+/// exports only the last ones, in the order in which they were stored. Returns what went wrong, or nothing.
 enum class ExportFormat { json_lines, csv };
 std::string export_store(const std::string& path, const StoreFilter& filter, ExportFormat format, std::int64_t most,
                          const std::function<bool(const std::string& lines)>& take);

@@ -1,4 +1,4 @@
-// Contests of a store run again, to see whether they come to what the store says.
+// Re-runs contests of a store and compares the results.
 #pragma once
 
 #include <atomic>
@@ -11,32 +11,34 @@
 
 namespace labmouse {
 
+/// The settings of a verification.
 struct VerificationOrder {
-  double share = 0.05;     ///< of the contests, 0 to 1, picked at random
-  std::uint64_t seed = 1;  ///< of that choice
+  double share = 0.05;     ///< share of the contests that are picked at random, 0 to 1
+  std::uint64_t seed = 1;  ///< seed of that random choice
   int jobs = 0;
-  /// How programs are started that the store names. Their sandbox is not a matter of choice: without one none starts.
+  /// How external programs of the store are started. The sandbox is always on: without one, none starts.
   ExternalOptions external_mice = {};
-  /// Asked once for each SPEC of a program, before anything of it is looked up or started; without an answer, no
-  /// program is run. A store may come from somebody else, so its programs are not the user's own.
+  /// Called once for each SPEC of a program, before it is looked up or started. Without this function no program is
+  /// run: a store may come from somebody else, so its programs are not the user's own.
   std::function<bool(const std::string& spec)> may_run = {};
-  const std::atomic<bool>* stop = nullptr;  ///< once true no other contest begins
+  const std::atomic<bool>* stop = nullptr;  ///< once true, no further contest begins
 };
 
+/// The result of a verification.
 struct Verification {
-  std::int64_t held = 0;                 ///< contests that were run again
-  std::int64_t equal = 0;                ///< those that came to the same, but for timings
+  std::int64_t held = 0;                 ///< contests that were re-run
+  std::int64_t equal = 0;                ///< those with the same result, apart from timings
   std::vector<std::string> differences;  ///< the others, a line each
-  std::int64_t impossible = 0;           ///< contests that were picked and whose mouse is not here any more
-  std::int64_t not_run = 0;              ///< contests that were picked and whose program was not to be run
+  std::int64_t impossible = 0;           ///< picked contests whose mouse is not available here
+  std::int64_t not_run = 0;              ///< picked contests whose program may not be run
   std::vector<std::string> programs;     ///< the SPECs of these programs
-  bool stopped = false;                  ///< before all that were picked were run again
+  bool stopped = false;                  ///< stopped before all picked contests were re-run
   std::vector<std::string> remarks;
   std::string error;  ///< why nothing could be verified, as a line for the user
 };
 
-/// Checks the file as a whole, and holds a share of its contests again. A mouse is here where its SPEC leads to the
-/// same one: the same build, the same files. Runs no program that nobody allowed, and none without a sandbox.
+/// Checks the whole file and re-runs a random sample of its contests. A mouse is available where its SPEC still gives
+/// the same mouse: same build, same files. Runs only allowed programs, and only in a sandbox.
 Verification verify_store(const std::string& path, const StoreFilter& filter, const VerificationOrder& order);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// Numbers as sweeps and ranges take them.
+// The number of decimals that sweeps and ranges allow.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace labmouse {
 
-/// How many decimals a number of a sweep or a range may have.
+/// Largest number of decimals in a number of a sweep or a range.
 inline constexpr std::size_t most_decimals = 6;
 
 inline bool has_few_decimals(std::string_view number) {

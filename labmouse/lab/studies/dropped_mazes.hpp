@@ -1,4 +1,4 @@
-// Which mazes of a selection do not count, in words.
+// Notes on the mazes that a selection leaves out.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace labmouse {
 
-/// Lines that name the duplicates and the mazes without a route, up to ten of each, printable; empty where there is
-/// none. `elsewhere` ends the line that counts the others, and says where they stand.
+/// Printable lines with the duplicates and the mazes without a route, up to ten of each; empty where there are none.
+/// `elsewhere` ends the line that counts the others, and says where they are listed.
 std::string left_out_notes(const MazeSelection& selection, std::string_view elsewhere);
 
 }  // namespace labmouse

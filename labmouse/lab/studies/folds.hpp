@@ -1,4 +1,4 @@
-// Which mazes a study counts, and in which fold each of them is held out.
+// Selects the mazes of a study and assigns them to folds.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +9,26 @@
 
 namespace labmouse {
 
-/// A maze that has the walls of another one, turned or mirrored or as they are; both by name.
+/// The names of a maze and of an earlier one with the same walls, possibly rotated or mirrored.
 struct Duplicate {
   std::string name;
   std::string same_as;
 };
 
-/// The mazes that count, and those left out, all in the order of their names.
+/// The selected mazes and those left out, all in the order of their names.
 struct MazeSelection {
   std::vector<NamedMaze> mazes;
   std::vector<Duplicate> duplicates;
   std::vector<std::string> routeless;  ///< their goals cannot be reached
 };
 
-/// Leaves out mazes in which no mouse can score in that world and, of those with the same walls, all but the first by
-/// name: a maze that was learned from is no test, from whatever side it is seen. Start and goals make no difference
-/// there.
+/// Leaves out mazes in which no mouse can score in that world. Of mazes with the same walls it keeps only the first by
+/// name, because a maze is no test for a mouse that has learned from a copy. Rotation, mirroring, start and goals make
+/// no difference.
 MazeSelection select_mazes(std::vector<NamedMaze> mazes, const World& world);
 
-/// For each of the names the fold (0 to folds - 1) of that maze. Folds differ by at most one maze. The deal depends on
-/// the seed and on the names without their folders, and not on their order (of equal ones, the folders decide).
+/// The fold of each maze, 0 to folds - 1. The sizes of folds differ by at most one. The assignment depends on the seed
+/// and on the names without folders, but not on the order of names; folders only break ties.
 std::vector<int> deal_folds(const std::vector<std::string>& names, int folds, std::uint64_t seed);
 
 }  // namespace labmouse

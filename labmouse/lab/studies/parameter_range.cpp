@@ -11,8 +11,8 @@
 namespace labmouse {
 namespace {
 
-/// Decimals that show four significant digits: 3 for 2.345, 0 for 2345 and for more. At most 9, so that with the digits
-/// before the point a value is never longer than parse_plain_number reads.
+/// The number of decimals for four significant digits: 3 for 2.345, 0 for 2345 and above. At most 9, because
+/// parse_plain_number() limits the length of a text.
 int decimals_of(double value) {
   int decimals = 3;
   const double size = std::abs(value);
@@ -85,7 +85,7 @@ bool is_number(const Parameter& parameter) {
 std::string written_value(const ParameterRange& range, double value) {
   value = std::clamp(value, range.low, range.high);
   const bool whole = range.parameter.type == ParameterType::whole;
-  // A value near an end may be rounded beyond it; its ends have few decimals, so some more keep it inside.
+  // Rounding may move a value beyond an end of the range. The ends have few decimals, so more decimals keep it inside.
   for (int decimals = whole ? 0 : decimals_of(value);; ++decimals) {
     std::string text = canonical_value(range.parameter, fmt::format("{:.{}f}", value, decimals));
     const double number = parse_plain_number(text).value_or(0.0);
@@ -101,7 +101,7 @@ std::string value_at(const ParameterRange& range, double share) {
 
 double share_of(const ParameterRange& range, double value) {
   const double above = std::clamp(value, range.low, range.high) - range.low, width = range.high - range.low;
-  // The middle of the whole number's share, so that a step has to be taken to leave it.
+  // The middle of that number's share, so that a search has to take a step to leave it.
   return range.parameter.type == ParameterType::whole ? (above + 0.5) / (width + 1.0) : above / width;
 }
 

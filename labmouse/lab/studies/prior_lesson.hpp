@@ -1,4 +1,4 @@
-// A lesson: a mouse explores many mazes, and what it found becomes a prior.
+// Learning a prior: a mouse explores many mazes and counts their walls.
 #pragma once
 
 #include <atomic>
@@ -11,30 +11,31 @@
 
 namespace labmouse {
 
-/// What a lesson tells while it goes on.
+/// Callbacks of a lesson.
 struct LessonHooks {
-  /// Called after each of `all` mazes.
+  /// Called after each maze with the number of all mazes.
   std::function<void(std::size_t all)> finished;
-  /// Asked before each maze; once it is true no other is explored.
+  /// Read before each maze; once it is true, no further maze is explored.
   const std::atomic<bool>* stop = nullptr;
 };
 
+/// The result of hold_lesson(): counts of walls, from which a prior is made.
 struct Lesson {
-  /// Which mazes count: what a study leaves out is left out here, too.
+  /// The mazes used, selected as for a study.
   MazeSelection selection;
-  std::size_t done = 0;  ///< mazes explored, fewer than there are where it was stopped
+  std::size_t done = 0;  ///< number of explored mazes; fewer than the selected ones where it was stopped
   PriorCounts counts;
-  std::string error;  ///< why there is nothing to learn from, or nothing
+  std::string error;  ///< why nothing could be learned; empty on success
 };
 
-/// Learns from mazes in which a mouse can score in that world, by its rules of lessons; their order makes no
-/// difference.
+/// Learns from the mazes in which a mouse can score in that world, under its rules in steps. The order of the mazes
+/// makes no difference.
 Lesson hold_lesson(std::vector<NamedMaze> mazes, const World& world, const LessonHooks& hooks = {});
 
-/// The prior of a lesson as a file (see write_prior) by this version of the program.
+/// The prior of a lesson as the text of a file (see write_prior), marked with this version of the program.
 std::string file_of(const Lesson& lesson);
 
-/// What was learned from and how well it is foretold, and what was left out, as lines.
+/// Lines about the mazes, the quality of the predictions, and the mazes left out.
 std::string summary_of(const Lesson& lesson);
 
 }  // namespace labmouse

@@ -11,7 +11,7 @@ namespace {
 
 using ByMaze = std::vector<std::optional<double>>;
 
-/// The mean of a figure in each maze over the contests with a score, where there is one.
+/// The mean of a figure in each maze, over the contests with a score; nothing where there are none.
 ByMaze figures_by_maze(const Race& race, std::size_t mouse, std::string_view key) {
   std::vector<std::vector<double>> numbers(race.mazes.size());
   Standing standing;

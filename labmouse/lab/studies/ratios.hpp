@@ -1,4 +1,4 @@
-// How much of one mouse's score another one takes, and of what else their world compares.
+// Ratios of one mouse's score, and of other figures, to those of another mouse.
 #pragma once
 
 #include <string_view>
@@ -8,15 +8,15 @@
 
 namespace labmouse {
 
-/// A figure of one mouse over that of another one, in the same mazes.
+/// The ratio of a figure of two mice in the same mazes.
 struct FigureRatio {
-  std::string_view figure;  ///< as tables call it: "score"
-  int mazes = 0;            ///< in which both have it
-  PairedRatio found;        ///< of the means over these mazes
+  std::string_view figure;  ///< its name in tables: "score"
+  int mazes = 0;            ///< number of mazes in which both mice have it
+  PairedRatio found;        ///< ratio of the means over these mazes
 };
 
-/// The score first, then what the world compares besides. A figure is left out where there is no maze in which both
-/// have it, or where it is not above 0 in one of them: a score less a bonus, say.
+/// The ratio of the score first, then those of the other figures that the world compares. A figure is left out where no
+/// maze has it for both mice, or where some value is not above 0 (such as a score reduced by a bonus).
 std::vector<FigureRatio> ratios_of(const Study& study, const Comparison& comparison);
 
 }  // namespace labmouse

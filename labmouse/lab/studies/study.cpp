@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-/// Why the mazes make no such folds; nothing where they do.
+/// Why the folds cannot be made of these mazes; empty where they can.
 std::string complaint(const Study& study, std::size_t given) {
   const std::size_t mazes = study.selection.mazes.size();
   const int folds = study.order.folds;
@@ -28,7 +28,7 @@ std::size_t contests_of(const std::vector<Contestant>& mice, const Study& study)
   return labmouse::contests_of(mice, study.selection.mazes.size(), study.order.race);
 }
 
-/// The mice that race in a fold: those that learn have learned from the mazes of the others.
+/// The mice for a fold: learning mice are trained on the mazes of the other folds.
 std::vector<Contestant> taught(const std::vector<Contestant>& mice, const Study& study, const std::vector<int>& deal,
                                int fold, const StudyHooks& hooks) {
   std::vector<const Maze*> training;
@@ -40,7 +40,7 @@ std::vector<Contestant> taught(const std::vector<Contestant>& mice, const Study&
     pupils.push_back(
         learns ? mouse.taught(training, study.order.race.world->rules_in_steps().value_or(Rules()), hooks.stop)
                : mouse);
-    // A race stands in the order of names, and all folds in the same one.
+    // A race sorts its mice by name; the same names keep the order equal in all folds.
     pupils.back().name = mouse.name;
   }
   return pupils;
@@ -53,8 +53,8 @@ std::vector<NamedMaze> held_out(const Study& study, const std::vector<int>& deal
   return mazes;
 }
 
-/// Makes one race of those in the first folds. Selected mazes and those of a race are both in the order of names, so
-/// the next maze of a fold is the next one of its race.
+/// Joins the races of the completed folds. Mazes are sorted by name both in the selection and in each race, so the next
+/// maze of a fold is the next one of its race.
 void join(std::vector<Race> races, const std::vector<int>& deal, Study& study) {
   Race& joined = study.race;
   std::vector<std::vector<std::size_t>> places(races.size());
@@ -77,7 +77,7 @@ void join(std::vector<Race> races, const std::vector<int>& deal, Study& study) {
   });
 }
 
-/// What is known before anything is raced.
+/// The study before anything is raced.
 Study planned(const std::vector<Contestant>& mice, std::vector<NamedMaze> mazes, const StudyOrder& order) {
   Study study;
   study.order = order;
@@ -130,7 +130,7 @@ Study hold_study(const std::vector<Contestant>& mice, std::vector<NamedMaze> maz
     std::vector<Contestant> pupils = taught(mice, study, deal, fold, hooks);
     if (stopping(hooks)) break;
     Race race = hold_race(std::move(pupils), held_out(study, deal, fold), order.race, race_hooks);
-    // Part of a fold would count some mazes for some mice only.
+    // An incomplete fold would count some mazes for some mice only.
     if (race.stopped) break;
     races.push_back(std::move(race));
   }

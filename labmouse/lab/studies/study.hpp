@@ -1,5 +1,5 @@
-// An honest comparison of mice: each maze is held out once, and a mouse that learns has learned from the others only.
-// docs/explanation/statistics-and-bounds.md describes the results.
+// Compares mice by cross-validation: each maze is held out once, and a learning mouse has learned only from the other
+// folds. See docs/explanation/statistics-and-bounds.md for the results.
 #pragma once
 
 #include <atomic>
@@ -13,15 +13,16 @@
 
 namespace labmouse {
 
+/// The settings of a study.
 struct StudyOrder {
-  /// Its seed also deals the folds.
+  /// The race in each fold. Its seed also assigns the folds.
   RaceOrder race;
   int folds = 5;
-  /// Whether mice that learn are taught anew for each fold; without, they race with what they bring along.
+  /// Whether learning mice are trained anew for each fold; if not, they race with what they have learned before.
   bool learning = true;
 };
 
-/// What a study found. Where it was stopped, of the folds that were done.
+/// The results of a study; of a stopped one, those of its complete folds.
 struct Study {
   StudyOrder order;
   std::vector<std::string> mice;        ///< their names, in the order given
@@ -31,27 +32,26 @@ struct Study {
   int folds_done = 0;
   Race race;                 ///< all held-out contests, of the folds that were done
   std::vector<int> fold_of;  ///< of each maze in `race`, 0 to folds - 1
-  std::string error;         ///< why there can be no study of these mazes; then nothing was raced
+  std::string error;         ///< why these mazes allow no study; then nothing was raced
 };
 
-/// What a study tells while it goes on.
+/// Callbacks of a study.
 struct StudyHooks {
-  /// Called after each contest with the number of all, from any thread but never from two at once.
+  /// Called after each contest with the number of all contests; from any thread, but one at a time.
   std::function<void(std::size_t all)> finished;
-  /// Asked before each lesson and each contest; once it is true no other begins, and the fold that was under way is
-  /// left out.
+  /// Read before each lesson and each contest. Once it is true, no other begins, and the unfinished fold is left out.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Races the mice (at least one, names differ) on each fold of the mazes. Takes at least two folds and as many mazes,
-/// see select_mazes. A mouse that does not learn gets the scores of a race, with the same seeds.
+/// Races the mice on each fold of the mazes. Needs at least one mouse (names must differ), two folds, and as many mazes
+/// as folds after select_mazes(). A mouse that does not learn gets the same scores as in a race with the same seeds.
 Study hold_study(const std::vector<Contestant>& mice, std::vector<NamedMaze> mazes, const StudyOrder& order,
                  const StudyHooks& hooks = {});
 
-/// The position of the mouse of that name in the race, in which it has to be.
+/// The position in the race of the mouse with that name, which must exist.
 std::size_t position_of(const Race& race, const std::string& mouse);
 
-/// Two mice (positions in Study::race) on the same mazes.
+/// The comparison of two mice (positions in Study::race) on the same mazes.
 struct Comparison {
   std::size_t mouse = 0;
   std::size_t against = 0;
@@ -59,10 +59,11 @@ struct Comparison {
   PairVerdicts verdicts;  ///< corrected for all comparisons of the study
 };
 
-/// So many mice are compared each with each; of more, each with the first one only.
+/// Up to this number, all pairs of mice are compared; beyond it, each mouse only with the first one.
 inline constexpr std::size_t most_in_all_pairs = 4;
 
-/// Later mice against earlier ones in the order given: (2,1), (3,1), (3,2), ...; of too many only (2,1), (3,1), ...
+/// Compares later mice with earlier ones in the order given: (2,1), (3,1), (3,2), ...; of too many only (2,1), (3,1),
+/// ...
 std::vector<Comparison> comparisons_of(const Study& study);
 
 std::vector<MousePair> pairs_of(const std::vector<Comparison>& comparisons);
@@ -70,14 +71,14 @@ std::vector<MousePair> pairs_of(const std::vector<Comparison>& comparisons);
 /// Standings and comparisons for a terminal, with notes below.
 std::string table_of(const Study& study, bool colours);
 
-/// One line a maze with its fold, its bound and the mean score of each mouse, with a header.
+/// CSV: a header, and a line for each maze with its fold, its bound and the mean score of each mouse.
 std::string csv_of(const Study& study);
 
-/// Everything as one JSON object: that of a race, and more; `skipped` are the files that were no mazes.
+/// JSON: the object of a race with additional keys. `skipped` are the files that are no mazes.
 std::string json_of(const Study& study, const std::vector<SkippedFile>& skipped);
 
-/// For each comparison (of one mouse alone: for it) the sorted differences and the scores against the bound, as an SVG
-/// picture.
+/// An SVG picture: for each comparison (or for a single mouse) the sorted differences, and the scores against the
+/// bound.
 std::string picture_of(const Study& study);
 
 }  // namespace labmouse

@@ -25,7 +25,7 @@ constexpr int one_plot = label_room + width, two_plots = 2 * one_plot;
 /// One mouse's scores in each maze of the race.
 struct Scores {
   std::string name;
-  std::vector<std::optional<double>> values;  ///< failed contests at the limit; nothing without any contest
+  std::vector<std::optional<double>> values;  ///< a failed contest counts as the limit; nothing without a contest
 };
 
 Scores scores_of(const Study& study, std::size_t mouse) {
@@ -34,7 +34,7 @@ Scores scores_of(const Study& study, std::size_t mouse) {
   return scores;
 }
 
-/// Room for all values, and some more; not below 0 where none of them is.
+/// An axis for all values with some margin; it does not go below 0 unless a value does.
 Axis axis_of(std::vector<double> values, int begin, int end, int ticks) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double room = *high > *low ? 0.05 * (*high - *low) : 0.5;
@@ -50,7 +50,7 @@ std::string words_of(const Study& study, std::size_t maze) {
                      *study.race.facts[maze].bound);
 }
 
-/// A bar from zero for each maze, the best for the first mouse on the left.
+/// A bar from zero for each maze, sorted so that the best mazes of the first mouse are on the left.
 std::string bars_svg(const Study& study, const Comparison& comparison, const Scores& mouse, const Scores& against,
                      const Axis& x, const Axis& y) {
   const std::vector<double>& differences = comparison.pair.differences;
@@ -95,13 +95,13 @@ std::string differences_svg(const Study& study, const Comparison& comparison, co
                              fmt::format("{} - {} ({})", mouse.name, against.name, study.race.world().unit()));
   if (found.count > 1)
     svg += band_svg(area.left, area.right, std::min(y.place(found.interval.low), 1.0 * area.bottom),
-                    std::max(y.place(found.interval.high), 1.0 * area.top));  // no farther than the plot
+                    std::max(y.place(found.interval.high), 1.0 * area.top));  // clipped to the plot
   svg += bars_svg(study, comparison, mouse, against, x, y);
   return svg + line_svg(area.left, y.place(0.0), area.right, y.place(0.0), ink, 1) +
          mean_svg(area.left, area.right, y.place(found.mean));
 }
 
-/// A dot of the first mouse, or a ring of the other one.
+/// The mark of a mouse: a dot for the first one, a ring for the other one.
 std::string mark_attributes(bool ring) {
   return ring ? stroke(route) + " stroke-width=\"1.5\"" : fill(to_goal) + " fill-opacity=\"0.8\"";
 }
@@ -136,7 +136,7 @@ std::string scores_svg(const Study& study, const std::vector<Scores>& mice, cons
   std::string svg = axes_svg(area, x, y, fmt::format("bound of the maze ({})", unit),
                              fmt::format("score ({}; lower is better)", unit)) +
                     bound_svg(x.place(*low), y.place(*low), x.place(*high), y.place(*high));
-  // Rings before dots, which they would hide.
+  // Rings first, so that they do not hide the dots.
   for (std::size_t i = mice.size(); i-- > 0;) svg += marks_svg(study, mice[i], i > 0, x, y);
   return svg;
 }
@@ -165,7 +165,7 @@ void explain_scores(const Study& study, const std::vector<Scores>& mice, Legend&
   legend.add(0, "", fmt::format("a failed contest counts {:g}", study.order.race.world->limit_score()));
 }
 
-/// SVG, and where it ends.
+/// A row of the picture and the y position of its end, in pixels.
 struct Row {
   std::string svg;
   int bottom = 0;
@@ -191,7 +191,7 @@ Row comparison_row(const Study& study, const Comparison& comparison, int top) {
           std::max(differences.bottom(), scores.bottom())};
 }
 
-/// A mouse that stands alone.
+/// The row of a study with a single mouse.
 Row single_row(const Study& study, int top) {
   const std::vector<Scores> mice = {scores_of(study, 0)};
   const PlotArea area = {label_room, top, label_room + width, top + height};

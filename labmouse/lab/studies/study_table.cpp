@@ -26,7 +26,7 @@ std::string name_of(const Study& study, const Comparison& comparison) {
 
 std::string probability(double p) { return p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p); }
 
-/// A line of differences, their numbers times a factor; without a verdict, that of the finished contests alone.
+/// A line of differences, multiplied by `factor`. The line of the finished contests alone has no verdict.
 struct Line {
   std::string name;
   const PairedDifference& found;
@@ -46,7 +46,7 @@ std::string text_of(const Line& line, std::size_t width) {
                      probability(found.sign_test), line.verdict.empty() ? "" : fmt::format("  {}", line.verdict));
 }
 
-/// The lines of one comparison: the scores and, where failed contests have none, how often both finished.
+/// The lines of one comparison: the scores, and where failed contests have no score, the shares of finished contests.
 std::vector<Line> lines_of(const Study& study, const Comparison& comparison) {
   const MousePair& pair = comparison.pair;
   const PairVerdicts& verdicts = comparison.verdicts;
@@ -80,7 +80,7 @@ std::string ratio_text(const std::vector<FigureRatio>& ratios, std::string_view 
   return found->mazes > 1 ? fmt::format("{} [{:.3f}, {:.3f}]", ratio, interval.low, interval.high) : ratio;
 }
 
-/// A line for each comparison and a column for each figure that one of them has; nothing where there is no figure.
+/// A line for each comparison and a column for each figure in any of them; empty without figures.
 std::string ratios_text(const Study& study, const std::vector<Comparison>& comparisons, bool colours) {
   std::vector<std::string> names;
   std::vector<std::vector<FigureRatio>> all;
@@ -105,7 +105,7 @@ std::string ratios_text(const Study& study, const std::vector<Comparison>& compa
   return text + "\n";
 }
 
-/// Which mice were taught from what.
+/// A note about which mice have learned, and from how many mazes.
 std::string learning_note(const Study& study) {
   if (study.learners.empty()) return "None of these mice learns; each races as it is.\n";
   const std::string names = fmt::format("{}", fmt::join(study.learners, ", "));

@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// Over mazes, as in a leaderboard. One maze says nothing of others: there the interval is over its runs.
+/// The interval over mazes, as in a leaderboard. For a single maze, it is over the runs.
 std::optional<Interval> interval_of(const Race& race, const Standing& standing) {
   std::vector<double> scores;
   std::size_t mazes = 0;
@@ -25,7 +25,7 @@ std::optional<Interval> interval_of(const Race& race, const Standing& standing) 
   return including({std::max(found.low, race.world().score_place().least), found.high}, *standing.mean_at_limit);
 }
 
-/// The point of a race of one mouse.
+/// The point of a sweep from the race of one mouse.
 SweepPoint point_of(const Race& race, const std::string& value) {
   const Standing standing = standings_of(race).front();
   return {value,
@@ -36,8 +36,7 @@ SweepPoint point_of(const Race& race, const std::string& value) {
           standing.mean_finished};
 }
 
-/// Sets what the sweep says of the mouse and of the parameter, which it has. An external mouse's is known to the
-/// external mouse alone.
+/// Sets the mouse and the meaning of the parameter. Only an external mouse itself knows its parameters.
 void describe_parameter(std::string_view spec, const BuiltinMouse* mouse, Sweep& sweep) {
   sweep.mouse = spec;
   if (mouse == nullptr) return;
@@ -49,7 +48,7 @@ void describe_parameter(std::string_view spec, const BuiltinMouse* mouse, Sweep&
   sweep.meaning = found->meaning;
 }
 
-/// The value of each variant, in its one spelling where it has one.
+/// The values of the variants, in their canonical form for built-in mice.
 std::vector<std::string> values_of(const Variation& variation, const std::vector<Contestant>& variants) {
   std::vector<std::string> values;
   if (entry_of(variants.front()) == nullptr) {
@@ -90,7 +89,7 @@ Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::v
     race_hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput&) { hooks.finished(all); };
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Race race = hold_race({variants.contestants[i]}, mazes, order, race_hooks);
-    // Part of the mazes would make a mean that compares with no other.
+    // An incomplete race would give a mean over other mazes.
     if (race.stopped) break;
     sweep.points.push_back(point_of(race, values[i]));
     sweep.never_started += never_started_lines(race);

@@ -1,4 +1,4 @@
-// One mouse at many values of one parameter: how much does its score depend on it? docs/how-to/tune.md describes the
+// Races one mouse at many values of one parameter, to show how its score depends on it. See docs/how-to/tune.md for the
 // results.
 #pragma once
 
@@ -14,65 +14,66 @@
 
 namespace labmouse {
 
-/// What `NAME=LOW:HIGH:STEP` or `NAME=VALUE,VALUE,...` says, or the reason why a text is neither.
+/// The parameter and the values of `NAME=LOW:HIGH:STEP` or `NAME=VALUE,VALUE,...`, or an error.
 struct Variation {
   std::string parameter;
-  /// As text; the values of a range are exact decimals: 0:1:0.1 has 0.3 and 1, and nothing beside them.
+  /// As text. Values of a range are exact decimals: 0:1:0.1 has 0.3 and 1, without rounding errors.
   std::vector<std::string> values;
   std::string error;
 };
 
-/// A sweep has at most so many values.
+/// Largest number of values in a sweep.
 inline constexpr int most_values = 1000;
 
 Variation read_variation(std::string_view text);
 
-/// How the mouse did at one value, over all contests in mazes with a route.
+/// The result of the mouse at one value, over all contests in mazes with a route.
 struct SweepPoint {
-  std::string value;  ///< as in a SPEC, in its one spelling
+  std::string value;  ///< as in a SPEC, in its canonical form
   int runs = 0;
   int failures = 0;
-  /// Of the scores, a failed contest counted as the limit score of the world; nothing where no maze has a route.
+  /// Mean score, where a failed contest counts as the world's limit score; nothing where no maze has a route.
   std::optional<double> mean;
-  /// Over mazes; where only one maze has a route, over its runs; nothing where that is one number, too.
+  /// Confidence interval over mazes, or over runs where only one maze has a route; nothing for a single number.
   std::optional<Interval> interval;
-  /// Of the scores of finished contests alone; nothing without any.
+  /// Mean score of the finished contests; nothing without any.
   std::optional<double> finished_mean = std::nullopt;
 };
 
+/// The results of a sweep.
 struct Sweep {
-  std::string mouse;  ///< the SPEC without the parameter; of an external mouse, as it is
+  std::string mouse;  ///< the SPEC without the parameter; for an external mouse the SPEC as given
   std::string parameter;
-  std::string meaning;  ///< of the parameter; empty for that of an external mouse
+  std::string meaning;  ///< meaning of the parameter; empty for an external mouse
   RaceOrder order;
   std::vector<std::string> mazes;  ///< names of those with a route
   int routeless = 0;               ///< mazes without one
-  std::size_t values = 0;          ///< that were asked for
+  std::size_t values = 0;          ///< number of requested values
   std::vector<SweepPoint> points;  ///< in the order of the values; fewer where the sweep was stopped
-  std::string never_started;       ///< a line for each value at which a program did not start in any contest
-  std::string error;               ///< why the mouse or a value was refused; then nothing was raced
+  std::string never_started;       ///< a line for each value at which a program never started
+  std::string error;               ///< why the mouse or a value is invalid; then nothing was raced
 };
 
-/// What a sweep tells while it goes on.
+/// Callbacks of a sweep.
 struct SweepHooks {
-  /// Called after each contest with the number of all, from any thread but never from two at once.
+  /// Called after each contest with the number of all contests; from any thread, but one at a time.
   std::function<void(std::size_t all)> finished;
-  /// Asked before each contest; once it is true no other begins, and the value that was under way is left out.
+  /// Read before each contest. Once it is true, no other begins, and the unfinished value is left out.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Races the mouse of the SPEC at each value, each time on the same mazes with the same seeds. The world must refuse
-/// none of these mice.
+/// Races the mouse of the SPEC at each value, always on the same mazes with the same seeds. The world must accept all
+/// these mice.
 Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::vector<NamedMaze>& mazes,
                  const RaceOrder& order, const SweepHooks& hooks = {}, const ExternalOptions& external_mice = {});
 
 /// A table for a terminal, with notes below.
 std::string table_of(const Sweep& sweep, bool colours);
 
-/// One line a value, with a header.
+/// CSV: a header and a line for each value.
 std::string csv_of(const Sweep& sweep);
 
-/// The mean with its interval against the value, as an SVG picture.
+/// An SVG picture of the mean and its interval against the value.
 std::string picture_of(const Sweep& sweep);
 
 }  // namespace labmouse

@@ -24,7 +24,7 @@ std::string interval_text(const SweepPoint& point) {
 
 std::string mean_text(const std::optional<double>& mean) { return mean ? fmt::format("{:.3f}", *mean) : "-"; }
 
-/// Whether failed contests have no score; then the mean of the others has a column of its own.
+/// Whether failed contests have no score; if so, the mean of the finished ones has its own column.
 bool has_finished_means(const Sweep& sweep) { return !sweep.order.world->failure_score(); }
 
 std::string line_of(const Sweep& sweep, const SweepPoint& point, std::size_t width) {
@@ -33,7 +33,8 @@ std::string line_of(const Sweep& sweep, const SweepPoint& point, std::size_t wid
                      interval_text(point), point.failures, point.runs, finished);
 }
 
-/// How many contests the values count: one number, or two where the mouse is stochastic only at some of them.
+/// The number of contests at each value, as text: one number, or a range where the mouse is stochastic only at some
+/// values.
 std::string runs_text(const Sweep& sweep) {
   int fewest = 0, most = 0;
   for (const SweepPoint& point : sweep.points) {
@@ -48,13 +49,13 @@ bool has_intervals(const Sweep& sweep) {
                      [](const SweepPoint& point) { return point.interval.has_value(); });
 }
 
-/// What the intervals run over.
+/// The unit of the intervals: mazes or runs.
 std::string spread(const Sweep& sweep) {
   if (sweep.mazes.size() > 1) return fmt::format("over the {} mazes", sweep.mazes.size());
   return fmt::format("over the {} runs in one maze", runs_text(sweep));
 }
 
-/// The lowest mean and where it is; nothing where there is no mean.
+/// The lowest mean and its value, in words; empty where there is no mean.
 std::string lowest(const Sweep& sweep) {
   const SweepPoint* best = nullptr;
   std::size_t others = 0;
@@ -89,7 +90,7 @@ std::string notes_of(const Sweep& sweep) {
   return notes;
 }
 
-/// The mazes in few words: the one's name, or their number.
+/// The mazes in words: the name of a single one, else their number.
 std::string place_of(const Sweep& sweep) {
   if (sweep.mazes.size() != 1) return fmt::format("{} mazes", sweep.mazes.size());
   const std::string& name = sweep.mazes.front();

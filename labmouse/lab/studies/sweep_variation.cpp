@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-// Ranges count in millionths, as whole numbers, so that no value is ever 0.30000000000000004.
+// Ranges count in whole millionths, so that a value cannot become 0.30000000000000004.
 constexpr long long one = 1'000'000;
 constexpr double largest = 1e9;
 
@@ -59,7 +59,7 @@ std::string read_list(std::string_view text, std::vector<std::string>& values) {
   values = split(text, ',');
   if (std::find(values.begin(), values.end(), "") != values.end())
     return fmt::format("the list '{}' has an empty value", text);
-  // No value of a parameter looks like this, and other programs write ranges so.
+  // No value of a parameter has this form, but some programs write ranges like this.
   const auto dash = text.find('-', 1);
   if (dash != std::string_view::npos && millionths(text.substr(0, dash)) && millionths(text.substr(dash + 1)))
     return fmt::format("'{}' is not a number; write a range as LOW:HIGH:STEP, with ':' in place of '-'", text);

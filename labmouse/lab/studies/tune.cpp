@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// What one mouse's contests came to.
+/// The result of one mouse's contests.
 struct Measured {
   std::vector<std::optional<double>> by_maze;
   int failures = 0;
@@ -89,7 +89,7 @@ class Tuner {
     return candidates;
   }
 
-  /// Races a generation and notes, in order, its candidates all of whose contests are done.
+  /// Races a generation, and records in order the candidates whose contests are all done.
   void evaluate(const std::vector<Contestant>& candidates, double step) {
     race(candidates);
     for (const Contestant& candidate : candidates)
@@ -112,8 +112,8 @@ class Tuner {
     tune_.stopped = race.stopped || (hooks_.stop != nullptr && hooks_.stop->load() && left() > candidates.size());
   }
 
-  /// Counts the contests that are to be expected: those before, these, and as many for each candidate to come as the
-  /// mouse as given has.
+  /// Updates the expected number of contests: those done, these, and for each later candidate as many as the mouse as
+  /// given has.
   void expect(const std::vector<Contestant>& mice, std::size_t to_come) {
     const std::size_t now = contests_of(mice, mazes_.size(), tune_.order.race);
     if (generation_ == 0) of_one_ = now;
@@ -134,7 +134,7 @@ class Tuner {
   const TuneHooks& hooks_;
   Tune& tune_;
   RaceHooks race_hooks_;
-  std::map<std::string, Measured> known_;  ///< by the SPEC in its shortest form
+  std::map<std::string, Measured> known_;  ///< by their SPECs in the shortest form
   int generation_ = 0;
   std::size_t before_ = 0, of_one_ = 0, all_ = 0;
 };

@@ -1,5 +1,5 @@
-// A search for better values of several parameters of a mouse at once: each candidate races on the same mazes with the
-// same seeds. docs/how-to/tune.md describes the results.
+// Searches for better values of several parameters of a mouse at once. Each candidate races on the same mazes with the
+// same seeds. See docs/how-to/tune.md for the results.
 #pragma once
 
 #include <atomic>
@@ -17,63 +17,63 @@
 
 namespace labmouse {
 
-/// What is made as low as possible: the mean over the mazes with a route of
+/// The quantity to minimise: the mean over the mazes with a route of
 enum class Objective : std::uint8_t {
-  score,  ///< the score, a failed contest counted as the limit score of the world
-  ratio,  ///< the same over the maze's bound
+  score,  ///< the score, where a failed contest counts as the world's limit score
+  ratio,  ///< that score divided by the maze's bound
 };
 
+/// The settings of a search.
 struct TuneOrder {
   RaceOrder race;
-  int evaluations = 0;  ///< candidates in all, the mouse as given among them; at least 1
-  int population = 0;   ///< candidates a generation; 0 takes the method's usual number
-  double step = 0.2;    ///< the first step size, as a share of each range
+  int evaluations = 0;  ///< largest number of evaluated candidates, with the mouse as given; at least 1
+  int population = 0;   ///< candidates in each generation; 0: the default of the method
+  double step = 0.2;    ///< initial step size, as a share of each range
   Objective objective = Objective::score;
 };
 
-/// One candidate and how it did.
+/// One candidate and its result.
 struct Evaluation {
   int generation = 0;               ///< 0 for the mouse as given
   double step = 0.0;                ///< step size of its generation; 0 for the mouse as given
   std::string mouse;                ///< its SPEC
   std::vector<std::string> values;  ///< of the tuned parameters, as in the SPEC
   double value = 0.0;               ///< the objective; infinite where no contest counts
-  int failures = 0;                 ///< contests that did not end in the goal, in mazes with a route
-  /// What the objective is the mean of, by the position of the maze; nothing where no contest counts in it.
+  int failures = 0;                 ///< contests that did not finish, in mazes with a route
+  /// The values whose mean is the objective, by the position of the maze; nothing where no contest counts.
   std::vector<std::optional<double>> by_maze;
 };
 
+/// The results of a search.
 struct Tune {
   TuneOrder order;
   std::vector<ParameterRange> ranges;
   std::size_t mazes = 0;                ///< with a route
   int routeless = 0;                    ///< mazes without one
   std::vector<Evaluation> evaluations;  ///< in their order, the mouse as given first
-  bool stopped = false;                 ///< before all evaluations were done
-  std::string error;                    ///< why nothing was raced
+  bool stopped = false;                 ///< stopped before all evaluations were done
+  std::string error;                    ///< why nothing was raced; empty if something was
 };
 
-/// What a search tells while it goes on.
+/// Callbacks of a search.
 struct TuneHooks {
-  /// Called after each contest with the number of all that are to be expected, from any thread but never from two at
-  /// once.
+  /// Called after each contest with the expected number of all contests; from any thread, but one at a time.
   std::function<void(std::size_t all)> finished;
   /// Called after each generation.
   std::function<void(const Tune&)> generation;
-  /// Asked before each contest; once it is true no other begins. Candidates whose contests are not all done are left
-  /// out.
+  /// Read before each contest. Once it is true, no other begins. Candidates with unfinished contests are left out.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Searches from the values that the SPEC says, each at the nearest in its range. A candidate that was raced before
-/// counts as an evaluation and is not raced again. The last generation may be smaller than the others.
+/// Searches from the values in the SPEC, moved into their ranges. A candidate that was raced before counts as an
+/// evaluation but is not raced again. The last generation may be smaller.
 Tune hold_tune(std::string_view spec, const std::vector<ParameterRange>& ranges, const std::vector<NamedMaze>& mazes,
                const TuneOrder& order, const TuneHooks& hooks = {});
 
-/// The lowest of a search that has evaluations, the first among equals.
+/// The evaluation with the lowest value; the first one among equals. `tune` must have evaluations.
 const Evaluation& best_of(const Tune& tune);
 
-/// The best against the mouse as given, maze by maze, best minus given.
+/// The best candidate against the mouse as given, maze by maze: value of the best minus value of the given one.
 struct Gain {
   double mean = 0.0;
   std::optional<Interval> interval;  ///< over the mazes; nothing for a single one
@@ -84,10 +84,10 @@ Gain gain_of(const Tune& tune);
 /// A report for a terminal; its last line is the SPEC of the best.
 std::string table_of(const Tune& tune, bool colours);
 
-/// One line an evaluation, with a header.
+/// CSV: a header and a line for each evaluation.
 std::string csv_of(const Tune& tune);
 
-/// Mean and best of each generation against the evaluations, as an SVG picture.
+/// An SVG picture of the mean and the best of each generation against the number of evaluations.
 std::string picture_of(const Tune& tune);
 
 }  // namespace labmouse

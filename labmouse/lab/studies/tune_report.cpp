@@ -14,7 +14,7 @@ std::string counted(std::size_t count, std::string_view one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// A value of the objective, or a difference of two: a score in steps, a ratio with a digit more.
+/// A value of the objective or a difference of two: a score with three decimals, a ratio with four.
 std::string shown_value(const Tune& tune, double value, bool sign = false) {
   const int decimals = tune.order.objective == Objective::ratio ? 4 : 3;
   return sign ? fmt::format("{:+.{}f}", value, decimals) : fmt::format("{:.{}f}", value, decimals);
@@ -76,7 +76,7 @@ std::string notes_of(const Tune& tune) {
   return notes;
 }
 
-/// The evaluations of one generation, as the plot's point: their mean, and the best as the lower end of the whisker.
+/// A generation as a point of the plot: the mean of its evaluations, and the best one as the lower end of the whisker.
 PlotPoint point_of(const Tune& tune, std::size_t begin, std::size_t end) {
   double sum = 0.0, best = tune.evaluations[begin].value, best_before = best + 1.0;
   for (std::size_t i = 0; i < begin; ++i) best_before = std::min(best_before, tune.evaluations[i].value);

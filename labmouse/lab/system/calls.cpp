@@ -47,7 +47,7 @@ int writable_error(int descriptor) { return _write(descriptor, "", 0) == 0 ? 0 :
 int writable_error(const std::string& path) { return _access(path.c_str(), may_write) == 0 ? 0 : errno; }
 
 int lock_file(int descriptor) { return _locking(descriptor, _LK_NBLCK, 1) == 0 ? 0 : EWOULDBLOCK; }
-// An open file cannot be removed there.
+// Windows does not remove open files.
 bool has_name(int) { return true; }
 
 std::vector<std::string> paths_like(const std::string&) { return {}; }
@@ -63,7 +63,7 @@ Undisturbed::~Undisturbed() = default;
 
 namespace {
 
-/// Calls until no signal came in between.
+/// Repeats a call that a signal interrupted.
 template <class Call>
 std::ptrdiff_t undisturbed(Call call) {
   std::ptrdiff_t result = 0;
@@ -118,7 +118,7 @@ int process_number() { return getpid(); }
 
 int become_program(const std::vector<std::string>& words, const std::string& variable, const std::string& value) {
   std::vector<char*> line;
-  // They are not written to. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
+  // execvp() does not write to them. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
   for (const std::string& word : words) line.push_back(const_cast<char*>(word.c_str()));
   line.push_back(nullptr);
   if (setenv(variable.c_str(), value.c_str(), 1) == 0) execvp(line.front(), line.data());

@@ -1,6 +1,6 @@
-// What the standard library has no words for, and is asked of the system by its own calls. calls.cpp alone knows that
-// systems differ. Where a call fails it gives -1 and leaves its reason in errno, or gives that number, and 0 where it
-// did not fail.
+// System calls without an equivalent in the standard library. Only calls.cpp knows the differences between systems. On
+// failure, a call that returns a descriptor or a count returns -1 and sets errno; a call that returns an error number
+// returns it, or 0 on success.
 #pragma once
 
 #include <csignal>
@@ -11,42 +11,45 @@
 
 namespace labmouse {
 
-/// The descriptors that every program begins with.
+/// The descriptors that every program starts with.
 inline constexpr int standard_input = 0, standard_output = 1, standard_error = 2;
 
-/// Descriptors that programs which are started do not get.
+/// Open a file; the descriptor is not inherited by started programs.
 int open_to_read(const std::string& path);
 int open_to_write(const std::string& path);
-/// A file that was not there, with these permissions at most.
+/// Creates a file that must not exist yet, with at most these permissions.
 int open_new(const std::string& path, std::filesystem::perms permissions);
-/// A file to be locked, which is made where it is not there.
+/// Opens a file for lock_file() and creates it if needed.
 int open_lock(const std::string& path);
 int close_descriptor(int descriptor);
 
-/// How many bytes were read or written, which may be fewer than asked for; at the end 0.
+/// Read or write up to that many bytes. Return the number of bytes done, which may be smaller; reading at the end of
+/// the file returns 0.
 std::ptrdiff_t read_some(int descriptor, char* bytes, std::size_t most);
 std::ptrdiff_t write_some(int descriptor, const char* bytes, std::size_t count);
 
-/// Whether a descriptor is open for writing, and whether this program may write to a file that is there: error numbers.
+/// Check that a descriptor is open for writing, or that this program may write to an existing file. Return an error
+/// number.
 int writable_error(int descriptor);
 int writable_error(const std::string& path);
 
-/// Locks the whole file against other programs until it is closed: an error number, EWOULDBLOCK where another has it.
+/// Locks the whole file against other programs until it is closed. Returns an error number: EWOULDBLOCK where another
+/// program has locked it.
 int lock_file(int descriptor);
-/// Whether the open file still stands in a folder.
+/// Whether the open file still has a name in a folder.
 bool has_name(int descriptor);
 
-/// The paths that match a pattern as of a shell, sorted; none on Windows.
+/// The paths that match a shell pattern, sorted; none on Windows.
 std::vector<std::string> paths_like(const std::string& pattern);
 
-/// Different from that of every other program that runs.
+/// The process id.
 int process_number();
 
-/// This process becomes another program, the first of the words, which is looked for as by a shell; with one more
-/// variable in its environment. Returns an error number where that fails, as always on Windows.
+/// Replaces this process by another program: the first of `words`, found as a shell does, with one more environment
+/// variable. Returns only on failure, with an error number. It always fails on Windows.
 int become_program(const std::vector<std::string>& words, const std::string& variable, const std::string& value);
 
-/// While one of these lives, no signal ends this thread.
+/// Blocks SIGINT, SIGTERM and SIGHUP in this thread while it lives.
 class Undisturbed {
  public:
   Undisturbed();

@@ -1,4 +1,4 @@
-// An open file of the system.
+// A file descriptor that closes itself.
 #pragma once
 
 #include <cerrno>
@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-/// Closes the descriptor when it goes, unless it was only borrowed.
+/// Closes the descriptor in its destructor, unless it is borrowed.
 class Descriptor {
  public:
   static Descriptor opened(int number) { return {number, true}; }
@@ -25,10 +25,10 @@ class Descriptor {
   }
   ~Descriptor() { close(); }
 
-  /// -1 where it could not be opened.
+  /// The descriptor; -1 where it could not be opened.
   int number() const { return number_; }
 
-  /// Closes it now. Returns the error number of a system that only now says that it could not write, or 0.
+  /// Closes it now. Returns an error number, because some systems report failed writes only then; 0 on success.
   int close() {
     const int number = std::exchange(number_, -1);
     return number >= 0 && owned_ && close_descriptor(number) != 0 ? errno : 0;

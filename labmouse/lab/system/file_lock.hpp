@@ -1,4 +1,4 @@
-// A file that says that somebody is at work beside it, whatever becomes of him.
+// A lock file: it is locked while a program works beside it, and unlocked when the program ends for any reason.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace labmouse {
 
-/// The file, made where it is not there, open and locked until it is closed, or until this program ends. `error` is 0
-/// then; EWOULDBLOCK where another has locked it, or another number where it cannot be made. Whoever removes the file
-/// does so before it is closed.
+/// Opens and locks a file, and creates it if needed. It stays locked until it is closed or the program ends. `error` is
+/// 0 on success, EWOULDBLOCK where another program has locked it, or another error number. Remove the file before
+/// closing it.
 Descriptor locked_file(const std::string& path, int& error);
 
 }  // namespace labmouse

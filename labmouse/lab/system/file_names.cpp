@@ -9,7 +9,7 @@
 namespace labmouse {
 namespace {
 
-/// A name as one part of a path: what could lead elsewhere or trouble a shell becomes `_`.
+/// A name as one part of a path: characters with a meaning in paths or shells become `_`.
 std::string file_name(std::string name) {
   constexpr std::size_t longest = 200;
   for (char& letter : name) {

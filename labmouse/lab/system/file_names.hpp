@@ -1,4 +1,4 @@
-// Names of mice and mazes as names of files.
+// Makes file names from the names of mice and mazes.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace labmouse {
 
-/// The names as parts of paths, each different from the others: what could lead elsewhere or trouble a shell becomes
-/// `_`, and where two names become one, the later ones get a number.
+/// The names as parts of paths, all different. Characters with a meaning in paths or shells become `_`; of equal
+/// results the later ones get a number.
 std::vector<std::string> file_names(const std::vector<std::string>& names);
 
 /// The last part of a path, without its ending.

@@ -26,7 +26,7 @@ FileContent too_large(std::size_t bytes, std::size_t most_bytes) {
   return {"", fmt::format("is too large: {} bytes, where at most {} are allowed", bytes, most_bytes)};
 }
 
-/// All that is left to read. `expected` is a guess.
+/// Reads the rest of a file. `expected` is a guess of its size in bytes.
 FileContent read_all(int descriptor, std::size_t expected, std::size_t most_bytes) {
   constexpr std::size_t least = std::size_t{1} << 12U;
   std::string content(std::min(expected, most_bytes) + least, '\0');
@@ -44,7 +44,7 @@ FileContent read_all(int descriptor, std::size_t expected, std::size_t most_byte
   return {std::move(content), ""};
 }
 
-/// What streams held, by their paths: they can be read once, but a command may ask for one more often.
+/// The content of streams by path, because a stream can be read once but a command may ask for it again.
 struct Streams {
   std::mutex mutex;
   std::map<std::string, FileContent> contents;
@@ -56,7 +56,7 @@ FileContent read_stream(const std::string& path, int descriptor, std::size_t mos
   const std::string name = descriptor == standard_input ? "-" : path;
   auto known = streams.contents.find(name);
   if (known == streams.contents.end()) {
-    // A pipe that has a name waits here for somebody who writes.
+    // Opening a named pipe waits here until somebody opens it for writing.
     const Descriptor opened =
         descriptor >= 0 ? Descriptor::borrowed(descriptor) : Descriptor::opened(open_to_read(path));
     if (opened.number() < 0) return unreadable(errno);

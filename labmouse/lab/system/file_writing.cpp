@@ -19,17 +19,17 @@ namespace fs = std::filesystem;
 
 std::string unwritable(int error_number) { return error_number == 0 ? "" : "cannot write: " + cause_of(error_number); }
 
-/// Where a path leads, or why nothing can be written there.
+/// The file to which a path leads, or why it cannot be written.
 struct Target {
   fs::path path;
-  std::optional<fs::perms> permissions;  ///< of the file that is there
+  std::optional<fs::perms> permissions;  ///< of the existing file
   bool stream = false;
   std::string error;
 };
 
 Target refused(int error) { return {{}, std::nullopt, false, unwritable(error)}; }
 
-/// The end of a chain of links, which need not exist. Links stay that way, and their target is what changes.
+/// The end of a chain of links, which need not exist. Writing changes the target and keeps the links.
 fs::path end_of_links(fs::path path) {
   std::error_code error;
   while (fs::is_symlink(fs::symlink_status(path, error))) path = path.parent_path() / fs::read_symlink(path, error);
@@ -45,11 +45,11 @@ Target target_of(const std::string& path) {
   if (error) return refused(error.value());
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status) && error && error != std::errc::no_such_file_or_directory)
-    return refused(error.value());  // links in a circle, too
+    return refused(error.value());  // also for links in a circle
   if (!fs::exists(status)) return {end_of_links(path), std::nullopt, false, {}};
   if (fs::is_directory(status)) return refused(EISDIR);
   if (!fs::is_regular_file(status)) return {path, std::nullopt, true, {}};
-  // A rename would replace a file that its owner has made read-only.
+  // Check this, because a rename would replace even a read-only file.
   if (const int reason = writable_error(path); reason != 0) return refused(reason);
   return {end_of_links(path), status.permissions() & fs::perms::mask, false, {}};
 }
@@ -63,7 +63,7 @@ int write_all(int descriptor, std::string_view content) {
   return 0;
 }
 
-/// The same part by part; after an error the rest is not written.
+/// Writes a text part by part; after an error it skips the rest.
 int write_all(int descriptor, const TextSource& content) {
   int error = 0;
   content([&](std::string_view part) {
@@ -72,7 +72,7 @@ int write_all(int descriptor, const TextSource& content) {
   return error;
 }
 
-/// Writes into what must not be replaced.
+/// Writes directly into a stream, which a rename must not replace.
 int write_through(const std::string& path, const TextSource& content) {
   if (const auto descriptor = descriptor_to_write(path)) return write_all(*descriptor, content);
   Descriptor opened = Descriptor::opened(open_to_write(path));
@@ -81,8 +81,8 @@ int write_through(const std::string& path, const TextSource& content) {
   return error != 0 ? error : opened.close();
 }
 
-/// A new file in the target's folder, removed when this goes unless it was put into its place. Its name is short,
-/// whatever the target's is.
+/// A new temporary file in the target's folder, removed in the destructor unless it was renamed to the target. Its name
+/// is short, however long the target's name is.
 class Part {
  public:
   explicit Part(const Target& target)
@@ -114,7 +114,7 @@ class Part {
                            fs::perms::group_write | fs::perms::others_read | fs::perms::others_write;
     static std::atomic<unsigned> parts{0};
     int number = -1;
-    // Another process of that number may have left its part when it was killed.
+    // A killed process with the same id may have left such a file.
     do {
       path_ = (folder_ / fmt::format(".labmouse-{}-{}.part", process_number(), parts++)).string();
       number = open_new(path_, permissions.value_or(usual));
@@ -123,7 +123,7 @@ class Part {
       error_ = errno;
       path_.clear();
     } else if (permissions) {
-      // With the permissions of the file that it replaces; where that fails they are narrower, by the umask.
+      // Gives it the permissions of the file that it replaces. If that fails, the umask has made them narrower.
       std::error_code failed;
       fs::permissions(path_, *permissions, failed);
     }
@@ -137,7 +137,7 @@ class Part {
 };
 
 int replace(const Target& target, const TextSource& content) {
-  // No signal ends this thread between a new file and its place.
+  // Blocks signals, so that no temporary file is left behind.
   const Undisturbed undisturbed;
   Part part(target);
   if (part.error() != 0) return part.error();

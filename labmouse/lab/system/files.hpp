@@ -1,4 +1,4 @@
-// Files, whole or not at all, and what stands in their place: standard input and output, pipes, devices.
+// Reads and writes whole files, standard input and output, pipes and devices.
 #pragma once
 
 #include <string>
@@ -8,34 +8,34 @@
 
 namespace labmouse {
 
-/// The content of a file, or the reason why there is none.
+/// The content of a file, or an error.
 struct FileContent {
   std::string content;
   std::string error;
 };
 
-/// Reads all of what a user named: a file, a pipe, or standard input as `-`. What has more than most_bytes is refused,
-/// and so is what is not text as we read it (foreign_encoding). Whatever is not a regular file can be read just once:
-/// its content is kept, and asked for again it is the same.
+/// Reads all of a path that a user gave: a file, a pipe, or standard input as `-`. Refuses more than `most_bytes` bytes
+/// and text in a foreign encoding (foreign_encoding). The content of a stream is kept, so reading it again gives the
+/// same.
 FileContent read_file(const std::string& path, std::size_t most_bytes = 1U << 20U);
 
-/// Reads a file that was found, in a folder or in the words of another file, and so may be no pipe that nobody writes.
+/// Reads a file that was found in a folder or named in another file. Refuses pipes and devices, which may never end.
 FileContent read_found_file(const std::string& path, std::size_t most_bytes = 1U << 20U);
 
-/// Writes a file beside its place and then renames it, so that nobody ever sees half of it; folders on the way are
-/// made, links are followed and stay. What is no regular file is written into: a pipe, a device, standard output as
-/// `-`. Returns what went wrong with its cause, "cannot be written: no space is left on the device", or nothing.
-/// Under `ulimit -f` that takes a program that ignores SIGXFSZ.
+/// Writes a file under another name in its folder and then renames it, so that nobody sees half of it. Creates missing
+/// folders; follows links and keeps them. A stream is written directly: a pipe, a device, or standard output as `-`.
+/// Returns the error with its cause, such as "cannot write: no space left on the device", or nothing. Under `ulimit -f`
+/// the program must ignore SIGXFSZ, else that signal ends it.
 std::string write_file(const std::string& path, std::string_view content);
-/// The same of a text that is made part by part.
+/// The same for a text that is produced in parts.
 std::string write_file(const std::string& path, const TextSource& content);
 
-/// Whether two paths lead to one file, which need not exist yet: "x" and "./x", links and their targets. Of streams: to
-/// one descriptor.
+/// Whether two paths lead to the same file, which need not exist yet: "x" and "./x", a link and its target. Streams are
+/// the same if their descriptors are.
 bool is_same_file(const std::string& path, const std::string& other);
 
-/// Whether write_file would write there now: makes the folders on the way and writes nothing that stays. Returns what
-/// is wrong, or nothing.
+/// Whether write_file() could write there now. Creates missing folders, but leaves no file. Returns what is wrong, or
+/// nothing.
 std::string check_writable(const std::string& path);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// What the program brings under a name, and users under the path of a file.
+// Finds a text by the name of a built-in one or by the path of a file.
 #pragma once
 
 #include <string>
@@ -8,23 +8,23 @@
 
 namespace labmouse {
 
-/// A text, or why there is none, as a line for the user.
+/// A text, or an error as a line for the user.
 struct NamedText {
   std::string text;
   std::string error;
 };
 
-/// The built-in text of that name, or that of a file, whose name has a slash or that ending, or is `-`. `kind` is
-/// what such a thing is called: "robot". Where there are no files, a text can be given with its name: in the first of
-/// its lines.
+/// Finds a text: a built-in one by its name, or a file (a name with a slash or that ending, or `-`). `kind` is the word
+/// for such a text in errors, such as "robot". In the browser, which has no files, a name may be followed by a line
+/// feed and the text itself.
 template <class Builtin>
 NamedText find_text(std::string_view kind, const Builtin& builtins, const std::string& name,
                     std::string_view ending = ".toml");
 
-/// The name alone, of one that a text was given with.
+/// The name before the first line feed.
 inline std::string name_alone(const std::string& name) { return name.substr(0, name.find('\n')); }
 
-/// The same of a list of names and texts.
+/// The same for a list of names and texts.
 NamedText find_text(std::string_view kind, const std::vector<std::pair<std::string_view, std::string_view>>& builtins,
                     const std::string& name, std::string_view ending);
 

@@ -10,7 +10,7 @@
 namespace labmouse {
 
 void for_each_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
-  // Allows as many threads as were asked for, on however many processors.
+  // Allow `jobs` threads even where there are fewer processors.
   std::optional<tbb::global_control> threads;
   if (jobs > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
   tbb::task_arena arena(jobs > 0 ? jobs : tbb::task_arena::automatic);

@@ -1,4 +1,4 @@
-// Work on as many threads as were asked for.
+// A loop on several threads.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace labmouse {
 
-/// Calls work(i) for each i below `count`, in no order that means anything, on `jobs` threads; 0 takes as many as there
-/// are processors. Returns when all are done.
+/// Calls work(i) for each i below `count`, in any order, on `jobs` threads (0: one for each processor). Returns when
+/// all calls have ended.
 void for_each_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work);
 
 }  // namespace labmouse

@@ -4,7 +4,7 @@
 
 namespace labmouse {
 
-// version() itself is written by the build: cmake/write_version.cmake.
+// The build generates version(): cmake/write_version.cmake.
 
 std::string compiler() {
 #if defined(__clang__)

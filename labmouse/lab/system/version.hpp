@@ -1,4 +1,4 @@
-// Where results come from: the build and the machine that made them.
+// The origin of results: the build and the machine.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace labmouse {
 /// Version of this build: the release, and the commit where it was built from a checkout.
 std::string_view version();
 
-/// The compiler of this build, `g++ 12.2.0`.
+/// The compiler of this build, such as `g++ 12.2.0`.
 std::string compiler();
 
-/// The processor of this machine as it calls itself, or `unknown`.
+/// The name of this machine's processor, or `unknown`.
 std::string processor();
 
 }  // namespace labmouse

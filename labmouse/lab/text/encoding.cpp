@@ -9,8 +9,8 @@ bool is_plain(char letter) {
   return (letter >= ' ' && letter <= '~') || letter == '\n' || letter == '\r' || letter == '\t';
 }
 
-/// UTF-16 without a mark shows in text that is mostly ASCII: every other byte is 0, and the ones between are plain. A
-/// maze in bytes has nothing from the blank on.
+/// UTF-16 without a byte order mark is visible in mostly ASCII text: every other byte is 0, and the others are plain. A
+/// binary maze file has no bytes of 0x20 or above.
 bool alternates(std::string_view bytes, std::size_t zero) {
   constexpr std::size_t looked_at = 32;
   const std::string_view begin = bytes.substr(0, looked_at);

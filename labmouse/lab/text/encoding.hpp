@@ -1,12 +1,12 @@
-// Text that is not in UTF-8, recognised by its first bytes.
+// Recognises text that is not in UTF-8 by its first bytes.
 #pragma once
 
 #include <string_view>
 
 namespace labmouse {
 
-/// What the bytes are in place of text, and what to do about it: "is compressed with gzip; unpack it first with
-/// `gunzip`". Empty for all that may be text, or a maze in bytes.
+/// The kind of bytes that are no text, and what to do: "is compressed with gzip; unpack it with `gunzip` first". Empty
+/// for bytes that may be text or a binary maze file.
 std::string_view foreign_encoding(std::string_view bytes);
 
 }  // namespace labmouse

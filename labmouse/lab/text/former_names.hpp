@@ -1,5 +1,5 @@
-// Names of earlier versions. Files, options and SPECs that use them are read for ever; new output has today's names
-// only.
+// Names of earlier versions. Files, options and SPECs with these names stay readable; new output has only today's
+// names.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 namespace labmouse {
 
+/// A former name and the name of today.
 struct FormerName {
   std::string_view former, today;
 };
@@ -51,7 +52,7 @@ inline constexpr std::array former_values = std::to_array<FormerName>({
     {"exploration", "search"},
 });
 
-/// The keys whose values these are.
+/// The keys to whose values these names apply.
 inline constexpr std::array<std::string_view, 5> keys_of_names = {"outcome", "ended_by", "how", "map", "run"};
 
 /// Today's name of a key; the name itself where it has not changed.
@@ -61,7 +62,7 @@ constexpr std::string_view today_key(std::string_view name) {
   return name;
 }
 
-/// The name that a key had first; the name itself where it has not changed.
+/// The first name of a key; the name itself where it has not changed.
 constexpr std::string_view former_key(std::string_view name) {
   for (const FormerName& each : former_keys)
     if (each.today == name) return each.former;
@@ -80,20 +81,20 @@ constexpr std::string_view former_value(std::string_view value) {
   return value;
 }
 
-/// What a SPEC of an external mouse or a mice file begins with.
+/// Prefixes of SPECs of external mice and mice files.
 inline constexpr std::array former_kinds =
     std::to_array<FormerName>({{"guest:", "program:"}, {"pilot:", "controller:"}, {"lineup:", "mice-file:"}});
 
-/// A SPEC with today's name of its kind.
+/// A SPEC with today's prefix.
 inline std::string today_spec(std::string_view spec) {
   for (const FormerName& each : former_kinds)
     if (spec.starts_with(each.former)) return std::string(each.today) + std::string(spec.substr(each.former.size()));
   return std::string(spec);
 }
 
-/// JSON with other keys at every depth, and other values of those keys whose values have former names; others stay.
+/// JSON with renamed keys at every depth, and renamed values of `keys_of_names`.
 /// @tparam AnyJson Json or ReadJson.
-/// @param key, value Today's or former names of a name, as above.
+/// Functions that map a name to another version's name, such as today_key() and today_value().
 template <class AnyJson>
 AnyJson with_names(AnyJson json, std::string_view (*key)(std::string_view),
                    std::string_view (*value)(std::string_view)) {

@@ -21,7 +21,7 @@ bool is_too_deep(std::string_view text) {
 }
 
 std::string_view bad_json_number(std::string_view text) {
-  // Only so can a number leave the range of doubles.
+  // Only such numbers can be out of the range of a double.
   const auto may_be_bad = [](std::string_view number) {
     constexpr std::size_t long_number = 300;
     return number.size() > long_number || number.find_first_of("eE") != std::string_view::npos;
@@ -36,7 +36,7 @@ std::string_view bad_json_number(std::string_view text) {
     const std::string_view number = text.substr(i, end - i);
     double value = 0.0;
     const NumberProblem problem = may_be_bad(number) ? parse_number(number, value) : NumberProblem::none;
-    // What is no number at all the parser tells.
+    // The parser itself reports a text that is no number.
     if (problem != NumberProblem::none && problem != NumberProblem::no_number) return number;
     i = end - 1;
   }

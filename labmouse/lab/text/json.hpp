@@ -1,4 +1,4 @@
-// JSON in the lab: which of the library's types is which.
+// The JSON types of the lab, and safe reading of JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,29 +7,27 @@
 
 namespace labmouse {
 
-/// JSON that is written: the fields of an object stay in the order in which they were added.
+/// JSON to write: objects keep the order of their fields.
 using Json = nlohmann::ordered_json;
-/// JSON that was read: a field is found in a time that grows with the logarithm of their number, which a hostile file
-/// chooses.
+/// JSON that was read. Finding a field takes logarithmic time, which matters for hostile files with many fields.
 using ReadJson = nlohmann::json;
 
-/// Whether lists and objects stand in each other deeper than anything that labmouse writes. Such a text is not to be
-/// read: the library copies, compares and writes what it read by recursion, which a hostile file could make as deep as
-/// it is long.
+/// Whether lists and objects are nested deeper than labmouse ever writes. Do not parse such a text: the library copies,
+/// compares and writes JSON by recursion, so a hostile file could overflow the stack.
 bool is_too_deep(std::string_view text);
 inline constexpr int most_json_depth = 32;  // a race's JSON is 7 deep
 
-/// The first number that a double cannot hold: 1e309, or 1e-320, which would be read as 0 or with few digits. Empty,
-/// and at the end of the text, where there is none.
+/// The first number that a double cannot hold: too large (1e309) or too small (1e-320, which would lose digits or
+/// become 0). An empty view at the end of the text where there is none.
 std::string_view bad_json_number(std::string_view text);
 
-/// What a text of unknown origin says; discarded where it is no JSON, too deep, or has a number that a double cannot
-/// hold: json_problem says which.
+/// Parses a text of unknown origin. The result is discarded where it is no JSON, nested too deeply, or has a number
+/// that a double cannot hold; json_problem() tells which.
 ReadJson read_json(std::string_view text);
-/// The same, with the fields of objects in the order in which they stand there.
+/// The same, keeping the order of fields.
 Json read_ordered_json(std::string_view text);
 
-/// JSON in one line without spaces; what is no UTF-8 becomes U+FFFD.
+/// JSON in one line without spaces; invalid UTF-8 becomes U+FFFD.
 std::string one_line(const Json& json);
 
 }  // namespace labmouse

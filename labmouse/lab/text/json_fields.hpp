@@ -1,4 +1,4 @@
-// The fields of a line of a record, read strictly.
+// Strict reading of the fields of a record's line.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,27 +14,27 @@
 
 namespace labmouse {
 
-/// Reads values out of an object of a record and remembers the first that is missing or wrong. In place of that it
-/// gives some value in range.
+/// Reads values from an object of a record and remembers the first missing or wrong one; returns a valid value in its
+/// place.
 class JsonFields {
  public:
-  /// The object must outlive it. `path` is where it stands in its line, empty for the line itself.
+  /// The object must outlive this one. `path` is its position in the line; empty for the line itself.
   JsonFields(const ReadJson& json, std::string path) : json_(json), path_(std::move(path)) {
     if (!json.is_object()) fail("is not an object");
   }
 
-  /// What is wrong, or nothing.
+  /// The first error, or nothing.
   const std::string& error() const { return error_; }
   bool has(const char* key) const { return find(key) != nullptr; }
   void fail(const std::string& reason) {
     reject(path_.empty() ? "the line " + reason : fmt::format("'{}' {}", path_, reason));
   }
-  /// The same with a whole sentence, of what was read elsewhere; an empty one says nothing.
+  /// Records a whole sentence as the error, such as one from another reader. An empty one changes nothing.
   void reject(const std::string& error) {
     if (error_.empty()) error_ = error;
   }
 
-  /// Whatever stands there, under today's or the former name of the key; null where there is none, which is an error.
+  /// Any value, by today's or the former name of the key. A missing value is an error and gives null.
   const ReadJson& value(const char* key) { return get(key); }
   std::string text(const char* key) {
     const ReadJson& value = get(key);
@@ -42,7 +42,7 @@ class JsonFields {
     return wrong(key, "is not a string"), "";
   }
   int whole(const char* key, int low, int high) { return whole(get(key), key, low, high); }
-  /// The same for numbers that an int may not hold, up to 2^53, which every reader of JSON keeps exactly.
+  /// The same for numbers beyond int, up to 2^53, which every JSON reader keeps exactly.
   std::int64_t long_whole(const char* key, std::int64_t low, std::int64_t high) {
     const ReadJson& value = get(key);
     if (!value.is_number_integer()) return wrong(key, "is not a whole number"), low;
@@ -99,7 +99,7 @@ class JsonFields {
     if (const ReadJson* value = find(key)) return *value;
     return wrong(key, "is missing"), nothing;
   }
-  /// Also under the name that the key had in earlier versions; null where there is none.
+  /// Finds a key under today's or its former name; null where it is missing.
   const ReadJson* find(const char* key) const {
     if (!json_.is_object()) return nullptr;
     auto found = json_.find(key);

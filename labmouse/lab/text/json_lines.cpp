@@ -8,7 +8,7 @@
 namespace labmouse {
 namespace {
 
-/// Takes the first line off the text.
+/// Removes the first line from the text and returns it.
 std::string_view next_line(std::string_view& text) {
   const auto length = text.find('\n');
   const auto line = text.substr(0, length);

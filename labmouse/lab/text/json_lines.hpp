@@ -1,4 +1,4 @@
-// Texts of JSON Lines, as records are: one object a line.
+// Reads JSON Lines, the format of records: one object in each line.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,16 @@
 
 namespace labmouse {
 
-/// What reads the lines of a text.
+/// Callbacks that read the lines.
 struct LineReader {
-  /// Take the first line, and each of the others; return what is wrong with it, or nothing.
+  /// Read the first line, and each later line; return the error, or nothing.
   std::function<std::string(const ReadJson&)> header, line;
-  /// Whether the text may break off: then a last line that was cut, say when the power went off, counts for nothing.
+  /// Whether the text may end early. If so, an incomplete last line is ignored, such as one cut by a power failure.
   std::function<bool()> may_break_off;
 };
 
-/// Hands each line to the reader, without blank ones and a byte order mark in front. Returns what is wrong with the
-/// first bad line, or with a text that has none; nothing where all is well.
+/// Passes each line to the reader, without blank lines and an initial byte order mark. Returns the problem of the first
+/// bad line, or of an empty text; nothing on success.
 std::vector<Problem> read_json_lines(std::string_view text, const LineReader& reader);
 
 }  // namespace labmouse

@@ -12,7 +12,7 @@
 namespace labmouse {
 namespace {
 
-/// Lets everything pass but a mistake, of which it keeps the place and the parser's words.
+/// A parser's handler that accepts everything and keeps the position and message of the first error.
 class Mistake final : public nlohmann::json_sax<ReadJson> {
  public:
   bool null() override { return true; }
@@ -33,11 +33,12 @@ class Mistake final : public nlohmann::json_sax<ReadJson> {
     return false;
   }
 
-  std::size_t bytes = 0;  ///< read up to the mistake
+  std::size_t bytes = 0;  ///< bytes read up to the error
   std::string words;
 };
 
-/// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." without what stands before.
+/// The parser's message "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." without
+/// its prefix.
 std::string without_place(const std::string& words) {
   const auto place = words.find(": ");
   const auto mark = words.find("] ");
@@ -46,7 +47,7 @@ std::string without_place(const std::string& words) {
   return mark == std::string::npos ? words : words.substr(mark + 2);
 }
 
-/// Behind so many bytes.
+/// A problem at the position after these bytes.
 Problem problem_behind(std::string_view before, std::string reason) {
   const auto line_begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
   return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
@@ -61,7 +62,7 @@ Problem json_problem(std::string_view text) {
   const std::string_view number = bad_json_number(text);
   const std::string_view before = text.substr(0, static_cast<std::size_t>(number.data() - text.data()));
   Mistake mistake;
-  // A number that no double holds may stand before or behind a mistake of another kind.
+  // A bad number may come before or after another error; report the first of both.
   const bool parsed = ReadJson::sax_parse(text, &mistake);
   if (!number.empty() && (parsed || before.size() < mistake.bytes)) {
     constexpr std::size_t longest = 40;

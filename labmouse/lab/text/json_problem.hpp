@@ -1,4 +1,4 @@
-// What is wrong with a text that is no JSON.
+// Explains why a text is no valid JSON.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace labmouse {
 
-/// The first mistake with its line and column, of a text for which read_json has nothing. Where lists stand in each
-/// other too deeply there is no place.
+/// The first error with its line and column, for a text that read_json() discards. Nesting that is too deep has no
+/// position.
 Problem json_problem(std::string_view text);
 
 }  // namespace labmouse

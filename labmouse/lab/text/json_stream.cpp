@@ -13,7 +13,7 @@ std::string dumped(const Json& json) { return json.dump(indent, ' ', false, Json
 
 void JsonStream::value(const Json& json, std::string_view key) {
   lead(key);
-  // A line break in the text of a value is never one of a string, where it is written `\n`.
+  // Line breaks in this text come from indenting: inside strings they are written as `\n`.
   const std::string text = dumped(json);
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
@@ -47,7 +47,7 @@ void JsonStream::begin(char opening, char closing, std::string_view key) {
   open_.push_back({closing});
 }
 
-/// What stands before a value: a comma after another one, its indent and its key.
+/// Writes the text before a value: a comma after another value, the indent and the key.
 void JsonStream::lead(std::string_view key) {
   if (open_.empty()) return;
   text_ += open_.back().any ? ",\n" : "\n";

@@ -1,5 +1,5 @@
-// JSON that is written while it is made: byte for byte what the library would print of the whole, indented by one, in
-// the memory of its largest value. Names come from the file system and may be no UTF-8: what is none is replaced.
+// Writes JSON piece by piece, exactly as the library prints the whole with an indent of one, but with only the largest
+// value in memory. Invalid UTF-8 in names of files is replaced.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +13,20 @@
 
 namespace labmouse {
 
+/// Writes one JSON value to a sink.
 class JsonStream {
  public:
   explicit JsonStream(TextSink sink) : sink_(std::move(sink)) {}
 
-  /// Within an object each of these takes a key, of plain letters; within a list none.
+  /// Inside an object each call needs a key of plain letters; inside a list none.
   void begin_object(std::string_view key = {}) { begin('{', '}', key); }
   void begin_list(std::string_view key = {}) { begin('[', ']', key); }
   void value(const Json& json, std::string_view key = {});
-  /// All fields of an object, into the object that was begun last.
+  /// Adds all fields of an object to the object that is open.
   void fields(const Json& object);
-  /// Ends what was begun last.
+  /// Ends the innermost object or list.
   void end();
-  /// Ends the text, and hands over what was not yet.
+  /// Ends the text and flushes the rest to the sink.
   void finish();
 
  private:

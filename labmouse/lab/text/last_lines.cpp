@@ -5,7 +5,7 @@
 namespace labmouse {
 namespace {
 
-/// Whether a line says something: blanks do not, nor do the marks that Python puts below the words of a traceback.
+/// Whether a line has content: not only blanks, or the ^ and ~ marks of a Python traceback.
 bool says_something(std::string_view line) { return line.find_first_not_of(" \t\r^~") != std::string_view::npos; }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a program wrote last to its standard error.
+// The last lines of a program's standard error.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace labmouse {
 
-/// How much of the texts of a run a race keeps.
-inline constexpr std::size_t kept_error_lines = 5;  ///< of standard error, the last ones
-inline constexpr std::size_t kept_text = 300;       ///< bytes of each
+/// Limits of the texts that a race keeps.
+inline constexpr std::size_t kept_error_lines = 5;  ///< last lines of standard error
+inline constexpr std::size_t kept_text = 300;       ///< bytes of each line
 
-/// The last lines of what a program wrote to its standard error. Blank ones are left out, and those of nothing but ^
-/// and ~, the marks in a traceback of Python.
+/// The last lines of standard error. Leaves out blank lines, and lines of ^ and ~ only, which mark positions in a
+/// Python traceback.
 std::vector<std::string> last_lines(std::string_view errors, std::size_t most = kept_error_lines);
 
 }  // namespace labmouse

@@ -10,7 +10,7 @@ namespace {
 
 constexpr char repeats = '~';
 constexpr unsigned bits = 5, more = 1U << bits;
-/// Longer than any difference of two numbers.
+/// More bits than any difference of two numbers has.
 constexpr unsigned most_bits = 40;
 
 void add_number(std::int64_t number, std::string& text) {
@@ -22,7 +22,7 @@ void add_number(std::int64_t number, std::string& text) {
   } while (rest > 0);
 }
 
-/// Takes a number from the front of the text; false where there is none.
+/// Removes a number from the front of the text; false where there is none.
 bool take_number(std::string_view& text, std::int64_t& number) {
   std::uint64_t all = 0;
   for (unsigned shift = 0; !text.empty() && shift < most_bits; shift += bits) {

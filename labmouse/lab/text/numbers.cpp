@@ -9,7 +9,7 @@
 namespace labmouse {
 namespace {
 
-/// A number as the program itself writes it; one that is too small to be written back is 0.
+/// Reads a number that the program has formatted. One too small for a double becomes 0.
 double read_back(std::string_view text, double otherwise) {
   double number = otherwise;
   return parse_number(text, number) == NumberProblem::too_small ? std::copysign(0.0, otherwise) : number;

@@ -1,17 +1,17 @@
-// Numbers that cannot be read, and numbers rounded for writing.
+// Explains invalid numbers, and rounds numbers for writing.
 #pragma once
 
 #include <string_view>
 
 namespace labmouse {
 
-/// What is wrong with a text that is no number, as the end of a sentence: "is not a number"; empty where it is one.
+/// The error of an invalid number, as the end of a sentence: "is not a number"; empty for a valid one.
 std::string_view why_no_number(std::string_view text);
 
-/// Rounded to so many significant digits. What is not finite stays as it is.
+/// The value with that many significant digits; infinities and NaN stay.
 double rounded(double value, int digits);
 
-/// The shortest decimal number that gives this 32-bit one: 265.2, where a mere conversion would give 265.2000122.
+/// The shortest decimal number that rounds to this 32-bit float: 265.2, where a conversion gives 265.2000122.
 double decimal(float value);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// Values that may be missing, as JSON.
+// JSON of optional values.
 #pragma once
 
 #include <optional>

@@ -9,15 +9,15 @@
 namespace labmouse {
 namespace {
 
-constexpr int gzip_window = MAX_WBITS + 16;  // zlib's way to ask for gzip
+constexpr int gzip_window = MAX_WBITS + 16;  // zlib's flag for the gzip format
 
-/// Deflates all of the bytes through a buffer; the stream has begun.
+/// Compresses all bytes through a buffer; the stream must be initialised.
 std::string deflated(z_stream& stream, std::string_view bytes) {
   std::string packed, buffer(std::size_t{1} << 18U, '\0');
   for (int state = Z_OK; state != Z_STREAM_END;) {
     if (stream.avail_in == 0 && !bytes.empty()) {
       const auto piece = bytes.substr(0, std::numeric_limits<uInt>::max());
-      // zlib reads only, but its interface is older than const.
+      // zlib only reads the input; its interface just lacks const.
       stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(piece.data()));
       stream.avail_in = static_cast<uInt>(piece.size());
       bytes.remove_prefix(piece.size());

@@ -1,4 +1,4 @@
-// Bytes as a text that can stand in a page: compressed, then in letters.
+// Encodes bytes as text for an HTML page: gzip, then base64.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@ namespace labmouse {
 
 inline constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// The bytes by gzip, as small as it makes them. The same bytes give the same bytes: no time and no name stand in it.
+/// Compresses bytes with gzip at the highest level. Equal input gives equal output, because the header has no time and
+/// no name.
 std::string gzip(std::string_view bytes);
 
-/// Four characters for three bytes (RFC 4648): letters, digits, `+`, `/`, and `=` at the end.
+/// Base64 (RFC 4648): four characters (letters, digits, `+`, `/`) for three bytes, with `=` as padding.
 std::string base64(std::string_view bytes);
 
 }  // namespace labmouse

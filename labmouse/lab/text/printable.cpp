@@ -13,7 +13,8 @@ struct Decoded {
   std::size_t length = 1;
 };
 
-/// The first character of a text that is not empty. Strict: no overlong forms, no surrogates, nothing past U+10FFFF.
+/// Decodes the first character of a text that is not empty. Rejects overlong forms, surrogates and code points above
+/// U+10FFFF.
 Decoded first_of(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   if (lead < 0x80) return {lead, 1};

@@ -1,4 +1,4 @@
-// Texts that are too long to be held whole: made part by part, and taken part by part.
+// Long texts that are produced and consumed in parts.
 #pragma once
 
 #include <functional>
@@ -6,10 +6,10 @@
 
 namespace labmouse {
 
-/// Takes the next part of a text.
+/// Consumes the next part of a text.
 using TextSink = std::function<void(std::string_view part)>;
 
-/// Hands a text over, from its first part to its last.
+/// Produces a text: calls the sink with each part in order.
 using TextSource = std::function<void(const TextSink& sink)>;
 
 }  // namespace labmouse

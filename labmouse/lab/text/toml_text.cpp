@@ -14,7 +14,7 @@
 namespace labmouse {
 namespace {
 
-/// Where a line gives a key one of the words that other formats have for true and false, which one to write.
+/// A hint where a line gives a key a word such as "yes", which other formats use for true or false.
 std::string_view word_hint(std::string_view text, std::size_t line) {
   for (; line > 1 && !text.empty(); --line) text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
   text = text.substr(0, text.find_first_of("\r\n#"));
@@ -28,10 +28,10 @@ std::string_view word_hint(std::string_view text, std::size_t line) {
   return word == "yes" || word == "on" || word == "True" ? "; write true" : "";
 }
 
-/// Whether a number that was read as 0 is written with other digits.
+/// Whether a number that was read as 0 has other digits in the text.
 bool is_not_written_as_zero(std::string_view text, toml::source_position place) {
   for (; place.line > 1; --place.line) text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
-  // Columns count characters, which begin with a byte that continues none.
+  // Columns count characters; a character begins with a byte that is no UTF-8 continuation byte.
   const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; };
   for (std::size_t left = place.column - 1; !text.empty() && (left > 0 || continues(text.front()));) {
     text.remove_prefix(1);
@@ -40,7 +40,7 @@ bool is_not_written_as_zero(std::string_view text, toml::source_position place) 
   return text.substr(0, text.find_first_not_of("+-_.0123456789")).find_first_of("123456789") != text.npos;
 }
 
-/// The first number that is too small for a double, with its place. Infinities are outside of the range of every key.
+/// The first number that is too small for a double. Infinities are out of range for every key.
 std::optional<Problem> bad_number(const toml::node& node, std::string_view text) {
   if (const auto* number = node.as_floating_point()) {
     const int kind = std::fpclassify(number->get());

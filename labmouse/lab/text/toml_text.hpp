@@ -1,4 +1,4 @@
-// TOML from users: parsed, and what is wrong with it told in lines and columns.
+// Parses TOML from users and reports problems with lines and columns.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 #include "labmouse/maze/formats/format.hpp"
 
-// Two things of toml++ 3.3 are undefined for text that users may write, both found by fuzz_robot. With NDEBUG it lets
-// the compiler take its assertions for true, and a header such as `[ ` shows that they are not; left out instead, they
-// are followed by checks that call such text wrong. And of letters beyond ASCII that are no blanks, such as the one of
-// mm², it says that they cannot be where it asks whether they are one; here it answers no.
+// Works around undefined behaviour of toml++ 3.3 for invalid text, which fuzz_robot found. With NDEBUG its assertions
+// are assumptions of the compiler, and a header such as `[ ` violates them. Without them, later checks reject such
+// text. It also marks as unreachable the answer for non-ASCII letters that are no blanks, such as that of mm²; here it
+// is `false`.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_cast<void>(0)
@@ -30,7 +30,7 @@
 
 namespace labmouse {
 
-/// A table, or the problem that makes the text none.
+/// A table, or the problems of an invalid text.
 struct TomlText {
   toml::table table;
   std::vector<Problem> problems;
@@ -41,10 +41,10 @@ TomlText parse_toml(std::string_view text);
 
 Problem problem_at(const toml::source_position& place, std::string reason);
 
-/// The problems in the order of the file, as many as are printed at once.
+/// The problems in the order of the file, at most as many as are printed.
 std::vector<Problem> in_order(std::vector<Problem> problems);
 
-/// "unknown key 'colur'; did you mean 'colour'?"
+/// The error for an unknown key: "unknown key 'colur'; did you mean 'colour'?"
 std::string unknown_key(const std::string& name, std::span<const std::string_view> known);
 
 }  // namespace labmouse
