@@ -9,8 +9,8 @@
 namespace labmouse {
 namespace {
 
-// A touch is a graze below these; kerikun11's mice go on after such touches, and end a run at others
-// (docs/explanation/physical-model.md).
+// A touch below these limits is a graze. They are those of kerikun11's mice, which go on after such touches, and end a
+// run at others (docs/explanation/physical-model.md).
 constexpr double graze_sine = 0.25881904510252076;   // of 15 degrees
 constexpr double graze_speed = 50.0;                 // mm/s towards the wall
 constexpr double graze_turn = 0.017453292519943295;  // a degree
