@@ -14,7 +14,7 @@ struct Inspection {
   int dead_ends = 0;
   /// Cells with three or four open sides.
   int junctions = 0;
-  /// Independent loops (the cycle rank, passages - cells + 1): 0 means that there is one way between any two cells.
+  /// Independent loops (the cycle rank, passages - cells + 1): 0 means that there is one route between any two cells.
   int loops = 0;
   /// Length of a shortest route from the start to a goal in cells; nothing if there is none.
   std::optional<int> shortest_cells;

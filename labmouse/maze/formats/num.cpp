@@ -25,8 +25,7 @@ bool is_num(std::string_view content) {
 // The lines read so far.
 struct Table {
   std::vector<CellStatement> statements;
-  std::array<int, max_side * max_side>
-      line_of{};  // line number by cell, indexed as in the largest maze; 0: not read yet
+  std::array<int, max_side * max_side> line_of{};  // by cell, indexed as in the largest maze; 0: not read yet
   Size size;
   ProblemList problems;
 

@@ -5,12 +5,12 @@
 // the start and some islands. By construction every cell is then connected, every post but the goal's middle has a
 // wall, and the start has three. The walls of the goal room never touch those of the border, so no wall follower
 // reaches them. Then the goal room gets its entrance where the route is long: a mouse that runs straight to the centre
-// meets a closed wall. Pieces of wall are moved until the route has a random length of two to five sides of the maze,
-// or the trials are over. Last, loops open walls wherever the rules allow. It always ends: if no entrance has several
-// routes, the walls grow again, and none may start at the goal room. The twelve cells around the room then form a ring.
-// The routes from the start reach it in at most one of the eight cells before a possible entrance, or in several; two
-// routes lead around to each of the other cells. Source: our own. In brackets, 260 real contest mazes of 16x16: median
-// route 61 cells (54), 10 loops (13), 93 straights (106), 39 dead ends (27); 1,000 seeds, 2026.
+// meets a closed wall. Pieces of wall are moved until the route has at least a random length of two to five sides of
+// the maze, or the trials are over. Last, loops open walls wherever the rules allow. It always ends: if no entrance has
+// several routes, the walls grow again, and none may start at the goal room. The twelve cells around the room then form
+// a ring. The routes from the start reach it in at most one of the eight cells before a possible entrance, or in
+// several; two routes lead around to each of the other cells. Source: our own. In brackets, 260 real contest mazes of
+// 16x16: median route 61 cells (54), 10 loops (13), 93 straights (106), 39 dead ends (27); 1,000 seeds, 2026.
 #include <cassert>
 #include <optional>
 

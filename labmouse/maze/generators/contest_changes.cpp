@@ -25,7 +25,7 @@ Ends ends_of(Wall wall) {
   return {first, neighbour(first, wall.side == Heading::north ? Heading::east : Heading::north)};
 }
 
-// The walls that stand at a post, those of the border among them.
+// The closed walls at a post, including those of the border.
 std::vector<Wall> walls_at(const MazeDraft& draft, Post post) {
   std::vector<Wall> walls;
   for (const Heading heading : all_headings)

@@ -1,6 +1,6 @@
 // Maze generators: seeded, with the same result on every platform.
 //
-// depth-first, prim, kruskal, wilson and division make perfect mazes: one way between any two cells, so that width ×
+// depth-first, prim, kruskal, wilson and division make perfect mazes: one route between any two cells, so that width ×
 // height - 1 walls are open. They differ in texture, from long winding corridors (depth-first) to many short dead ends
 // (prim); wilson makes every perfect maze equally likely. `loops` then opens more walls; a larger share opens the same
 // walls as a smaller one and some more.

@@ -18,8 +18,8 @@
 
 namespace labmouse {
 
-/// The way in which walls prefer to grow: along rows, along columns, or in stairs (north and east take turns, or south
-/// and west: rising; north and west, or south and east: falling).
+/// The direction in which walls prefer to grow: along rows, along columns, or in stairs (north and east take turns, or
+/// south and west: rising; north and west, or south and east: falling).
 enum class Grain : std::uint8_t { row, column, rising_stairs, falling_stairs };
 
 /// Grows walls in a draft. Posts of the border and posts with a wall count as standing from the beginning.
