@@ -36,7 +36,7 @@ class PricedField {
   int at(Cell cell) const { return at_index(size_.index(cell)); }
   /// The same by the cell's index.
   int at_index(int index) const { return costs_[static_cast<std::size_t>(index)]; }
-  /// The price of a straight move of so many cells through open walls.
+  /// The price of a straight move of `cells` cells through open walls.
   int step_cost(int cells) const { return step_cost_[static_cast<unsigned>(cells)]; }
   int longest() const { return longest_; }
 

@@ -47,7 +47,7 @@ class Strategy {
   /// Its report, called after its last decision, maybe several times.
   virtual StrategyReport report() { return {}; }
 
-  /// The reasons of the last decision; null unless it chose anew and its briefing asks for reasons.
+  /// The reasons of the last decision; null if it made no new choice, or if its briefing does not ask for reasons.
   virtual const Reasons* reasons() const { return nullptr; }
 };
 

@@ -26,8 +26,8 @@ struct BothWays {
   int shift;
 };
 
-/// For so many speeds of each turn. The labels of the nodes of a line lie one behind the other, by slots: the whole
-/// vectors of a row overlap with labels of the nodes about it, which must not change.
+/// For up to `Speeds` speeds of each turn. The labels of the nodes of a line lie one behind the other, by slots: the
+/// whole vectors of a row overlap with labels of the nodes about it, which must not change.
 template <class Word, unsigned Speeds>
 class LaneSearch final : public Search {
  public:
@@ -115,7 +115,7 @@ class LaneSearch final : public Search {
     }
     return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
   }
-  /// The nodes ahead of this one, up to so many units away, where a turn can begin.
+  /// The nodes ahead of this one, up to `units` away, where a turn can begin.
   Word places_of_turns(int node, int units) const {
     const unsigned beyond = static_cast<unsigned>(L::points - 1 - units) % L::points;
     return (lattice_.any_turn(node) >> node % L::points) & static_cast<Word>(~Word{0}) >> beyond;

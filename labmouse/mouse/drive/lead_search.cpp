@@ -143,7 +143,7 @@ class LeadSearch final : public Search {
     }
     return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
   }
-  /// The nodes ahead of this one, up to so many units away, where a turn can begin.
+  /// The nodes ahead of this one, up to `units` away, where a turn can begin.
   Word places_of_turns(int node, int units) const {
     const unsigned beyond = static_cast<unsigned>(L::points - 1 - units) % L::points;
     return (lattice_.any_turn(node) >> node % L::points) & static_cast<Word>(~Word{0}) >> beyond;

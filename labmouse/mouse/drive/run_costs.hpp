@@ -27,7 +27,7 @@ namespace labmouse {
 struct RunTolls {
   int per_nat = 0;                  ///< milliseconds for a price of 32
   int base = 0;                     ///< milliseconds for each wall that has a price
-  int closed = WallPrices::closed;  ///< a wall of this price or more is taken for closed
+  int closed = WallPrices::closed;  ///< a wall of this price or more counts as closed
 };
 
 /// A run that may exist.

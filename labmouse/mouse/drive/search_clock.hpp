@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// Counts the time of a search, and says when the mouse must go home to run in time.
+/// Counts the time of a search, and decides when the mouse must go home to run in time.
 class SearchClock {
  public:
   /// For a briefing in seconds, with fields.

@@ -25,7 +25,7 @@ struct SearchTolls {
   SearchDrive drive;                ///< the moves
   DriveTime unit = 0;               ///< for each unit of an unseen wall's price
   DriveTime base = 0;               ///< for each wall that has a price
-  int closed = WallPrices::closed;  ///< a wall of that price or more is taken for closed
+  int closed = WallPrices::closed;  ///< a wall of this price or more counts as closed
   /// Time that entering a cell saves, by the cell's index; a move still takes some time. Must outlive the field's use,
   /// and be 0 for known cells; may be empty.
   std::span<const DriveTime> savings = {};

@@ -52,7 +52,7 @@ inline std::int64_t at_pace(std::int64_t time, double pace) {
   return pace == 1.0 ? time : static_cast<std::int64_t>(static_cast<double>(time) / pace);
 }
 
-/// The step over so many edges in a direction.
+/// The step over `cells` edges in a direction.
 Action search_step(Heading heading, Heading direction, int cells);
 
 }  // namespace labmouse

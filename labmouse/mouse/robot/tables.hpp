@@ -36,7 +36,7 @@ struct DrivenTurn {
   std::uint8_t to = 0;     ///< lane in which it ends
   DriveTime time = 0;      ///< of the curve alone
   double speed = 0.0;      ///< mm/s where it begins
-  double end_speed = 0.0;  ///< where it ends; the same but for robots with grip
+  double end_speed = 0.0;  ///< mm/s where it ends; it differs only for robots with grip
 };
 
 /// Straights of one kind: along the axes in half cells, or diagonal in half diagonals of a cell.

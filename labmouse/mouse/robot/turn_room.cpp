@@ -48,7 +48,7 @@ TurnRoom room_between(Turn turn) {
   }
 }
 
-/// Every wall about the cells that turns pass, but for the open ones.
+/// All walls around the cells that turns pass, except the open ones.
 std::vector<Wall> others(const std::vector<Wall>& open) {
   std::vector<Wall> walls;
   for (int y = origin.y - 2; y <= origin.y + 3; ++y)
