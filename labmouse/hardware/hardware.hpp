@@ -129,7 +129,7 @@ struct Noise {
   double shaking_pitch = 0.0;    ///< rad/s, angular frequency of its resonance
   double shaking_loss = 0.0;     ///< damping ratio of the resonance
   // Each time that it is put down.
-  double placement = 0.0;       ///< mm, each way
+  double placement = 0.0;       ///< mm, in x and in y
   double placement_turn = 0.0;  ///< rad
 
   friend bool operator==(const Noise&, const Noise&) = default;

@@ -41,7 +41,7 @@ struct labmouse_sense {
 enum labmouse_word {
   LABMOUSE_DRIVE,  /* nothing */
   LABMOUSE_FAST,   /* the next run is a speed run */
-  LABMOUSE_GOAL,   /* this run is over after it was in a goal: the way home follows */
+  LABMOUSE_GOAL,   /* end this run once it has been in a goal: the way home follows */
   LABMOUSE_CARRY,  /* carry the mouse to the start; the duties are ignored */
   LABMOUSE_FORFEIT /* end the contest; the duties are ignored */
 };
