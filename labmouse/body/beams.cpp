@@ -10,11 +10,11 @@
 namespace labmouse {
 namespace {
 
-/// The lines across one axis that a ray meets, one after the other.
+/// The grid lines across one axis that a ray meets, one after the other.
 struct Lines {
   double next;     ///< distance to the face of the first of them
   double between;  ///< from one to the next
-  double cosine;   ///< of the ray's incidence
+  double cosine;   ///< of the ray's angle of incidence
   int cell;        ///< the column or row before that line
   int step;        ///< to the one behind it
 };
@@ -73,7 +73,7 @@ void Beams::for_each_crossing(const Ray& ray, Visit visit) const {
   }
 }
 
-/// What of a beam's spot lies on walls and posts.
+/// The share of a beam's spot that lies on walls and posts.
 ///
 ///      below       along                       above
 ///      ---o=========o---          posts o, the side's wall =, its neighbours -
@@ -93,7 +93,7 @@ double Beams::share_of(const Crossing& crossing) const {
   double share = stands ? 1.0 : 0.0;
   if (low) {
     const bool more = field_.stands(column - x, row - y, side);
-    // The wall's side of the post is there if either of them is.
+    // The post reaches to both sides of its middle; beyond it is the neighbouring wall, if it stands.
     share += (stands ? 0.0 : below(half)) - (more ? 0.0 : below(-half));
   }
   if (high) {

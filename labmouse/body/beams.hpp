@@ -1,7 +1,7 @@
-// What light comes back: infrared beams and a distance sensor against walls and posts.
+// The readings of infrared beams and of a ToF sensor, from walls and posts.
 //
-// Method: a beam meets one line of the grid after the other. Where it meets one, its spot has a normal footprint along
-// that line; what of that lies on walls and posts comes back, the rest goes on to the next line.
+// Method: a beam meets one line of the grid after the other. On each its spot has a normal footprint along the line.
+// The share of it on walls and posts is returned; the rest goes on to the next line.
 //
 // Source of the law and its numbers: reflector and wall logs of a half-size mouse (kerikun11/micromouse-kerise-v4),
 // docs/explanation/physical-model.md.
@@ -29,14 +29,15 @@ class Beams {
 
   /// The level of a beam in counts, before noise, of a mouse in that position and direction.
   double level(std::size_t beam, const Position& position, const Direction& ahead) const;
-  /// From the ranger to the first wall or post straight ahead, in mm; 0 where nothing is within its reach.
+  /// The distance from the ToF sensor to the first wall or post straight ahead, in mm; 0 if nothing is within its
+  /// reach.
   double range(const Position& position, const Direction& ahead) const;
 
  private:
   /// A line that a ray meets.
   struct Crossing {
     double distance = 0.0;    ///< from the ray's beginning
-    double cosine = 0.0;      ///< of its incidence
+    double cosine = 0.0;      ///< of the angle of incidence
     int column = 0, row = 0;  ///< the cell that it comes from
     Heading side{};           ///< the side of that cell that it meets
     double along = 0.0;       ///< on that side, from the post at its western or southern end
@@ -50,9 +51,9 @@ class Beams {
   const Sensors& sensors_;
   const RobotSample& robot_sample_;
   double per_fall_, per_footprint_;
-  std::array<Direction, beam_count> directions_{};  ///< to ahead
-  std::array<double, beam_count> gains_{};          ///< counts at no distance
-  std::array<double, beam_count> reaches_{};        ///< mm; farther walls come back as less than half a count
+  std::array<Direction, beam_count> directions_{};  ///< of each beam, relative to ahead
+  std::array<double, beam_count> gains_{};          ///< counts at distance 0
+  std::array<double, beam_count> reaches_{};        ///< mm; a wall farther away returns less than half a count
 };
 
 }  // namespace labmouse

@@ -9,8 +9,8 @@
 namespace labmouse {
 namespace {
 
-// A touch is a graze below these; kerikun11's mice go on after such touches, and end a run at others
-// (docs/explanation/physical-model.md).
+// A touch below these limits is a graze. They are those of kerikun11's mice, which go on after such touches, and end a
+// run at others (docs/explanation/physical-model.md).
 constexpr double graze_sine = 0.25881904510252076;   // of 15 degrees
 constexpr double graze_speed = 50.0;                 // mm/s towards the wall
 constexpr double graze_turn = 0.017453292519943295;  // a degree
@@ -59,7 +59,7 @@ Touch Body::touch(const Contact& contact) {
   const Position out = way_of_eighths(2 * static_cast<int>(contact.out));
   const Direction goes = turned_by(motion.ahead, motion.slip);
   const double forwards = motion.speed < 0.0 ? -1.0 : 1.0;
-  // The sine of the angle between its way and the wall; below 0 it goes into the wall.
+  // The sine of the angle between its motion and the wall; below 0 it moves into the wall.
   const double sine = forwards * (goes.cosine * out.x + goes.sine * out.y);
   if (sine < -graze_sine || -sine * std::abs(motion.speed) > graze_speed) {
     crashed_ = true;

@@ -1,4 +1,4 @@
-// A mouse's body in a maze: what it does under a duty, and what it reads. The truth; it knows no estimate.
+// The simulated robot in a maze: how it moves under motor duties, and what its sensors read. This is its true state.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,22 @@
 
 namespace labmouse {
 
-/// What a tick brought, of walls.
+/// Contact with walls during a tick.
 enum class Touch : std::uint8_t {
   none,
-  graze,  ///< along a wall, slowly: it goes on, turned a little, and the first moment of it
+  graze,  ///< the first tick of a slow touch along a wall: it goes on, turned a little
   crash,  ///< the run is over
 };
 
 class Body {
  public:
-  /// Maze and hardware must outlive it. All chance comes from the seed: what the contest draws, and each moment.
+  /// Maze and hardware must outlive it. The seed is the only source of randomness, for numbers of a contest and of a
+  /// tick.
   Body(const Maze& maze, double cell, const Hardware& hardware, const NoiseLevel& level, std::uint64_t seed);
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
-  /// A hand puts it there, as well as hands do: at rest, angle in rad to the left of east. Calibrates the gyro.
+  /// Puts it there at rest, with the error of a hand; angle in rad to the left of east. Calibrates the gyro.
   void put(const Position& position, double angle);
   /// The same in the middle of a cell.
   void put(Cell cell, Heading heading);
@@ -42,7 +43,7 @@ class Body {
   bool crashed() const { return crashed_; }
   /// What it touched last.
   const Contact& contact() const { return contact_; }
-  /// Whether the tyres held all that they can in the last so many ticks.
+  /// Whether the tyres were at their limit in one of the last `ticks` ticks.
   bool slid_within(int ticks) const { return since_slide_ < ticks; }
 
  private:

@@ -27,7 +27,7 @@ void deepen(std::optional<Contact>& contact, const Contact& other) {
   if (!contact || other.depth > contact->depth) contact = other;
 }
 
-/// The lines across an axis that a stretch about a coordinate comes within half a wall of.
+/// The grid lines across an axis that are within half a wall of the range `coordinate` ± `reach`.
 struct NearLines {
   int first, last;
 
@@ -38,7 +38,8 @@ NearLines near_lines(const Field& field, double coordinate, double reach) {
   return {field.index_at(coordinate - far) + 1, field.index_at(coordinate + far)};
 }
 
-/// Whether it stands between lines of one axis, and over those of the other where they are open: so most ticks are.
+/// A quick check that holds in most ticks: it is between the lines of one axis, and those of the other are open where
+/// it crosses them.
 bool is_free(const Field& field, const Position& middle, const NearLines& x, const NearLines& y) {
   if (!x.none() && !y.none()) return false;
   const int column = field.index_at(middle.x), row = field.index_at(middle.y);
@@ -49,7 +50,7 @@ bool is_free(const Field& field, const Position& middle, const NearLines& x, con
   return true;
 }
 
-/// A corner in a wall comes out towards the middle.
+/// Adds the contact of a corner with walls. The way out is towards the middle.
 void touch_walls(const Field& field, const Position& corner, const Position& middle, const NearLines& x,
                  const NearLines& y, std::optional<Contact>& contact) {
   const double half = field.half_wall();
@@ -71,7 +72,7 @@ void touch_walls(const Field& field, const Position& corner, const Position& mid
   }
 }
 
-/// A post in the chassis: two rectangles are apart where they are so along a side of either.
+/// Adds the contact with a post. Two rectangles are apart if they are separated along a side of either.
 void touch_post(const Field& field, const Placement& stand, const Direction& ahead, const Position& post,
                 std::optional<Contact>& contact) {
   const double half = field.half_wall();

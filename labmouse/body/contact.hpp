@@ -1,4 +1,4 @@
-// What a mouse touches.
+// Contacts of a mouse with walls and posts.
 //
 // Its chassis is a rectangle. It meets a wall with one of its corners, and a post with a corner or a side.
 #pragma once
@@ -11,14 +11,14 @@
 
 namespace labmouse {
 
-/// A touch: which way is out, a heading, and how far in mm; and the wall, where it is one and no lone post.
+/// A contact: the heading of the way out, the depth in mm, and the wall, or none for a lone post.
 struct Contact {
   Heading out = Heading::north;
   double depth = 0.0;
   std::optional<Wall> wall;
 };
 
-/// The deepest touch of a chassis in that position and direction.
+/// The deepest contact of a chassis in that position and direction; nothing without one.
 std::optional<Contact> contact_of(const Field& field, const Chassis& chassis, const Position& position,
                                   const Direction& ahead);
 

@@ -1,4 +1,4 @@
-// The maze as a body meets it: walls with a thickness, and posts where they can meet, in mm.
+// The maze in mm: walls with a thickness, and posts where they can meet.
 //
 //      line 1  o---o---o      Lines lie at multiples of the cell; walls and posts reach half a wall to both of their
 //              |   |   |      sides. x counts eastwards, y northwards, from the south-western corner of the maze.
@@ -38,7 +38,7 @@ class Field {
     const auto index = static_cast<std::size_t>(row * size_.width + column);
     return (walls_[index] >> static_cast<unsigned>(side) & 1U) != 0;
   }
-  /// Whether one stands on a line across x, in a row, and on a line across y, in a column.
+  /// Whether a wall stands on a line across x, in a row; or on a line across y, in a column.
   bool stands_upright(int line, int row) const {
     return stands(line, row, Heading::west) || stands(line - 1, row, Heading::east);
   }

@@ -1,4 +1,4 @@
-// How much of its noise a mouse has.
+// The scale of a robot's noise.
 #pragma once
 
 #include <array>
@@ -7,11 +7,11 @@
 
 namespace labmouse {
 
-/// Factors of the noise that the hardware has: 1 as it was measured, 0 none.
+/// Factors of the hardware's noise: 1 as measured, 0 for none.
 struct NoiseLevel {
   double all = 1.0;
   std::array<double, noise_groups> groups = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-  /// Factor of what a contest draws of the mouse itself: how far mice and days are apart.
+  /// Factor of the numbers drawn once a contest for the mouse itself: the variation between mice and days.
   double variation = 1.0;
 
   double of(NoiseGroup group) const { return all * groups[static_cast<std::size_t>(group)]; }

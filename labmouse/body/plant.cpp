@@ -14,7 +14,7 @@ double beyond_dead_zone(double duty, double dead_zone) { return duty - std::clam
 
 /// A motor at rest needs the dead zone to begin to move; one that moves loses it to friction, whatever its duty.
 double effective(double duty, double rate, const MotorAxis& axis) {
-  // Almost at rest a little of both, so that it neither creeps nor chatters.
+  // Almost at rest it uses a mixture of both, so that the motor neither creeps nor chatters.
   constexpr double almost = 0.005;  // of what full duty gives
   const double moving = std::clamp(rate / (almost * axis.gain), -1.0, 1.0);
   return (1.0 - std::abs(moving)) * beyond_dead_zone(duty, axis.dead_zone) +
@@ -83,7 +83,7 @@ void Plant::shake() {
   motion_.yaw = motion_.turning + strength * shaking_;
 }
 
-/// What the tyres hold, by the slip that they have, and the slip that follows.
+/// Limits the acceleration to the grip, and updates the slip and the lateral acceleration that the tyres give.
 void Plant::slide(double before) {
   motion_.speeding = (motion_.speed - before) / tick_seconds;
   const double grip = hardware_.tyres.grip * robot_sample_.grip;
@@ -92,7 +92,7 @@ void Plant::slide(double before) {
     motion_.speeding = motion_.speeding > 0.0 ? grip : -grip;
     motion_.speed = before + motion_.speeding * tick_seconds;
   }
-  // Slip is measured against the way the body goes; slow bodies do not slip.
+  // The slip equations divide by the speed, so it is at least this.
   constexpr double slow = 20.0;  // mm/s
   const double speed = std::max(std::abs(motion_.speed), slow);
   const double most = std::sqrt(std::max(0.0, grip * grip - motion_.speeding * motion_.speeding));
@@ -118,7 +118,7 @@ void Plant::move() {
   cross(from);
 }
 
-/// The floor's step at a boundary that it has just crossed.
+/// Applies the floor's step at a boundary that was just crossed.
 void Plant::cross(const Position& from) {
   const Cell before = field_.cell_at(from), after = field_.cell_at(motion_.position);
   if (before == after || !field_.contains(before)) return;
@@ -128,7 +128,7 @@ void Plant::cross(const Position& from) {
                                                : Heading::south;
   const bool there = heading == Heading::north || heading == Heading::east;
   const FloorStep step = robot_sample_.floor_step(wall_at(before, heading));
-  // The other way it turns and shifts the mouse to the other side.
+  // In the opposite direction, both signs are reversed.
   const double turn = there ? step.turn : -step.turn, shift = there ? step.shift : -step.shift;
   motion_.position = {motion_.position.x - shift * motion_.ahead.sine,
                       motion_.position.y + shift * motion_.ahead.cosine};

@@ -1,9 +1,8 @@
 // How a mouse moves: motors, slip, shaking and the floor, a tick at a time.
 //
-// Method: each of driving on and turning is a motor of the first order with a dead zone. Tyres hold the body sideways
-// by a force that grows with the slip angle, up to a friction circle that speeding up and braking share. What shakes
-// the body is a resonance that noise drives. docs/explanation/physical-model.md has the equations, and where each
-// number comes from.
+// Method: forward motion and turning are each a first-order motor with a dead zone. The lateral force of the tyres
+// grows with the slip angle, up to a friction circle that is shared with acceleration and braking. Shaking is a
+// resonance driven by noise. docs/explanation/physical-model.md has the equations, and where each number comes from.
 #pragma once
 
 #include <array>
@@ -17,15 +16,15 @@
 
 namespace labmouse {
 
-/// Where a mouse is and how it moves. Angles are to the left, those of the direction from east.
+/// Where a mouse is and how it moves. Angles are to the left; directions are measured from east.
 struct BodyMotion {
   Position position;      ///< of the middle of the axle
   Direction ahead;        ///< where the body points
-  double angle = 0.0;     ///< the same in rad, counted on over turns
+  double angle = 0.0;     ///< the same in rad, not wrapped to one turn
   double speed = 0.0;     ///< mm/s
   double turning = 0.0;   ///< rad/s by the motors
-  double yaw = 0.0;       ///< rad/s of the body, with what shakes it
-  double slip = 0.0;      ///< rad from where it points to where it goes
+  double yaw = 0.0;       ///< rad/s of the body, with shaking
+  double slip = 0.0;      ///< slip angle, rad from where it points to where it goes
   double speeding = 0.0;  ///< mm/s² ahead
   double sideways = 0.0;  ///< mm/s² to the left
 };
@@ -35,16 +34,16 @@ class Plant {
   /// All must outlive it.
   Plant(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed);
 
-  /// At rest, in that position and direction.
+  /// Puts it at rest, in that position and direction.
   void put(const Position& position, double angle);
-  /// A tick under a duty.
+  /// Advances by a tick under these duties.
   void step(const Drive& drive);
   const BodyMotion& motion() const { return motion_; }
   /// The battery's voltage as a share of that at rest.
   double voltage() const { return voltage_; }
-  /// Whether its tyres hold no more: it slides outwards.
+  /// Whether its tyres are at their limit, so that it slides outwards.
   bool slides() const { return slides_; }
-  /// Takes the mouse out of what it touches, and what speed it had towards that: a graze along it.
+  /// A graze: moves the mouse out of what it touches, turns it, and keeps this share of its speed.
   void graze(const Position& position, double turn, double speed_kept);
   void stop();
 
@@ -59,7 +58,7 @@ class Plant {
   const Hardware& hardware_;
   const RobotSample& robot_sample_;
   BodyMotion motion_;
-  double drive_share_ = 0.0, turn_share_ = 0.0;  ///< of the way to its steady speed that a motor makes in a tick
+  double drive_share_ = 0.0, turn_share_ = 0.0;  ///< share of the way to its steady speed that a motor makes in a tick
   Dice shaking_dice_;
   double shaking_ = 0.0, shaking_rate_ = 0.0;  ///< of the resonance, rad/s
   double shaking_kick_ = 0.0;

@@ -12,14 +12,13 @@
 namespace labmouse {
 namespace {
 
-/// A factor about 1, as likely so many times as large as small, by its logarithm; however unlucky, a mouse has a tenth
-/// and at most ten times of the nominal value.
+/// A factor by its logarithm, limited to a tenth and to ten times the nominal value.
 double factor_of(double logarithm) {
   constexpr double most = 2.302585092994046;
   return exp_of(std::clamp(logarithm, -most, most));
 }
 
-/// Normal numbers of one name.
+/// Random numbers from a generator of their own, seeded by a name.
 class Draws {
  public:
   Draws(std::uint64_t seed, std::string_view name) : dice_(seed_for(seed, name)) {}
@@ -50,7 +49,7 @@ RobotSample::RobotSample(const Hardware& hardware, const NoiseLevel& level, Size
   for (double& factor : motor) factor = own(motors, NoiseGroup::motors, noise.motor_gain);
   stiffness = own(tyres, NoiseGroup::tyres, noise.stiffness);
   grip = own(tyres, NoiseGroup::tyres, noise.grip);
-  // How far apart the scales of encoders are is known from logs, and not spread.
+  // The variation of the scales of encoders is known from logs, and not scaled.
   for (double& factor : encoder) factor = encoders.factor(level.of(NoiseGroup::encoders) * noise.encoder_scale);
   for (double& turns : ripple) turns = encoders.unit();
   gyro = own(gyros, NoiseGroup::gyro, noise.gyro_scale);

@@ -1,4 +1,5 @@
-// One mouse on one day: what the numbers of its maker became, and the maze as it was built.
+// A random sample of a robot and its maze, drawn once a contest: the actual values of what the hardware states
+// nominally.
 #pragma once
 
 #include <array>
@@ -16,29 +17,29 @@ struct FloorStep {
   double shift = 0.0;  ///< mm to the left
 };
 
-/// Drawn once a contest, each number from dice of its own, so that none depends on whether others are drawn.
+/// The sample of one contest. Each group has a random generator of its own, so that none depends on what others draw.
 class RobotSample {
  public:
   RobotSample(const Hardware& hardware, const NoiseLevel& level, Size size, std::uint64_t seed);
 
-  /// How unlucky this contest's draws are: the fourth-power mean of what motors, tyres and gyro drew, each in
-  /// deviations of a mouse at noise 1 and variation 1. One bad number is enough to break a mouse.
+  /// The severity score of this sample: the fourth-power mean of the draws of motors, tyres and gyro, each in standard
+  /// deviations at noise 1 and variation 1. The high power makes a single bad number count.
   double severity() const { return severity_; }
   /// The factor of its weaker motor.
   double weaker_motor() const { return motor[0] < motor[1] ? motor[0] : motor[1]; }
-  /// How far its infrared sensors are from what they should be: the root mean square of their factors' logarithms.
+  /// Root mean square of the logarithms of the infrared sensors' factors.
   double eyes_apart() const { return eyes_apart_; }
   /// The factor of a group's noise.
   double level(NoiseGroup group) const { return level_.of(group); }
 
-  /// As a side of a cell reflects, 1 in the mean.
+  /// The reflectance of a side of a cell, as a factor of the nominal one.
   double reflectance(Cell cell, Heading side) const;
   FloorStep floor_step(Wall boundary) const;
 
   std::array<double, 2> motor{};              ///< factor of each motor's duty, left and right
   double stiffness = 1.0, grip = 1.0;         ///< factors
   std::array<double, 2> encoder{};            ///< factor of each wheel's travel, as it counts it
-  std::array<double, 2> ripple{};             ///< turns of the magnets by which they are ahead
+  std::array<double, 2> ripple{};             ///< phases of the magnets' ripple, in turns
   double gyro = 1.0;                          ///< factor
   std::array<double, beam_count> infrared{};  ///< factors
 

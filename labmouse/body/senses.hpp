@@ -1,5 +1,4 @@
-// What the hardware makes of how a mouse moves and stands: encoders, gyro, accelerometer, infrared and the ranger, with
-// their errors, as raw integers.
+// The simulated sensors: encoders, gyro, accelerometer, infrared and ToF sensors, with their errors, as raw integers.
 #pragma once
 
 #include <array>
@@ -17,7 +16,7 @@ class Senses {
   /// All must outlive it.
   Senses(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed);
 
-  /// Calibrates the gyro, at rest.
+  /// Calibrates the gyro at rest, which draws a new bias.
   void calibrate();
   /// Reads everything after a tick.
   void read(const BodyMotion& motion, double voltage);
@@ -34,14 +33,14 @@ class Senses {
   const RobotSample& robot_sample_;
   Beams beams_;
   Sense sense_;
-  /// Dice by source, so that none depends on whether others are thrown.
+  /// Random generators by source, so that none depends on whether others are used.
   std::array<Dice, 2> encoder_dice_;
   Dice gyro_dice_, bias_dice_, walk_dice_;
   std::array<Dice, 2> acceleration_dice_;
   std::array<Dice, beam_count> infrared_dice_;
   Dice range_dice_;
-  double infrared_fresh_;           ///< of each moment's error of a beam, beside what is left of the one before
-  std::array<double, 2> travel_{};  ///< mm, of each wheel as it counts
+  double infrared_fresh_;           ///< share of new noise in a beam's error, beside that of the tick before
+  std::array<double, 2> travel_{};  ///< mm, of each wheel as its encoder measures it
   double bias_ = 0.0;               ///< rad/s
   std::array<double, beam_count> infrared_noise_{};
   int until_range_ = 0;  ///< ticks to the next reading

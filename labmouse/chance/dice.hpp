@@ -1,8 +1,8 @@
-// Chance, the same on every compiler and platform.
+// Random numbers that are the same on every compiler and platform.
 //
-// The generator is SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014):
-// 64 bits of state, any seed is a good one. The distributions are our own, because those of the standard library may
-// differ from one compiler to the next.
+// The generator is SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
+// It has 64 bits of state, and any seed will do. The distributions are written here because those of the standard
+// library may differ between compilers.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace labmouse {
 
-/// A seeded source of chance. Equal seeds give equal throws for ever.
+/// A seeded random number generator. Equal seeds give equal sequences for ever.
 class Dice {
  public:
   explicit constexpr Dice(std::uint64_t seed) : state_(seed) {}
 
-  /// 64 fair bits.
+  /// 64 random bits.
   constexpr std::uint64_t bits() {
     state_ += 0x9E3779B97F4A7C15U;
     std::uint64_t z = state_;
@@ -24,13 +24,13 @@ class Dice {
     return z ^ (z >> 31U);
   }
 
-  /// A number from 0 to 1, without 1; each multiple of 2^-53 is as likely as the others.
+  /// Uniform in [0, 1), in multiples of 2^-53.
   constexpr double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
 
-  /// A number from 0 to count - 1, each as likely as the others; count must be at least 1.
+  /// Uniform from 0 to count - 1; count must be at least 1.
   constexpr int below(int count) {
     const auto sides = static_cast<std::uint32_t>(count);
-    // Throw again in the short last stretch, so that no number comes up more often than another.
+    // Lemire's method: rejects the few draws that would make some numbers likelier than others.
     const std::uint32_t uneven = (~sides + 1U) % sides;
     for (;;) {
       const auto product = static_cast<std::uint64_t>(static_cast<std::uint32_t>(bits() >> 32U)) * sides;
@@ -38,15 +38,15 @@ class Dice {
     }
   }
 
-  /// True in `times` of `of` throws on average; 0 <= times <= of, of >= 1.
+  /// True with probability times / of; 0 <= times <= of, of >= 1.
   constexpr bool chance(int times, int of) { return below(of) < times; }
 
  private:
   std::uint64_t state_;
 };
 
-/// A seed for one of many things (a maze, a run) made from a common seed and a name, so that neither the order nor the
-/// number of the things matters (FNV-1a over the name, then mixed).
+/// Derives the seed of one of many items (a maze, a run) from a common seed, a name and a number, so that it depends on
+/// neither the order nor the count of the items (FNV-1a over the name, then mixed).
 constexpr std::uint64_t seed_for(std::uint64_t seed, std::string_view name, std::uint64_t number = 0) {
   std::uint64_t hash = 0xCBF29CE484222325U;
   for (const char letter : name) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3U;

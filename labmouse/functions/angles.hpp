@@ -1,4 +1,4 @@
-// Sine and cosine of our own: those of the standard libraries differ in their last bits from platform to platform.
+// Sine and cosine with the same bits on every platform; those of the standard libraries differ in their last bits.
 #pragma once
 
 #include <array>
@@ -14,16 +14,17 @@ struct Direction {
   double cosine = 1.0;
 };
 
-/// Of an angle in rad, up to some thousands of turns; plain sums of doubles, to about 1e-15.
+/// The direction of an angle in rad, up to some thousands of turns; error about 1e-15. Uses basic arithmetic only.
 constexpr Direction direction_of(double angle) {
-  // To within an eighth of a turn, in two parts: the first has few bits, so its multiples are exact.
+  // Range reduction to an eighth of a turn: pi / 2 in two parts, the first with so few bits that its multiples are
+  // exact.
   constexpr double quarter_high = 1.57079632673412561417;
   constexpr double quarter_low = 6.07710050650619224932e-11;
   const double quarters = angle / (pi / 2.0);
   const auto count = static_cast<long long>(quarters < 0.0 ? quarters - 0.5 : quarters + 0.5);
   const double rest = (angle - static_cast<double>(count) * quarter_high) - static_cast<double>(count) * quarter_low;
 
-  // Taylor's sums, smallest term first.
+  // Taylor series, smallest term first.
   const double square = rest * rest;
   double sine = 0.0;
   double cosine = 0.0;
@@ -45,15 +46,15 @@ constexpr Direction direction_of(double angle) {
   }
 }
 
-/// A direction turned by a small angle to the left: to 1e-9 for angles up to a third of a rad, in a few products. Many
-/// such turns in a row keep it a direction.
+/// Turns a direction to the left by a small angle, up to 1/3 rad; error 1e-9. It keeps the length at 1, so that many
+/// turns may follow each other.
 constexpr Direction turned_by(const Direction& direction, double angle) {
   const double square = angle * angle;
   const double sine = angle * (1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0)));
   const double cosine = 1.0 - square / 2.0 * (1.0 - square / 12.0 * (1.0 - square / 30.0));
   const double s = direction.sine * cosine + direction.cosine * sine;
   const double c = direction.cosine * cosine - direction.sine * sine;
-  const double length = (3.0 - s * s - c * c) / 2.0;  // 1 / its length, where that is almost 1
+  const double length = (3.0 - s * s - c * c) / 2.0;  // approximates 1 / length near 1
   return {s * length, c * length};
 }
 
@@ -68,7 +69,7 @@ inline constexpr auto values = [] {
 
 }  // namespace sine_table
 
-/// The sine of a number of turns, of any sign, to 1e-5: from a table.
+/// The sine of an angle in turns, of any sign, from a table; error 1e-5.
 constexpr double sine_of_turns(double turns) {
   const auto whole = static_cast<long long>(turns);
   double part = turns - static_cast<double>(whole);

@@ -1,9 +1,9 @@
-// The bits of a number.
+// Access to the bits of a number.
 #pragma once
 
 namespace labmouse {
 
-/// The same bits as a number of another type of that size: std::bit_cast, which the library of WebAssembly lacks.
+/// std::bit_cast, which the standard library of WebAssembly lacks: the same bits as another type of that size.
 template <class To, class From>
 constexpr To bits_as(const From& from) {
   static_assert(sizeof(To) == sizeof(From));

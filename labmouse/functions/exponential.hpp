@@ -1,5 +1,5 @@
-// Exponential and logarithm of our own: those of the standard libraries differ in their last bits from platform to
-// platform.
+// Exponential and logarithm with the same bits on every platform; those of the standard libraries differ in their last
+// bits.
 #pragma once
 
 #include <array>
@@ -17,19 +17,19 @@ constexpr double power_of_two(int exponent) {
   return bits_as<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
 }
 
-/// e to a power from -700 to 700; plain sums of doubles, to about 1e-13 of the result.
+/// e^power for a power from -700 to 700; relative error about 1e-13. Uses basic arithmetic only.
 constexpr double exp_of(double power) {
   const double twos = power / ln_2;
   const auto whole = static_cast<int>(twos < 0.0 ? twos - 0.5 : twos + 0.5);
   const double rest = power - whole * ln_2;
-  // Taylor's sum for at most half of ln 2, by Horner.
+  // Taylor series up to ln 2 / 2, in Horner form.
   constexpr double inverse[] = {1.0 / 10, 1.0 / 9, 1.0 / 8, 1.0 / 7, 1.0 / 6, 1.0 / 5, 1.0 / 4, 1.0 / 3, 1.0 / 2};
   double sum = 1.0 + rest * (1.0 / 11);
   for (const double part : inverse) sum = 1.0 + rest * part * sum;
   return (1.0 + rest * sum) * power_of_two(whole);
 }
 
-/// The natural logarithm of a normal number above 0; plain sums of doubles, to about 1e-13.
+/// Natural logarithm of a normal number above 0; error about 1e-13. Uses basic arithmetic only.
 constexpr double log_of(double number) {
   constexpr std::uint64_t fraction = (std::uint64_t{1} << 52U) - 1;
   const auto bits = bits_as<std::uint64_t>(number);
@@ -58,7 +58,7 @@ inline constexpr auto values = [] {
 
 }  // namespace fading_table
 
-/// e to the power of -number, of a number from 0 on, to a 30,000th of the result; 0 from 16 on. From a table.
+/// e^-number for a number from 0 on, from a table; relative error 1/30,000. It is 0 from 16 on.
 constexpr double fading(double number) {
   if (number >= fading_table::most) return 0.0;
   const double place = number * fading_table::steps;

@@ -1,4 +1,4 @@
-// The normal distribution, the same on every platform: tables that the compiler makes of sums and products.
+// The normal distribution with the same bits on every platform, from tables computed at compile time.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace labmouse {
 
-/// The share of a normal distribution of mean 0 and deviation 1 below a number; to about 1e-5, 0 and 1 from four and a
-/// half deviations on.
+/// The cumulative distribution function of the standard normal distribution, from a table; error about 1e-5. It is 0
+/// and 1 beyond 4.5 standard deviations.
 class NormalShare {
  public:
   static constexpr double reach = 4.5;
@@ -26,7 +26,7 @@ class NormalShare {
   }
 
  private:
-  static constexpr int steps = 64;  ///< to a deviation
+  static constexpr int steps = 64;  ///< per standard deviation
 
   static constexpr auto table = [] {
     constexpr auto count = static_cast<std::size_t>(2 * reach * steps) + 1;
@@ -35,7 +35,7 @@ class NormalShare {
     std::array<double, count> shares{};
     for (std::size_t i = 1; i < count; ++i) {
       const double from = -reach + static_cast<double>(i - 1) * width;
-      // Simpson's rule; symmetric, so that the whole is 1 but for what lies beyond.
+      // Simpson's rule. The sum is normalised below, because the tails beyond `reach` are missing.
       shares[i] =
           shares[i - 1] + width / 6.0 * (density(from) + 4.0 * density(from + width / 2.0) + density(from + width));
     }
@@ -45,11 +45,11 @@ class NormalShare {
   }();
 };
 
-/// Normal numbers of mean 0 and deviation 1 from fair bits.
+/// Standard normal random numbers from random bits.
 class NormalNumber {
  public:
-  /// Of 64 bits: one says the sign, ten which of the quantiles, 32 where between two of them. None is larger than 3.8;
-  /// their deviation is 1.
+  /// Of the 64 bits, one is the sign, ten choose a quantile, and 32 interpolate to the next one. No result exceeds 3.8;
+  /// the standard deviation is 1.
   static constexpr double of(std::uint64_t bits) {
     const auto index = static_cast<std::size_t>(bits >> 53U & (cells - 1));
     const double rest = static_cast<double>(static_cast<std::uint32_t>(bits >> 16U)) * (1.0 / 4294967296.0);
@@ -60,8 +60,8 @@ class NormalNumber {
  private:
   static constexpr std::size_t cells = 1024;
 
-  /// The sizes that 0, 1, ... of the cells lie below. Runge and Kutta's rule over dx = sqrt(pi / 2) w dp, where w is
-  /// exp(x² / 2) and grows by x w dx; the last is what makes the deviation 1.
+  /// Quantiles of |x|: i of the equally likely cells lie below entry i. Runge-Kutta over dx = sqrt(pi / 2) w dp, where
+  /// w is exp(x² / 2) and dw = x w dx. The last entry makes the standard deviation 1.
   static constexpr auto table = [] {
     constexpr double root = 1.25331413731550025121, part = 1.0 / cells / 4;
     struct Point {
@@ -73,7 +73,7 @@ class NormalNumber {
     };
     std::array<double, cells + 1> sizes{};
     Point at{0.0, 1.0};
-    double squares = 0.0;  // three times the mean square of all cells so far
+    double squares = 0.0;  // three times the sum of the cells' mean squares so far
     for (std::size_t i = 1; i < cells; ++i) {
       for (int substep = 0; substep < 4; ++substep) {
         const Point a = slope(at), b = slope(ahead(at, a, part / 2)), c = slope(ahead(at, b, part / 2)),
@@ -83,7 +83,7 @@ class NormalNumber {
       sizes[i] = at.x;
       squares += sizes[i - 1] * sizes[i - 1] + sizes[i - 1] * sizes[i] + sizes[i] * sizes[i];
     }
-    // x² + x y + y² = what is left of 3 cells, by halving.
+    // Solves x² + x y + y² = left for y by bisection: all cells together must have 3 each.
     const double left = 3.0 * cells - squares, x = sizes[cells - 1];
     double low = x, high = 2.0 * x;
     for (int i = 0; i < 60; ++i) {

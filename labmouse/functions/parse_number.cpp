@@ -1,4 +1,4 @@
-// Not the standard library's reader: compilers of some of our platforms have none that is exact and knows no locale.
+// Our own parser: on some of our platforms the standard library has none that is exact and ignores the locale.
 #include "labmouse/functions/parse_number.hpp"
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace {
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 
-/// 0.DIGITS times ten to the power of `point`, of as many digits as the sum of two neighbouring doubles may have.
+/// The number 0.DIGITS * 10^point. It has room for all digits that the midpoint of two neighbouring doubles may have.
 class Decimal {
  public:
-  /// Adds a digit behind the others; of those that have no room it only matters whether they are all 0.
+  /// Appends a digit. Of digits beyond the capacity, the last digit only records whether one is not 0.
   void add(int digit) {
     if (count_ < most)
       digits_[count_++] = static_cast<std::uint8_t>(digit);
@@ -28,7 +28,7 @@ class Decimal {
   bool is_zero() const { return count_ == 0; }
   std::size_t count() const { return count_; }
 
-  /// Divides by a power of two of at most 59.
+  /// Divides by 2^times; times is at most 59.
   void halve(unsigned times) {
     Decimal result;
     result.point = point;
@@ -50,9 +50,9 @@ class Decimal {
     *this = result;
   }
 
-  /// Multiplies by a power of two of at most 59.
+  /// Multiplies by 2^times; times is at most 59.
   void twice(unsigned times) {
-    constexpr std::size_t longest = 20;  // digits that a power of two adds
+    constexpr std::size_t longest = 20;  // most digits that 2^59 adds
     std::array<std::uint8_t, most + longest> product = {};
     std::size_t first = product.size();
     std::uint64_t carry = 0;
@@ -69,7 +69,7 @@ class Decimal {
 
   bool is_below_a_half() const { return point < 0 || (point == 0 && digits_[0] < 5); }
 
-  /// The nearest whole number, of two as near the even one.
+  /// Rounds to the nearest whole number, ties to even.
   std::uint64_t rounded() const {
     std::uint64_t whole = 0;
     const auto end = static_cast<std::size_t>(std::max(point, 0));
@@ -79,7 +79,7 @@ class Decimal {
     return middle ? whole + whole % 2 : whole + 1;
   }
 
-  /// The number that the first digits are, of at most 15.
+  /// All digits as a whole number; exact for at most 15.
   double head() const {
     double number = 0.0;
     for (std::size_t i = 0; i < count_; ++i) number = number * 10.0 + digits_[i];
@@ -95,10 +95,10 @@ class Decimal {
   std::size_t count_ = 0;
 };
 
-/// As many doublings as `digits` places are worth at least.
+/// An exponent with 2^result <= 10^digits, at most 59.
 unsigned doublings(int digits) { return static_cast<unsigned>(std::min(digits, 18) * 33 / 10); }
 
-/// By way of its digits in the system of two: exact, and slow.
+/// Converts through binary digits: exact, but slow.
 NumberProblem convert(Decimal decimal, double& number) {
   constexpr int mantissa_bits = 53, most_exponent = 1023, least_exponent = -1022;
   int exponent = 0;
@@ -131,7 +131,7 @@ NumberProblem value_of(const Decimal& decimal, double& number) {
   if (decimal.is_zero()) return number = 0.0, NumberProblem::none;
   if (decimal.point > 320) return NumberProblem::too_large;
   if (decimal.point < -320) return NumberProblem::too_small;
-  // Both are exact in a double, so one product or quotient of them is rounded correctly.
+  // Digits and power are both exact in a double, so their product or quotient is rounded correctly.
   const int power = decimal.point - static_cast<int>(decimal.count());
   const auto size = static_cast<std::size_t>(std::abs(power));
   if (decimal.count() > exact_digits || size >= powers.size()) return convert(decimal, number);
@@ -139,7 +139,7 @@ NumberProblem value_of(const Decimal& decimal, double& number) {
   return NumberProblem::none;
 }
 
-/// Reads the digits with their point off the front of the text; false where there are none.
+/// Takes digits and their decimal point off the front of the text; false where there are none.
 bool take_digits(std::string_view& text, Decimal& decimal) {
   constexpr int most_point = 1'000'000'000;
   bool any = false, fraction = false, leading = true;
@@ -161,7 +161,7 @@ bool take_digits(std::string_view& text, Decimal& decimal) {
   return any;
 }
 
-/// Reads a power of ten to the end of the text, an absurd one as one that is absurd enough.
+/// Reads an exponent such as `e-3` to the end of the text; cuts a huge one to one million.
 bool take_power(std::string_view text, int& power) {
   constexpr int most_power = 1'000'000;
   if (text.empty()) return true;
@@ -193,7 +193,7 @@ NumberProblem parse_number(std::string_view text, double& number) {
 std::optional<double> parse_number(std::string_view text) {
   double number = 0.0;
   if (parse_number(text, number) != NumberProblem::none) return std::nullopt;
-  return number + 0.0;  // of -0, too, 0
+  return number + 0.0;  // turns -0 into 0
 }
 
 std::optional<double> parse_number(std::string_view text, double low, double high) {

@@ -1,4 +1,4 @@
-// Numbers in texts, read with the same bits everywhere and whatever the locale: all modules read them so.
+// Parsing of numbers, with the same bits on every platform and independent of the locale.
 #pragma once
 
 #include <charconv>
@@ -15,22 +15,21 @@ enum class NumberProblem : std::uint8_t {
   none,
   no_number,
   too_large,  ///< for its type
-  too_small,  ///< it is not 0, but no double of full precision is as small
+  too_small,  ///< not 0, but smaller than the smallest normal double
 };
 
-/// Reads `-12`, `0.25` or `2.5e-3`, all of the text or nothing, and rounds it to the nearest double. Hexadecimal
-/// digits, infinities, signs in front other than a minus, blanks and the locale's decimal sign are no numbers.
-/// `number` changes only where nothing is wrong.
+/// Parses the whole text, such as `-12`, `0.25` or `2.5e-3`, and rounds to the nearest double. Rejects hexadecimal
+/// digits, infinities, a leading plus, blanks and the locale's decimal sign. `number` changes only on success.
 NumberProblem parse_number(std::string_view text, double& number);
 
-/// The same as a value, 0 for -0; nothing where something is wrong.
+/// The same, returned: nullopt on an error, and 0 for -0.
 std::optional<double> parse_number(std::string_view text);
 
-/// The same from `low` to `high`, both included.
+/// The same; nullopt also outside of `low` to `high` (both included).
 std::optional<double> parse_number(std::string_view text, double low, double high);
 
-/// Takes a whole number in digits off the front of the text, with a minus before them where its type has a sign.
-/// Neither changes where something is wrong.
+/// Takes a whole number off the front of the text; a minus is accepted where the type is signed. Changes neither
+/// argument on an error.
 template <class Whole>
 NumberProblem take_whole(std::string_view& text, Whole& number, int base = 10) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, base);
@@ -40,14 +39,14 @@ NumberProblem take_whole(std::string_view& text, Whole& number, int base = 10) {
   return NumberProblem::none;
 }
 
-/// The same as a value; nothing where something is wrong.
+/// The same, returned; nullopt on an error.
 template <class Whole>
 std::optional<Whole> take_whole(std::string_view& text, int base = 10) {
   Whole number = 0;
   return take_whole(text, number, base) == NumberProblem::none ? std::optional(number) : std::nullopt;
 }
 
-/// The same of all of the text.
+/// The same for the whole text; nullopt where anything follows the number.
 template <class Whole>
 std::optional<Whole> parse_whole(std::string_view text, int base = 10) {
   const auto number = take_whole<Whole>(text, base);

@@ -1,11 +1,11 @@
-// Points and ways in the plane of a maze.
+// Points and vectors in the plane of a maze.
 #pragma once
 
 #include <array>
 
 namespace labmouse {
 
-/// A point or a way in mm: x counts eastwards, y northwards, a point's from the south-western corner of the maze.
+/// A point or a vector in mm: x eastwards, y northwards. Points are measured from the south-western corner of the maze.
 struct Position {
   double x = 0.0;
   double y = 0.0;
@@ -15,9 +15,9 @@ struct Position {
   friend constexpr Position operator-(const Position& a, const Position& b) { return {a.x - b.x, a.y - b.y}; }
 };
 
-/// One unit long, so many eighths of a circle clockwise from north.
+/// The unit vector that points `eighths` eighths of a turn clockwise from north.
 constexpr Position way_of_eighths(int eighths) {
-  constexpr double half = 0.70710678118654752440;  // the root of it
+  constexpr double half = 0.70710678118654752440;  // square root of 1/2
   constexpr std::array<double, 8> sines = {0.0, half, 1.0, half, 0.0, -half, -1.0, -half};
   return {sines[static_cast<unsigned>(eighths) % 8U], sines[static_cast<unsigned>(eighths + 2) % 8U]};
 }

@@ -1,4 +1,4 @@
-// Cells and sizes: where things are.
+// Cells of a maze, and its size.
 //
 //      y
 //      2 | (0,2) (1,2) (2,2)
@@ -15,7 +15,8 @@ namespace labmouse {
 /// The longest side of a maze, in cells.
 inline constexpr int max_side = 64;
 
-/// One square of a maze by its column x and row y. May lie outside of any maze: who takes a cell says what it accepts.
+/// One square of a maze by its column x and row y. It may lie outside of the maze; functions say which cells they
+/// accept.
 struct Cell {
   std::int8_t x = 0;
   std::int8_t y = 0;

@@ -1,4 +1,4 @@
-// The four headings, and how to turn and to go.
+// The four headings, turns between them, and the neighbours of a cell.
 //
 //            north (y + 1)
 //               |
@@ -33,7 +33,7 @@ constexpr int quarters_between(Heading from, Heading to) {
   return static_cast<int>((static_cast<unsigned>(to) - static_cast<unsigned>(from)) & 3U);
 }
 
-/// From a cell to its neighbour, by the number of the heading.
+/// Change of x and y from a cell to its neighbour, indexed by heading.
 inline constexpr std::array<int, 4> steps_east = {0, 1, 0, -1}, steps_north = {1, 0, -1, 0};
 
 /// The cell `count` cells away in a heading (negative: behind); may lie outside of the maze.

@@ -1,7 +1,7 @@
-// The one name of each wall.
+// Walls, each under a unique name.
 //
-// Two cells share a wall, so it could be called by either; its name is always the north or the east side of a cell.
-// The border follows the same rule: the wall west of (0,0) is the east side of (-1,0), a cell of nothing.
+// Two cells share a wall, so it could be named by either. Its name is always the north or the east side of a cell. This
+// holds for the border, too: the wall west of (0,0) is the east side of (-1,0), a cell outside of the maze.
 //
 //          o---o   <- Wall{(x,y), north}
 //          |   |   <- Wall{(x,y), east} on the right, Wall{(x-1,y), east} on the left

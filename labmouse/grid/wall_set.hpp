@@ -1,4 +1,4 @@
-// Sets of walls: what truth and belief are both made of.
+// Sets of walls, for the true maze and for what a mouse knows of it.
 #pragma once
 
 #include "labmouse/grid/cell_set.hpp"
@@ -7,7 +7,7 @@
 namespace labmouse {
 
 /// A set of inner walls (those between two cells of a maze), each kept once under its one name.
-/// Border walls are never members: a maze keeps them closed and a mouse knows that from birth.
+/// Border walls are never members: they are always closed, and every mouse knows that.
 class WallSet {
  public:
   constexpr WallSet() = default;

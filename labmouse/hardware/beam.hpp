@@ -1,4 +1,4 @@
-// Where a beam goes, as both its maker and its mouse know.
+// The geometry of infrared beams, for the simulation and for the controller.
 #pragma once
 
 #include <cmath>
@@ -8,17 +8,18 @@
 
 namespace labmouse {
 
-/// Half the thickness of walls and posts in cells of that many mm: the rules of all contests have a fifteenth of a
-/// cell.
+/// Half the thickness of walls and posts in mm, for a cell of that side in mm: by the rules of all contests, walls are
+/// a fifteenth of a cell thick.
 constexpr double half_wall_of(double cell) { return cell / 30.0; }
 
-/// Whether it looks to a side rather than ahead.
+/// Whether a beam looks to a side rather than ahead.
 inline bool looks_aside(const Beam& beam) {
   const Direction direction = direction_of(beam.angle);
   return std::abs(direction.sine) > direction.cosine;
 }
 
-/// How far a beam goes to a wall in the middle of a cell: the side wall, or for beams that look ahead the front wall.
+/// The distance in mm that a beam goes to a wall from the middle of a cell: to the side wall, or to the front wall if
+/// it looks ahead.
 inline double calibrated_distance(const Beam& beam, double cell) {
   const double face = cell / 2.0 - half_wall_of(cell);
   const Direction direction = direction_of(beam.angle);
@@ -26,8 +27,8 @@ inline double calibrated_distance(const Beam& beam, double cell) {
                            : (face - beam.ahead) / direction.cosine;
 }
 
-/// What share of its light comes back where a beam meets a wall, by the cosine of its incidence: all of it almost at a
-/// right angle, less where it is slanted.
+/// The share of its light that a wall returns, by the cosine of the angle of incidence: all of it near a right angle,
+/// less where it is slanted.
 constexpr double returned_at(double cosine) {
   constexpr double almost_right = 0.9;
   return cosine < almost_right ? cosine / almost_right : 1.0;

@@ -1,4 +1,4 @@
-// What a mouse is built of, as its maker would write it down: shape, motors, sensors, and how far each of them varies.
+// The hardware of a robot: its shape, motors and sensors, and how far each of them varies.
 //
 //              front
 //        +---------------+      x ahead of the middle of the axle, y to the left of it, in mm;
@@ -9,7 +9,7 @@
 //        +---------------+
 //              back
 //
-// A duty is a share of what the battery can give, from -1 to 1.
+// A duty (PWM duty cycle) is a share of what the battery can give, from -1 to 1.
 #pragma once
 
 #include <array>
@@ -18,18 +18,18 @@
 
 namespace labmouse {
 
-/// The rectangle that touches walls, about the middle of the axle, in mm.
+/// The rectangle that touches walls, measured from the middle of the axle, in mm.
 struct Chassis {
   double front = 0.0;
   double back = 0.0;
   double half_width = 0.0;
-  double half_track = 0.0;  ///< from the middle to where a wheel rolls
+  double half_track = 0.0;  ///< half the distance between the wheels
 
   friend bool operator==(const Chassis&, const Chassis&) = default;
 };
 
-/// One way of a mouse to move: driving on (mm/s) or turning (rad/s). At a steady duty it tends to gain times what is
-/// beyond the dead zone, with that time constant.
+/// First-order model of forward motion (mm/s) or turning (rad/s). At a constant duty the speed approaches `gain` times
+/// the duty beyond the dead zone, with the time constant `time`.
 struct MotorAxis {
   double gain = 0.0;       ///< mm/s or rad/s for a duty of 1
   double time = 0.0;       ///< s
@@ -41,21 +41,21 @@ struct MotorAxis {
 struct Motors {
   MotorAxis drive;       ///< of the mean duty of both wheels
   MotorAxis turn;        ///< of the right wheel's duty less the left one's
-  double turning = 0.0;  ///< duty that turning takes from driving on, for a rad/s
+  double turning = 0.0;  ///< forward duty that turning takes, per rad/s
   double sag = 0.0;      ///< share of the voltage that is lost at full duty of both
-  double volts = 0.0;    ///< of the battery at rest
+  double volts = 0.0;    ///< V, of the battery at rest
 
   friend bool operator==(const Motors&, const Motors&) = default;
 };
 
 struct Tyres {
-  double stiffness = 0.0;  ///< mm/s² of lateral acceleration for a rad of slip
-  double grip = 0.0;       ///< mm/s² in any direction at most
+  double stiffness = 0.0;  ///< mm/s² of lateral acceleration per rad of slip angle
+  double grip = 0.0;       ///< mm/s², the most in any direction
 
   friend bool operator==(const Tyres&, const Tyres&) = default;
 };
 
-/// Where an infrared sensor sits and looks.
+/// Where an infrared sensor is mounted, in mm ahead and to the left, and its angle in rad.
 struct Beam {
   double ahead = 0.0;
   double aside = 0.0;
@@ -67,38 +67,38 @@ struct Beam {
 inline constexpr std::size_t beam_count = 4;
 enum class BeamPlace : std::size_t { right, right_ahead, left, left_ahead };
 
-/// Infrared: it reads gain * exp(-(distance - the distance in the middle of a cell) / fall), up to `most`.
+/// Infrared sensors read gain * exp(-(distance - calibrated_distance()) / fall), up to `most`.
 struct Infrared {
   std::array<Beam, beam_count> beams{};
   double gain = 0.0;       ///< counts
   double fall = 0.0;       ///< mm
   double most = 0.0;       ///< counts
-  double footprint = 0.0;  ///< mm, deviation of the spot on a wall that it meets at a right angle
+  double footprint = 0.0;  ///< mm, standard deviation of the light spot on a wall at a right angle
 
   friend bool operator==(const Infrared&, const Infrared&) = default;
 };
 
-/// A distance sensor that looks straight ahead.
+/// A ToF distance sensor that looks straight ahead.
 struct Ranger {
   double ahead = 0.0;    ///< mm before the axle
   double reach = 0.0;    ///< mm; nothing is seen beyond
-  double period = 11.0;  ///< ms from one reading to the next, whole
+  double period = 11.0;  ///< ms between two readings, whole
 
   friend bool operator==(const Ranger&, const Ranger&) = default;
 };
 
 struct Sensors {
-  double count = 0.0;            ///< mm of travel of a wheel for a count of its encoder
-  double gyro_step = 0.0;        ///< rad/s for a unit
-  double gyro_most = 0.0;        ///< rad/s
-  double acceleration_step = 0;  ///< mm/s² for a unit
+  double count = 0.0;            ///< mm of travel of a wheel per count of its encoder
+  double gyro_step = 0.0;        ///< rad/s per unit
+  double gyro_most = 0.0;        ///< rad/s, the measuring range
+  double acceleration_step = 0;  ///< mm/s² per unit
   Infrared infrared;
   Ranger ranger;
 
   friend bool operator==(const Sensors&, const Sensors&) = default;
 };
 
-/// How far what happens differs from the numbers above: standard deviations, unless it says otherwise.
+/// How far reality differs from the numbers above: standard deviations, unless stated otherwise.
 struct Noise {
   // Drawn once a contest.
   double motor_gain = 0.0;     ///< share, of each motor
@@ -109,7 +109,7 @@ struct Noise {
   double gyro_bias = 0.0;      ///< rad/s, after each calibration at rest
   double infrared_gain = 0.0;  ///< share, of each sensor
   double reflectance = 0.0;    ///< share, of each side of each wall
-  double floor_steps = 0.0;    ///< how many of the boundaries between cells have one, as a share
+  double floor_steps = 0.0;    ///< share of the boundaries between cells that have one
   double floor_turn = 0.0;     ///< rad by which such a step turns the mouse
   double floor_shift = 0.0;    ///< mm by which it moves it aside
   // At each moment.
@@ -117,25 +117,25 @@ struct Noise {
   double ripple_length = 1.0;    ///< mm of travel in such a turn
   double encoder = 0.0;          ///< mm
   double gyro = 0.0;             ///< rad/s
-  double gyro_walk = 0.0;        ///< rad/s for a root of a second
+  double gyro_walk = 0.0;        ///< rad/s per square root of a second
   double acceleration = 0.0;     ///< mm/s²
   double infrared = 0.0;         ///< counts
-  double infrared_share = 0.0;   ///< counts for a count of the level, added to that
-  double infrared_memory = 0.0;  ///< how much of one moment's error is left in the next, 0 to 1
-  double ranger_rest = 0.0;      ///< mm, where the mouse stands
-  double ranger = 0.0;           ///< mm, where it moves
+  double infrared_share = 0.0;   ///< counts per count of the level, added to `infrared`
+  double infrared_memory = 0.0;  ///< correlation of an error with that of the tick before, 0 to 1
+  double ranger_rest = 0.0;      ///< mm, at rest
+  double ranger = 0.0;           ///< mm, while moving
   double shaking = 0.0;          ///< rad/s of yaw, from shaking_speed on, in proportion below
   double shaking_speed = 1.0;    ///< mm/s
-  double shaking_pitch = 0.0;    ///< rad/s of its resonance
-  double shaking_loss = 0.0;     ///< of the resonance, as a share of critical
+  double shaking_pitch = 0.0;    ///< rad/s, angular frequency of its resonance
+  double shaking_loss = 0.0;     ///< damping ratio of the resonance
   // Each time that it is put down.
-  double placement = 0.0;       ///< mm, each way
+  double placement = 0.0;       ///< mm, in x and in y
   double placement_turn = 0.0;  ///< rad
 
   friend bool operator==(const Noise&, const Noise&) = default;
 };
 
-/// All of it. The cell it is made for is the robot's.
+/// The whole hardware. The size of the cells is in Robot.
 struct Hardware {
   Chassis chassis;
   Motors motors;
@@ -146,8 +146,8 @@ struct Hardware {
   friend bool operator==(const Hardware&, const Hardware&) = default;
 };
 
-/// The same where what a contest draws of the mouse itself is so many times as far spread. The scales of encoders are
-/// not: how far they are apart was measured.
+/// Noise where the numbers drawn once a contest for the mouse itself vary more or less, by a factor. The scales of
+/// encoders do not change: their variation was measured.
 constexpr Noise varied_by(Noise noise, double factor) {
   for (double* share : {&noise.motor_gain, &noise.stiffness, &noise.grip, &noise.gyro_scale, &noise.infrared_gain})
     *share *= factor;

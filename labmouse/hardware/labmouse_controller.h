@@ -1,7 +1,8 @@
 /* A controller for labmouse in C: the whole program of a mouse, from what its sensors read to what its motors do.
  *
- * Define `const struct labmouse_controller labmouse_controller`. Where LABMOUSE_CONTROLLER_MAIN is defined, this has a main() for it,
- * which speaks labmouse's protocol over standard input and output; so it races. docs/reference/protocols.md shows how.
+ * Define `const struct labmouse_controller labmouse_controller`. If LABMOUSE_CONTROLLER_MAIN is defined, this header
+ * has a main() for it, which speaks labmouse's protocol over standard input and output, so that it can race.
+ * docs/reference/protocols.md shows how.
  *
  * C99 and C++, with the standard library alone. Lengths are in mm, angles in rad to the left, x counts eastwards and y
  * northwards from the south-western corner of the maze.
@@ -17,14 +18,14 @@ extern "C" {
 #endif
 
 enum {
-  LABMOUSE_FULL = 32767,       /* a duty of all that the battery can give */
+  LABMOUSE_FULL = 32767,       /* full duty: all that the battery can give */
   LABMOUSE_LONGEST_BATCH = 64, /* ms */
   LABMOUSE_MOST_GOALS = 1024   /* cells */
 };
 
 enum labmouse_heading { LABMOUSE_NORTH, LABMOUSE_EAST, LABMOUSE_SOUTH, LABMOUSE_WEST };
 
-/* What the hardware reads at a tick; units are those of the numbers of the robot. */
+/* Sensor readings at a tick, in the units given by the numbers of the robot. */
 struct labmouse_sense {
   uint32_t tick;           /* ms since the mouse was switched on */
   int32_t counts[2];       /* of the encoders since then: left, right */
@@ -36,17 +37,17 @@ struct labmouse_sense {
   uint16_t millivolts;     /* of the battery */
 };
 
-/* What it says beside its duties. Where runs begin and end is seen from outside; this is what it takes them for. */
+/* What the controller reports beside its duties. labmouse detects where runs begin and end; this is their purpose. */
 enum labmouse_word {
   LABMOUSE_DRIVE,  /* nothing */
-  LABMOUSE_FAST,   /* the next run to begin is a fast one */
-  LABMOUSE_GOAL,   /* this run is over, once it has been in a goal: what follows is the way home */
-  LABMOUSE_CARRY,  /* a hand shall carry the mouse to the start, in place of the duties */
-  LABMOUSE_FORFEIT /* the contest is over, in place of the duties */
+  LABMOUSE_FAST,   /* the next run is a speed run */
+  LABMOUSE_GOAL,   /* end this run once it has been in a goal: the way home follows */
+  LABMOUSE_CARRY,  /* carry the mouse to the start; the duties are ignored */
+  LABMOUSE_FORFEIT /* end the contest; the duties are ignored */
 };
 
-/* What it has the motors do until the next tick: duties from -LABMOUSE_FULL to LABMOUSE_FULL; beside them a labmouse_word, and
-   any other number is LABMOUSE_FORFEIT. */
+/* The controller's output until the next tick: duties from -LABMOUSE_FULL to LABMOUSE_FULL, and a labmouse_word; any
+   other number counts as LABMOUSE_FORFEIT. */
 struct labmouse_drive {
   int32_t left, right, word;
 };
@@ -88,38 +89,39 @@ struct labmouse_briefing {
   int goals; /* how many */
   struct labmouse_cell goal[LABMOUSE_MOST_GOALS];
   double time_limit;
-  int runs;              /* that may begin at the start */
+  int runs;              /* most runs from the start */
   int gate_to_gate;      /* 1 where the clock of a run goes from gate to gate, 0 from rest to the middle of the goal */
-  int maze_time_divisor; /* a run counts 1/so much of the time in the maze before it; 0: none */
+  int maze_time_divisor; /* 1/this of the time in the maze before a run is added to it; 0: none */
   double touch_penalty, untouched_bonus;
-  double handling; /* that it takes to carry the mouse to the start */
-  uint64_t seed;   /* for dice of its own */
+  double handling; /* time to carry the mouse to the start */
+  uint64_t seed;   /* for random numbers of its own */
   double cell;     /* the side of a cell, mm */
   struct labmouse_robot robot;
 };
 
-/* A controller: functions, and how it is asked. Several contests may go on at once, each with its own memory. */
+/* A controller: its functions and its batch. Several contests may go on at once, each with its own memory. */
 struct labmouse_controller {
-  /* A contest begins; what it returns is handed to the others. The briefing lasts as long as that is in use. */
+  /* Begins a contest. The pointer returned is passed to the others as `memory`; as long as it is in use, the briefing
+   * is valid. */
   void *(*begin)(const struct labmouse_briefing *briefing);
   /* Called for each tick, in order. */
   struct labmouse_drive (*tick)(void *memory, const struct labmouse_sense *sense);
-  /* The mouse was carried to the start, where it stands as in the beginning: after a crash, or because it wanted to. */
+  /* The mouse was carried to the start, where it stands as in the beginning: after a crash, or at its request. */
   void (*carried)(void *memory, int crashed);
   /* The contest has ended. */
   void (*end)(void *memory);
-  /* How many ticks main() works off at a time, 1 to LABMOUSE_LONGEST_BATCH. More are faster to simulate, and its duties
-   * take effect so much later, less one: with 1 at once, with 8 after 7 ms. */
+  /* Number of ticks that main() handles at a time, 1 to LABMOUSE_LONGEST_BATCH. More are faster to simulate, but duties
+   * take effect later, by batch - 1 ms: with 1 at once, with 8 after 7 ms. */
   int batch;
 };
 
-/* Yours. */
+/* Your program defines it. */
 extern const struct labmouse_controller labmouse_controller;
 
-/* For parts of labmouse's own controller that are yours: that controller drives the moves, and asks your parts in place of its own. They
-   are linked in with labmouse; main() below is for whole controllers. */
+/* To replace parts of labmouse's own controller: that controller drives the moves, and calls your parts in place of its
+   own. They are linked with labmouse; main() below is for whole controllers. */
 
-/* That of an angle to the left of east. */
+/* A direction: the cosine and sine of its angle to the left of east. */
 struct labmouse_direction {
   double cosine, sine;
 };
@@ -127,25 +129,25 @@ struct labmouse_direction {
 /* Where the mouse should be at a tick, and how it should move there. */
 struct labmouse_target {
   double x, y;
-  struct labmouse_direction ahead; /* where it should go */
+  struct labmouse_direction ahead; /* the direction in which it should move */
   double speed;                    /* mm/s, below 0 backwards */
   double speeding;                 /* mm/s^2 */
   double turning;                  /* rad/s */
   double twisting;                 /* rad/s^2 */
 };
 
-/* Where it believes to be. */
+/* The estimated state of the mouse. */
 struct labmouse_estimate {
   double x, y;
-  struct labmouse_direction ahead; /* where it points */
-  double slip;                     /* rad, from there to where it goes */
+  struct labmouse_direction ahead; /* the direction in which it points */
+  double slip;                     /* slip angle in rad, from there to the direction of motion */
   double speed;                    /* mm/s */
   double turning;                  /* rad/s */
-  double covariance[3][3];         /* of x, y in mm and the angle in rad: how sure it is */
+  double covariance[3][3];         /* of x, y in mm and the angle in rad */
 };
 
-/* Of the walls to its left, ahead and to its right: the logarithm of how much likelier what it read is with the wall than
-   without it, in eighths of a nat, -127 to 127. */
+/* Evidence about the walls to its left, ahead and to its right: the log-likelihood ratio of the readings, wall against
+   no wall, in eighths of a nat, -127 to 127. */
 struct labmouse_evidence {
   int left, ahead, right;
 };
@@ -155,22 +157,21 @@ struct labmouse_duties {
   int32_t left, right;
 };
 
-/* Parts: functions, of which any may be null. A part without its `estimate`, its `evidence`, or its `follow` is labmouse's. */
+/* The parts; any function may be null. If `estimate`, `evidence` or `follow` is null, labmouse's own part is used. */
 struct labmouse_parts {
-  /* As of a controller. */
+  /* As in labmouse_controller. */
   void *(*begin)(const struct labmouse_briefing *briefing);
-  /* The estimator: the mouse was put there, about, and stands. */
+  /* The estimator: the mouse was put at about this position, and is at rest. */
   void (*put)(void *memory, double x, double y, struct labmouse_direction ahead);
-  /* Called for each tick, in order, with where the mouse should be by then. Numbers that make no sense are not believed: the
-     estimate before stays. */
+  /* Called for each tick, in order, with the target of that tick. Invalid numbers are ignored: the estimate stays. */
   struct labmouse_estimate (*estimate)(void *memory, const struct labmouse_sense *sense,
                                        const struct labmouse_target *target);
-  /* The reader of walls: which cell it reads from now on, as seen in that heading; a tick, after the estimate; and what was
-     read of that cell so far. */
+  /* The wall detector. look(): the cell to read from now on, seen in that heading. read(): called for each tick, after
+     the estimate. evidence(): what was read of that cell so far. */
   void (*look)(void *memory, struct labmouse_cell cell, enum labmouse_heading heading);
   void (*read)(void *memory, const struct labmouse_sense *sense, const struct labmouse_estimate *estimate);
   struct labmouse_evidence (*evidence)(void *memory, const struct labmouse_estimate *estimate);
-  /* The tracker: the mouse stands, and begins anew. */
+  /* The tracker: the mouse is at rest, and a new movement begins. */
   void (*rest)(void *memory);
   /* Called for each tick, last. */
   struct labmouse_duties (*follow)(void *memory, const struct labmouse_sense *sense, const struct labmouse_target *target,
@@ -208,7 +209,7 @@ static char *labmouse_read_line(void) {
   return line;
 }
 
-/* Takes down a line of the briefing; lines that nobody knows are left out. */
+/* Stores a line of the briefing; unknown lines are ignored. */
 static void labmouse_be_told(const char *line, struct labmouse_briefing *told) {
 #define LABMOUSE_ROBOT_NAME(section, name) {#section "." #name, offsetof(struct labmouse_robot, section##_##name)},
   static const struct {
@@ -265,7 +266,7 @@ static int labmouse_take_sense(char **text, struct labmouse_sense *sense) {
   return 1;
 }
 
-/* Answers for as many ticks as it was sent, and where it was sent one to begin with, for a whole batch. */
+/* Answers all ticks of a line. If these are less than a batch, the last answer is repeated to fill it. */
 static void labmouse_answer(void *memory, char *text, int batch) {
   static const char *const words[] = {"drive", "fast", "goal", "carry", "forfeit"};
   struct labmouse_sense sense;
@@ -284,7 +285,7 @@ static void labmouse_answer(void *memory, char *text, int batch) {
   fflush(stdout);
 }
 
-/* Its first word, if it has one, is the batch in place of that of the table. */
+/* The first argument, if there is one, replaces the batch of labmouse_controller. */
 int main(int argc, char **argv) {
   static struct labmouse_briefing told;
   const int batch = argc > 1 ? atoi(argv[1]) : labmouse_controller.batch;

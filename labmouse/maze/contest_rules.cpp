@@ -25,7 +25,7 @@ std::string list_of(const std::vector<Place>& places) {
   return list;
 }
 
-// Each rule answers with what is wrong, or with nothing.
+// Each of these returns what is wrong; empty where the rule is kept.
 
 std::string wrong_size(const Maze& maze) {
   const auto [width, height] = maze.size();

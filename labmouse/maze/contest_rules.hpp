@@ -1,8 +1,8 @@
 // The official rules for the maze of a classic (16×16) or half-size (32×32) micromouse contest.
 //
-// Source: the rules of the All Japan Micromouse Contest (New Technology Foundation) and of the IEEE Region contests as
-// far as they speak of the maze, and two habits of their makers: a wall follower must fail, and there is a choice of
-// routes. Lengths, colours and materials are left out.
+// Source: the maze rules of the All Japan Micromouse Contest (New Technology Foundation) and of the IEEE Region
+// contests, and two customs of maze designers: a wall follower must fail, and there is a choice of routes. Lengths,
+// colours and materials are not checked.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace labmouse {
 
-/// What became of one rule.
+/// The result of checking one rule.
 struct RuleFinding {
   /// A short name: "size", "start", "posts" and so on.
   std::string_view name;
@@ -22,7 +22,7 @@ struct RuleFinding {
   std::string reason;
 };
 
-/// Checks every rule, always all of them and in the same order:
+/// Checks all rules, always in this order:
 /// size, border, start, goal room, entrance, posts, goal reachable, left wall follower, right wall follower, routes.
 std::vector<RuleFinding> check_contest_rules(const Maze& maze);
 

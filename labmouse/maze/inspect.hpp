@@ -1,4 +1,4 @@
-// Inspection: what a maze is like, in numbers.
+// Statistics of a maze: dead ends, junctions, loops, shortest routes and contest rules.
 #pragma once
 
 #include "labmouse/maze/contest_rules.hpp"
@@ -7,18 +7,18 @@
 
 namespace labmouse {
 
-/// What an inspection found. Dead ends, junctions and loops are those of the reachable cells.
+/// The result of inspect(). Dead ends, junctions and loops are counted among the reachable cells.
 struct Inspection {
   CellSet reachable;
   /// Cells with exactly one open side; a start in its corner is one.
   int dead_ends = 0;
   /// Cells with three or four open sides.
   int junctions = 0;
-  /// Independent loops (the cycle rank, passages - cells + 1): 0 means that there is one way between any two cells.
+  /// Independent loops (the cycle rank, passages - cells + 1): 0 means that there is one route between any two cells.
   int loops = 0;
-  /// Cells of a shortest way from the start to a goal; nothing where there is none.
+  /// Length of a shortest route from the start to a goal in cells; nothing if there is none.
   std::optional<int> shortest_cells;
-  /// The shortest runs in strides; nothing where there is none.
+  /// The shortest runs in steps; nothing if there is none.
   std::optional<ShortestStrides> shortest_strides;
   bool left_follower_arrives = false;
   bool right_follower_arrives = false;
@@ -26,7 +26,7 @@ struct Inspection {
   std::vector<RuleFinding> contest_rules;
 };
 
-/// Inspects the maze; `longest_stride` (at least 1) is the number of cells that one stride may cover.
+/// Inspects the maze; `longest_stride` (at least 1) is the most cells that one step may cover.
 Inspection inspect(const Maze& maze, int longest_stride = 3);
 
 }  // namespace labmouse

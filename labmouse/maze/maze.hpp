@@ -1,12 +1,12 @@
-// The truth: a maze that no longer changes.
+// The true maze, which never changes.
 #pragma once
 
 #include "labmouse/grid/wall_set.hpp"
 
 namespace labmouse {
 
-/// A maze under construction: reader, generator or editor fills it, Maze makes it final.
-/// Cells handed to it must lie inside; readers check what a file says before they pass it on.
+/// A maze under construction: a reader, generator or editor fills it, and Maze makes it final. Cells must lie inside;
+/// readers check their input first.
 class MazeDraft {
  public:
   enum class Inside { open, closed };

@@ -26,7 +26,7 @@ struct Search {
   CellNumbers distance;
 };
 
-// Breadth-first search from the start, with strides of at most `longest` cells.
+// Breadth-first search from the start, with steps of at most `longest` cells.
 Search search_from_start(const Maze& maze, int longest) {
   Search search{{maze.start()}, CellNumbers(maze.size())};
   search.distance[maze.start()] = 0;
@@ -57,7 +57,7 @@ constexpr std::uint64_t saturating_sum(std::uint64_t a, std::uint64_t b) {
   return a > most - b ? most : a + b;
 }
 
-// The number of shortest stride sequences that lead to each reached cell, in the search's order.
+// Counts the shortest sequences of steps to any goal, by adding up those to each cell in the search's order.
 std::uint64_t count_runs(const Maze& maze, Search& search, int longest, int strides) {
   std::vector<std::uint64_t> runs(static_cast<std::size_t>(maze.size().area()), 0);
   const auto runs_to = [&](Cell cell) -> std::uint64_t& {
@@ -78,7 +78,7 @@ std::uint64_t count_runs(const Maze& maze, Search& search, int longest, int stri
   return count;
 }
 
-// The cells of one shortest way from the start to the cell, which the search has reached in single cells.
+// The cells of a shortest route from the start to the cell. The search must have gone one cell per step.
 std::vector<Cell> way_to(const Maze& maze, Search& search, Cell cell) {
   std::vector<Cell> way = {cell};
   while (way.back() != maze.start()) {
@@ -94,8 +94,8 @@ std::vector<Cell> way_to(const Maze& maze, Search& search, Cell cell) {
   return way;
 }
 
-// Whether one can leave the way at the cell and come back to it elsewhere, or get into a goal, beside the way.
-// `seen` collects what was walked; between two cells that follow each other on the way, the way itself is no detour.
+// Whether a detour leaves the route at the cell, and returns to it at another cell or enters a goal. `seen` collects
+// the visited cells beside the route. A passage between two successive cells of the route is no detour.
 bool has_detour(const Maze& maze, Search& search, const CellSet& way, Cell from, CellSet& seen) {
   const auto follows = [&](Cell a, Cell b) {
     const int difference = search.distance[a] - search.distance[b];

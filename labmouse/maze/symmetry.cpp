@@ -5,7 +5,7 @@
 namespace labmouse {
 namespace {
 
-/// -1, 0 or 1, as the rows of a are before, like or behind those of b.
+/// -1, 0 or 1: whether a sorts before, equal to or after b, row by row.
 int order_of(const CellSet& a, const CellSet& b) {
   const auto [in_a, in_b] = std::mismatch(a.rows(), a.rows() + max_side, b.rows());
   if (in_a == a.rows() + max_side) return 0;

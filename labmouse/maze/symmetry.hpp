@@ -1,4 +1,4 @@
-// The eight symmetries of the square: turned and mirrored, a maze is the same maze from another side.
+// The eight symmetries of the square, applied to cells, walls and mazes.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace labmouse {
 
-/// First mirrored (east and west change places) or not, then turned clockwise by quarters, 0 to 3.
+/// A reflection (east and west change places) or none, then a clockwise turn by 0 to 3 quarters.
 struct Symmetry {
   bool mirrored = false;
   int quarters = 0;
@@ -19,7 +19,7 @@ struct Symmetry {
 inline constexpr std::array<Symmetry, 8> all_symmetries = {
     {{false, 0}, {false, 1}, {false, 2}, {false, 3}, {true, 0}, {true, 1}, {true, 2}, {true, 3}}};
 
-/// The size of what had that size before.
+/// The size after the symmetry was applied.
 constexpr Size transformed(Size size, Symmetry symmetry) {
   return symmetry.quarters % 2 == 0 ? size : Size{size.height, size.width};
 }
@@ -28,7 +28,7 @@ constexpr Heading transformed(Heading heading, Symmetry symmetry) {
   return turned(symmetry.mirrored ? turned(Heading::north, -static_cast<int>(heading)) : heading, symmetry.quarters);
 }
 
-/// Where a cell of a maze of that size comes to lie.
+/// The new position of a cell of a maze of that size.
 constexpr Cell transformed(Cell cell, Size size, Symmetry symmetry) {
   if (symmetry.mirrored) cell = {size.width - 1 - cell.x, cell.y};
   for (int turn = 0; turn < symmetry.quarters; ++turn) {
@@ -44,18 +44,18 @@ WallSet transformed(const WallSet& walls, Size size, Symmetry symmetry);
 /// The maze with its walls, its start and heading, and its goals.
 Maze transformed(const Maze& maze, Symmetry symmetry);
 
-/// The passages of a maze, as seen from one side that all its eight drawings share.
+/// The open walls of a maze, in the one of its eight symmetric forms that sorts first.
 struct CanonicalWalls {
   Size size;
   WallSet open;
 
   friend bool operator==(const CanonicalWalls&, const CanonicalWalls&) = default;
-  /// Some total order, the same everywhere.
+  /// A total order, the same on every platform.
   friend bool operator<(const CanonicalWalls& a, const CanonicalWalls& b);
 };
 
-/// Equal for two mazes exactly if a symmetry takes the walls of one to those of the other. Start and goals do not
-/// count: collections hold mazes that were mirrored and have kept their start in the south-west corner.
+/// Equal for two mazes if and only if a symmetry maps the walls of one to those of the other. Start and goals are
+/// ignored: collections hold mirrored mazes that kept their start in the south-west corner.
 CanonicalWalls canonical_walls(const Maze& maze);
 
 }  // namespace labmouse

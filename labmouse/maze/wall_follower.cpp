@@ -18,7 +18,7 @@ std::optional<Heading> next_heading(const Maze& maze, Cell cell, Heading heading
 bool wall_follower_arrives(const Maze& maze, Hand hand) {
   Cell cell = maze.start();
   Heading heading = maze.start_heading();
-  std::array<CellSet, 4> been;  // one set of cells a heading
+  std::array<CellSet, 4> been;  // visited cells by heading
   while (!maze.is_goal(cell)) {
     CellSet& been_so = been[static_cast<unsigned>(heading)];
     if (been_so.contains(cell)) return false;

@@ -1,4 +1,4 @@
-// What a mouse can do.
+// The actions of a mouse, and the reasons for giving up.
 #pragma once
 
 #include <array>
@@ -7,28 +7,28 @@
 
 namespace labmouse {
 
-/// Why a mouse gives up, or why an external mouse, a mouse that is another program, was given up: the last word in
-/// place of an exception.
+/// Why a mouse forfeits, or why an external mouse (a mouse that is another program) was stopped. Used in place of
+/// exceptions.
 enum class ForfeitReason : std::uint8_t {
   none,
   contradiction,       ///< a reading contradicts what was read before
-  no_way,              ///< no route that could exist leads to a goal
+  no_way,              ///< no possible route leads to a goal
   lost,                ///< the mouse no longer knows where it stands
-  finished,            ///< a prepared list of actions has no more
+  finished,            ///< a prepared list of actions has ended
   gave_up,             ///< the external mouse said so
   not_started,         ///< the external mouse could not be started
   died,                ///< the external mouse ended before the contest did
-  left,                ///< the external mouse ended, and what it started held its output open
+  left,                ///< the external mouse ended, but a process that it started kept its output open
   closed,              ///< the external mouse ran on, but closed its input or its output
   hung,                ///< the external mouse did not answer
-  late,                ///< the external mouse answered, after its time for a decision
-  out_of_time,         ///< the external mouse's time for the contest was over
-  too_many_processes,  ///< the external mouse and what it started were too many
-  too_much_memory,     ///< the external mouse and what it started held too much memory
-  too_much_written,    ///< the external mouse and what it started wrote too much
-  flooded,             ///< the external mouse said more than it was asked
-  rubbish,             ///< the external mouse said something that is no answer
-  interrupted,         ///< whoever watched the external mouse stopped it
+  late,                ///< the external mouse answered after its time limit for a decision
+  out_of_time,         ///< the external mouse used up its time for the contest
+  too_many_processes,  ///< the external mouse started too many processes
+  too_much_memory,     ///< the external mouse and its processes used too much memory
+  too_much_written,    ///< the external mouse and its processes wrote too much
+  flooded,             ///< the external mouse sent more than it was asked for
+  rubbish,             ///< the external mouse sent an invalid answer
+  interrupted,         ///< the external mouse was stopped from outside
   not_judged,          ///< the machine was too busy to tell whether the external mouse was slow
 };
 
@@ -104,9 +104,9 @@ struct Action {
   enum class Kind : std::uint8_t { step, reset, forfeit };
 
   Kind kind = Kind::step;
-  /// Degrees clockwise; the world turns by -90, 0 or 90 and does not perform any other value.
+  /// Degrees clockwise; only -90, 0 and 90 are performed.
   int rotation = 0;
-  /// Cells to go after the turn, negative backwards; the world cuts it to its longest stride.
+  /// Cells to go after the turn, negative backwards; cut to the longest step of the world.
   int movement = 0;
   ForfeitReason reason = ForfeitReason::none;
 

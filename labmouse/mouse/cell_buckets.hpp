@@ -1,5 +1,5 @@
-// A queue of cells by their costs: a ring of buckets (Dial 1969), one for each cost that may still come. Each is a list
-// of cells that are linked by their indices; a row of bits says which buckets hold anything.
+// A priority queue of cells by cost: a ring of buckets (Dial 1969), one for each cost that may still come. A bucket is
+// a linked list of cell indices; a row of bits says which buckets are not empty.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 namespace labmouse {
 
-/// Cells that wait, the cheapest first. A cell waits once; the costs of all that wait differ by less than the ring is
-/// long. Empty between two searches, so that several may take turns with one.
+/// Queued cells, the cheapest first. A cell is queued at most once; all queued costs differ by less than the length of
+/// the ring. Empty between two searches, so that several may share one.
 class CellBuckets {
  public:
-  /// For cells of indices below a count, and costs that are above that of the last cell taken by at most `dearest`.
+  /// For cell indices below `cells`. A new cost exceeds that of the last cell taken by at most `dearest`.
   CellBuckets(int cells, int dearest) {
     const auto buckets = std::max(64U, std::bit_ceil(static_cast<unsigned>(dearest) + 1));
     mask_ = buckets - 1;
@@ -31,7 +31,7 @@ class CellBuckets {
     used_[bucket / 64] |= std::uint64_t{1} << bucket % 64;
   }
 
-  /// Takes out a cell that waits at that cost.
+  /// Removes a cell that is queued at that cost.
   void erase(int cell, int cost) {
     const Link link = links_[static_cast<std::size_t>(cell)];
     if (link.next != none) links_[link.next].before = link.before;
@@ -41,7 +41,7 @@ class CellBuckets {
       begin_with(bucket_of(cost), link.next);
   }
 
-  /// Raises a cost to the lowest at which a cell waits, at most once around the ring; false where none does.
+  /// Raises a cost to the lowest queued one, at most once around the ring; false if nothing is queued.
   bool find(int& cost) const {
     const int words = static_cast<int>(used_.size()), begin = static_cast<int>(bucket_of(cost));
     std::uint64_t word = used_[static_cast<std::size_t>(begin / 64)] & ~std::uint64_t{0} << begin % 64;
@@ -55,7 +55,7 @@ class CellBuckets {
     return false;
   }
 
-  /// Takes out a cell that waits at that cost; there is one.
+  /// Removes and returns a cell that is queued at that cost; there must be one.
   int take(int cost) {
     const std::size_t bucket = bucket_of(cost);
     const Index cell = first_[bucket], second = links_[cell].next;
@@ -80,8 +80,8 @@ class CellBuckets {
   }
 
   std::size_t mask_;                 ///< buckets in the ring, less one
-  std::vector<Link> links_;          ///< of each cell that waits
-  std::vector<Index> first_;         ///< cell of each bucket
+  std::vector<Link> links_;          ///< of each queued cell
+  std::vector<Index> first_;         ///< the first cell of each bucket
   std::vector<std::uint64_t> used_;  ///< which buckets hold cells
 };
 

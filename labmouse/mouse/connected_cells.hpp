@@ -1,4 +1,5 @@
-// The map of the third report's robots: from each cell the cells that one move leads to.
+// The map of the robots in the third capstone report (docs/research/reports.md): for each cell, the cells that one move
+// leads to.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +12,12 @@
 
 namespace labmouse {
 
-/// Straight moves of up to `longest` cells, known from one reading each. Of a corridor that two readings have shown,
-/// one half each, no move from one half into the other is known here, although all its passages are open.
+/// Straight moves of up to `longest` cells, each known from a single reading. If two readings have shown one half of a
+/// corridor each, no move between the halves is known, although all passages are open.
 ///
-/// The map has the cells in the order of a table, and for each a set of others in the order of its own: a set is never
-/// changed, each connection of a reading replaces it by a copy with the cell added, also where it was there already.
-/// Takes all its memory when made.
+/// The cells are in the order of a hash table, and the neighbours of each in that of a hash set. As in the report's
+/// program, each connection replaces the set by a copy with the cell added, even if it was in already. Takes all its
+/// memory when made.
 class ConnectedCells {
  public:
   ConnectedCells(Size size, int longest, CellOrder order);
@@ -37,12 +38,12 @@ class ConnectedCells {
 
   Size size_;
   int longest_;
-  std::size_t most_;  ///< cells of a set
+  std::size_t most_;  ///< most cells of a set
   HashedCells map_;
   HashedCells set_;              ///< the copy that is being made
   std::vector<Cell> connected_;  ///< `most_` places for each cell
   std::vector<std::uint8_t> counts_;
-  std::vector<bool> settled_;  ///< of a cell: whether another copy of its set would list it in the same order
+  std::vector<bool> settled_;  ///< by cell: whether copying its set again would keep the order
 };
 
 }  // namespace labmouse

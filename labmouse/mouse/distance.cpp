@@ -31,7 +31,7 @@ DistanceField::DistanceField(Size size, const Motion& motion, Path path)
     : size_(size), motion_(motion), row_bits_(row_bits_for(size)) {
   assert(size.valid() && motion.valid());
   const int dearest = motion.cost[static_cast<unsigned>(motion.longest)];
-  // The count goes on for a round of the ring after the last cell was reached.
+  // The distance is counted on for one round of the ring after the last cell was reached.
   planes_ = std::bit_width(static_cast<unsigned>((size.area() + 2) * dearest));
   kernel_ = choose_kernel(path, row_bits_, motion);
   const int sets = 1 + planes_ + dearest + 1;  // the last ones are the ring of the kernel for any costs

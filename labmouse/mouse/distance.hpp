@@ -1,4 +1,4 @@
-// Distance fields on rows of bits.
+// Distance fields, i.e. least costs from a set of cells to all cells, computed on rows of bits.
 //
 // A set of cells is one integer a row, and the rows are lanes of a vector. One layer of a breadth-first search is then
 // a few vector instructions for all cells at once:
@@ -24,17 +24,17 @@ namespace labmouse {
 
 struct FieldOrder;
 
-/// The distance that a cell has which cannot be reached: larger than any real one, and safe to add to.
+/// The distance of a cell that cannot be reached: larger than any real one, and safe to add to.
 inline constexpr int unreachable = 1 << 24;
 
 /// Cheapest costs from a set of cells to every cell, under a motion table. Moves can be made both ways at the same
 /// cost, so these are the costs to the set as well.
 class DistanceField {
  public:
-  /// Which code does the work: the widest that the processor has, or the one that runs everywhere (for comparison).
+  /// Which kernel is used: the widest that the processor supports, or the portable one (for comparison).
   enum class Path : std::uint8_t { widest, portable };
 
-  /// Takes all memory that it will need: about 0.4 KiB at 16×16, 1.5 KiB at 32×32 and 7 KiB at 64×64 for strides.
+  /// Takes all memory that it will need: with strides(), 0.4 KiB at 16×16, 1.5 KiB at 32×32 and 7 KiB at 64×64.
   DistanceField(Size size, const Motion& motion, Path path = Path::widest);
 
   /// Computes the field over the given passages (all inside the size) from the given cells.
@@ -55,7 +55,7 @@ class DistanceField {
   struct alignas(64) Block {
     std::uint64_t words[8];
   };
-  /// The sets lie in rows of 16, 32 or 64 bits, as the maze is large: these read the rows as that Word.
+  /// The sets have rows of 16, 32 or 64 bits, depending on the size of the maze; these read the rows as that Word.
   template <class Word>
   int read(Cell cell) const;
   template <class Word>
@@ -70,7 +70,7 @@ class DistanceField {
   int row_bits_;
   int planes_;
   void (*kernel_)(const FieldOrder&);
-  /// The unreached cells, then the planes, then what the kernel needs to remember: sets of rows of row_bits_ bits.
+  /// The unreached cells, then the planes, then scratch memory of the kernel: sets of rows of row_bits_ bits.
   std::vector<Block> storage_;
 };
 

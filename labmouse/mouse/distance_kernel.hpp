@@ -1,4 +1,4 @@
-// What DistanceField and its kernels agree on. No inline functions here: see distance_rows.hpp.
+// The interface between DistanceField and its kernels. No inline functions here: see distance_rows.hpp.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,8 @@
 namespace labmouse {
 
 /// Work for a kernel. `north`, `east` and `from` are 64 rows of 64 bits each. `sets` are sets of cells in rows of the
-/// kernel's width: out come the unreached cells and then the planes of the distances; behind them lies its scratch.
+/// kernel's width. The first are the output, the unreached cells and then the planes of the distances; the rest is
+/// scratch.
 struct FieldOrder {
   const std::uint64_t* north;  ///< cells with a passage to the north
   const std::uint64_t* east;   ///< cells with a passage to the east
@@ -19,7 +20,7 @@ struct FieldOrder {
 
 using Kernel = void (*)(const FieldOrder&);
 
-/// The kernel for rows of 16, 32 or 64 bits and a motion: with vectors of 16 bytes, and with those of AVX2.
+/// The kernel for a motion and rows of 16, 32 or 64 bits: `portable` uses vectors of 16 bytes, `wide` those of AVX2.
 namespace portable {
 Kernel kernel_for(int row_bits, int longest, bool uniform);
 }

@@ -3,7 +3,7 @@
 
 #include "labmouse/mouse/distance_strips.hpp"
 
-// clang leaves loops of a few chunks as they are, unless it is asked; g++ unrolls them itself.
+// clang does not unroll loops of a few chunks by itself; g++ does.
 #if defined(__clang__)
 #define LABMOUSE_UNROLL _Pragma("clang loop unroll(full)")
 #else
@@ -28,8 +28,8 @@ template <int K, class Word, int Longest>
     return here | moved<K - 1>(last, enter, i);
 }
 
-/// Every move of 1 to Longest cells costs one: layer after layer, each over the whole set, in loops that the compiler
-/// unrolls.
+/// Breadth-first search where every move of 1 to Longest cells costs one: each layer covers the whole set, in loops
+/// that the compiler unrolls.
 template <class Word, int Longest>
 void fill_layers(const FieldOrder& order) {
   using R = Rows<Word>;

@@ -62,13 +62,14 @@ template <int Longest, class Word>
   }
 }
 
-/// Goes from the last layer to the next one, from chunk first to final; outside of these the last one must be so empty
-/// that nothing comes in. Moves of three cells are one of up to one cell and one of none or two, which is less to do.
+/// Advances from the last layer to the next, in the chunks first to final. Outside of these, no cell of the last layer
+/// may be near enough to move in. A move of three cells is one of up to one cell plus one of none or two, which is less
+/// work.
 template <int Longest, class Word>
 [[gnu::always_inline]] inline void advance(Strips<Word>& strips, int first, int final) {
   using Chunk = typename Rows<Word>::Chunk;
   static_assert(Longest == 1 || Longest == 3);
-  // What the last layer was in the chunk to the south, here, to the north and beyond, while it is written over.
+  // The last layer in the chunks to the south, here, to the north and beyond; saved because it is overwritten.
   Chunk south{}, here = strips.at(first).last, north = strips.at(first + 1).last;
   Chunk up_south{}, down = here | (into_south<1, Word>(here, north) & strips.at(first).south[0]);
   for (Strip<Word>*strip = &strips.at(first), *end = &strips.at(final + 1); strip != end; ++strip) {
@@ -89,8 +90,8 @@ template <int Longest, class Word>
   }
 }
 
-/// Every move of 1 to Longest cells costs one: layer after layer. One seldom spans all rows, so only those near the
-/// last layer are looked at, and its distance is written down for its own cells alone.
+/// Breadth-first search where every move of 1 to Longest cells costs one. A layer seldom spans all rows, so only the
+/// chunks near the last one are visited, and its distance is written for its own cells alone.
 template <class Word, int Longest>
 void fill_strips(const FieldOrder& order) {
   using R = Rows<Word>;

@@ -51,13 +51,13 @@ Action DrivingExplorer::consider(const LogOddsMap& map, const SearchPlace& place
   place_ = place;
   clock_->set(time);
   if (std::exchange(version_, map.version()) != map.version()) {
-    // The goal that it had entered may have been another cell, or the way there none.
+    // The map has changed: the goal that it had entered may be another cell, or may have no known route.
     to_goal_.fill(knowledge_.open(), briefing_.goals);
     goal_entered_ = goal_entered_ && to_goal_.reaches(briefing_.start.cell);
     renew();
   }
   if (!racing_) arrive();
-  // Whether the next step leads into a goal it will know when it is there.
+  // Entering a goal counts on arrival, not when the step is decided.
   const bool entered = goal_entered_;
   const Action action = decide();
   goal_entered_ = entered;

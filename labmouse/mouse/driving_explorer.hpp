@@ -1,5 +1,5 @@
-// What every mouse of our own has in common in seconds: it keeps track of where it stands and of the time, learns what
-// it sees or takes over its map, and goes home in time. What is left to the strategy is where to search.
+// The common base of labmouse's own strategies in seconds. It tracks the place of the mouse and the time, learns from
+// readings or takes over a map, and goes home in time. The strategy decides where to search.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ namespace labmouse {
 class DriveFields;
 class SearchClock;
 
-/// A strategy in seconds with the bookkeeping done. A strategy derives from it and writes explore(). It goes home when
-/// the time would not allow it after another step, and has no more to do after a speed run.
+/// Base class of strategies in seconds, which implement explore(). It goes home when another step would leave too
+/// little time for that, and has no more to do after a speed run.
 class DrivingExplorer : public DrivingStrategy {
  public:
   /// For a briefing in seconds.
@@ -35,13 +35,13 @@ class DrivingExplorer : public DrivingStrategy {
   /// entered a goal.
   virtual Action explore() = 0;
 
-  /// Known walls have changed: what was planned by them is to be planned anew at the next explore().
+  /// Called when known walls have changed: the next explore() must plan anew.
   virtual void renew() {}
 
-  /// With fields to plan in, which all parts of a strategy share.
+  /// The briefing; its fields to plan with are set, and shared by all parts of a strategy.
   const Briefing& briefing() const { return briefing_; }
   const Pose& pose() const { return place_.pose; }
-  /// The pose, and whether the mouse stands.
+  /// The pose, and whether the mouse is at rest.
   const SearchPlace& place() const { return place_; }
   /// Whether a step of the search has ended in a goal, so that a reset is allowed.
   bool goal_entered() const { return goal_entered_; }
@@ -57,14 +57,14 @@ class DrivingExplorer : public DrivingStrategy {
   void perform(const Action& action);
   void arrive();
 
-  std::unique_ptr<DriveFields> fields_;  ///< where they are its own
+  std::unique_ptr<DriveFields> fields_;  ///< null if the briefing provides them
   Briefing briefing_;
   Knowledge knowledge_;
   SearchPlace place_;
   DistanceField to_goal_;
   std::unique_ptr<SearchClock> clock_;
   std::int64_t plans_ = 0;
-  int version_ = 0;  ///< of the map that it knows
+  int version_ = 0;  ///< of the map at the last call
   bool goal_entered_;
   bool racing_ = false;
 };

@@ -1,17 +1,17 @@
-// What readings say of a wall.
+// Evidence of sensor readings about walls.
 #pragma once
 
 #include <cstdint>
 
 namespace labmouse {
 
-/// The logarithm of how much likelier the readings are with the wall than without it, in eighths of a nat: above 0 for
-/// a wall, below 0 for none, 0 where nothing was seen.
+/// Log-likelihood ratio of the readings, wall against no wall, in eighths of a nat: above 0 for a wall, below 0 for
+/// none, 0 where nothing was seen.
 using Evidence = std::int8_t;
 
 inline constexpr int evidence_a_nat = 8;
 
-/// Of the walls to the left, ahead and to the right of a mouse, in a cell.
+/// Evidence about the walls to the left, ahead and to the right of a mouse, in a cell.
 struct WallEvidence {
   Evidence left = 0;
   Evidence ahead = 0;

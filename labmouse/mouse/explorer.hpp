@@ -1,6 +1,5 @@
-// What every mouse of our own has in common in steps: it keeps track of where it stands, learns what it sees, and in
-// the speed run takes the shortest route that it knows. What is left to the strategy is where to explore and when to
-// stop.
+// The common base of labmouse's own strategies in steps. It tracks the pose, learns from readings, and takes the
+// shortest known route in the speed run. The strategy decides where to explore and when to stop.
 #pragma once
 
 #include "labmouse/mouse/briefing.hpp"
@@ -9,7 +8,7 @@
 
 namespace labmouse {
 
-/// A strategy in steps with the bookkeeping done. A strategy derives from it and writes explore().
+/// Base class of strategies in steps, which implement explore().
 class Explorer : public Strategy {
  public:
   explicit Explorer(const Briefing& briefing);
@@ -21,8 +20,8 @@ class Explorer : public Strategy {
   /// One action of the search run. Moves must lead through walls known to be open; a reset is only for a mouse that
   /// has entered a goal.
   virtual Action explore() = 0;
-  /// One action of the speed run; unless a strategy has its own, the next on the shortest known route, planned anew at
-  /// each step because the readings may have shown a shorter one.
+  /// One action of the speed run. By default the next one on the shortest known route, which is planned anew at each
+  /// step because the readings may have shown a shorter one.
   virtual Action race();
 
   const Briefing& briefing() const { return briefing_; }

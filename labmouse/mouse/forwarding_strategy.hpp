@@ -1,4 +1,4 @@
-// Strategies in front of other ones.
+// Decorators of strategies: they forward calls to another strategy.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-/// Forwards what all strategies have to another one, which must outlive it.
+/// Forwards the calls of Strategy to another one, which must outlive it.
 template <class Kind>
 class Forwarding : public Kind {
  public:

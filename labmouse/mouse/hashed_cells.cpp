@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t smallest_table = 8;
 
-/// The least table that is longer than so many slots.
+/// The smallest table length above so many slots.
 constexpr std::size_t table_for(std::size_t slots) { return std::max(smallest_table, std::bit_ceil(slots + 1)); }
 
 }  // namespace
@@ -42,7 +42,7 @@ void HashedCells::clear() {
 void HashedCells::copy(std::span<const Cell> other) {
   assert(table_ == CellTable::set);
   clear();
-  // A copy takes room for as many at once, and half of what insertion takes.
+  // A copy reserves room for all members at once, half as much as insertion does.
   if (order_ != CellOrder::rows && 3 * other.size() >= 2 * smallest_table) {
     mask_ = table_for(2 * other.size()) - 1;
     std::fill_n(slots_.begin(), mask_ + 1, Slot{});
@@ -51,7 +51,7 @@ void HashedCells::copy(std::span<const Cell> other) {
   members_ = used_ = other.size();
 }
 
-/// The hash of a pair of small numbers, each of which is its own hash.
+/// Python's hash of a pair of small numbers, each of which is its own hash.
 std::uint64_t HashedCells::hash(Cell cell) const {
   if (order_ == CellOrder::rows) return static_cast<std::uint64_t>(size_.index(cell));
   const bool row_first = key_ == CellKey::row_column;
@@ -62,7 +62,7 @@ std::uint64_t HashedCells::hash(Cell cell) const {
   return hash + 97531;
 }
 
-/// The sets of 3.4 look at nine more slots, around the table's end; those of 3.5 do so only where nine are left.
+/// The sets of 3.4 probe nine more slots and wrap around the table's end; those of 3.5 do so only where nine are left.
 std::uint64_t HashedCells::neighbours(std::uint64_t slot) const {
   constexpr std::uint64_t most = 9;
   if (table_ == CellTable::map || order_ == CellOrder::python_2_7) return 0;
@@ -79,7 +79,7 @@ HashedCells::Slot& HashedCells::slot_of(Cell cell) {
       if (slot.state == State::taken && slot.cell == cell) return slot;
       if (slot.state == State::erased && reusable == nullptr) reusable = &slot;
     }
-    // The sets of Python 3 shift before, and all others after they have used it.
+    // The sets of Python 3 shift the perturbation before they use it, all other tables after.
     const bool shifts_before = table_ == CellTable::set && order_ != CellOrder::python_2_7;
     if (shifts_before) perturbation >>= 5;
     probe = 5 * probe + perturbation + 1;

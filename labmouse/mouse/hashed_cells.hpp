@@ -1,9 +1,9 @@
-// Cells in the order in which the maps and sets of another language list them.
+// Sets of cells that are listed in the order of Python's hash tables.
 //
-// Some programs keep cells in their language's map or set and take the first of several equally good ones as it happens
-// to list them. That order is fixed, because so are the hashes, but it is nobody's intention: to walk as such a
-// program does, the table has to be built as it is there. These are the tables of Python (CPython on 64 bits) up to
-// 3.5; the maps of later ones list their members as they came.
+// Some programs keep cells in a map or a set of Python, and take the first of several equally good ones in the order of
+// that table. The order is fixed, because the hashes are. To reproduce the moves of such a program, these tables are
+// built in the same way. They are those of CPython on 64 bits up to 3.5; later maps list their members in order of
+// insertion.
 #pragma once
 
 #include <array>
@@ -17,32 +17,32 @@
 
 namespace labmouse {
 
-/// Whose order: row by row from the south-west, which is neutral, or that of a version of Python.
+/// An order of listing: row by row from the south-west, which is neutral, or that of a version of Python.
 enum class CellOrder : std::uint8_t { rows, python_2_7, python_3_4, python_3_5 };
 
-/// By their places in CellOrder.
+/// Names, indexed by CellOrder.
 inline constexpr std::array<std::string_view, 4> cell_order_names = {"rows", "python-2.7", "python-3.4", "python-3.5"};
-/// The same as the choices of a parameter.
+/// The same names as the choices of a parameter.
 inline constexpr std::string_view all_cell_orders = "rows/python-2.7/python-3.4/python-3.5";
 /// The order of that name, which must be one.
 CellOrder cell_order(std::string_view name);
 
-/// A map's keys and a set's members lie in tables of different rules.
+/// Whether the cells are keys of a map or members of a set; their tables follow different rules.
 enum class CellTable : std::uint8_t { map, set };
 
-/// What a program writes for a cell: (row from the north, column) or (column, row from the south).
+/// The pair that stands for a cell: (row from the north, column) or (column, row from the south).
 enum class CellKey : std::uint8_t { row_column, column_row };
 
-/// Open addressing in a table whose length is a power of two. Takes all its memory when made.
+/// A hash table of cells with open addressing; its length is a power of two. Takes all its memory when made.
 class HashedCells {
  public:
   HashedCells(Size size, CellOrder order, CellTable table, CellKey key);
 
   void insert(Cell cell);
   void erase(Cell cell);
-  /// Empties it and forgets how large it had grown.
+  /// Empties it and resets its length.
   void clear();
-  /// Becomes a copy, as `set(other)` makes it, of a set that lists these cells in this order.
+  /// Becomes the copy that Python's `set(other)` makes of a set that lists these cells in this order.
   void copy(std::span<const Cell> other);
 
   /// Calls visit(Cell) for each member in the order of the table.
@@ -61,7 +61,7 @@ class HashedCells {
   };
 
   std::uint64_t hash(Cell cell) const;
-  /// How many slots behind the first are looked at before a search goes elsewhere.
+  /// Number of slots that are probed in a row before the probe sequence jumps.
   std::uint64_t neighbours(std::uint64_t slot) const;
   /// The slot that holds the cell, or the one in which it belongs.
   Slot& slot_of(Cell cell);

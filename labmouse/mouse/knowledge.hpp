@@ -9,11 +9,11 @@ namespace labmouse {
 
 enum class WallState : std::uint8_t { unknown, open, closed };
 
-/// Belief about one maze. It only grows, unless a LogOddsMap behind it forgets a wall: a wall that was learned never
-/// changes. The border is known from birth.
+/// Known walls of one maze. A known wall never changes, unless a LogOddsMap behind it forgets one. The border is known
+/// from the beginning.
 class Knowledge {
  public:
-  /// Of a mouse whose readings reach `sight` cells: one of so many shows no wall at its end.
+  /// For a mouse whose readings reach `sight` cells: a reading of that many shows no wall at its end.
   explicit Knowledge(Size size, int sight = max_side);
 
   Size size() const { return size_; }
@@ -26,16 +26,16 @@ class Knowledge {
 
   /// Learns an inner wall that is unknown.
   void learn(Wall wall, bool open);
-  /// Makes an inner wall unknown. What was planned by it has to be planned anew.
+  /// Makes an inner wall unknown. Plans that used it must be made anew.
   void forget(Wall wall);
 
   /// Walls known to be open: passages.
   const WallSet& open() const { return open_; }
-  /// Walls not known to be closed: open and unknown ones, what an optimist walks through. Contains open().
+  /// Walls not known to be closed: open and unknown ones. Contains open().
   const WallSet& possible() const { return possible_; }
   /// Walls that have not been seen.
   WallSet unknown() const;
-  /// Whether nothing is left to be seen about a cell.
+  /// Whether all four walls of a cell are known.
   bool knows(Cell cell) const;
   /// All such cells.
   CellSet known_cells() const;

@@ -1,4 +1,4 @@
-// Two paths between the same cells, and the better legs of both.
+// Merging of two paths between the same cells.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@ namespace labmouse {
 /// Cells, each a neighbour of the one before it.
 using Path = std::vector<Cell>;
 
-/// Writes the path that takes, from each crossing of the two to the next, the shorter leg, and the first path's where
-/// both are equally long. Both begin in one cell and end in one cell. A crossing is a cell of both that lies behind the
-/// last crossing on both. The result is not longer than the first path, so that much memory is enough.
+/// Merges two paths with the same first and last cell. From each crossing of the two to the next it takes the shorter
+/// leg, that of the first path on a tie. A crossing is a cell of both that lies behind the last crossing on both. The
+/// result is not longer than the first path, which bounds its memory.
 void join_legs(const Path& first, const Path& second, Path& joined);
 
 }  // namespace labmouse

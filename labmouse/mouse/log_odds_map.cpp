@@ -72,7 +72,7 @@ void LogOddsMap::forget(Wall wall) {
 }
 
 bool LogOddsMap::weaken_path(Cell from, const CellSet& to) {
-  // Rounds of Bellman and Ford over cells: a maze is small, and this is rare.
+  // Bellman-Ford over cells: simple, and fast enough for a small maze and rare calls.
   constexpr int far = 1 << 28;
   std::fill(costs_.begin(), costs_.end(), far);
   const auto at = [&](Cell cell) { return static_cast<std::size_t>(size_.index(cell)); };

@@ -1,14 +1,14 @@
 // A log-odds map: the odds of each wall to be closed, and the known walls that follow from them.
 //
 // Each wall has the logarithm of its odds to be closed, in eighths of a nat, and readings add to it. Knowledge is a
-// view of these: the first reading decides, and once others have turned the odds well to the other side the wall turns
-// over. As long as none does the view only grows, which is what strategies rely on; when one does, a new version of the
-// view begins, at which they plan anew. A learned map begins at odds counted in other mazes, by what is known of the
-// eight walls about that one as it is first read; in mazes too small for these, at even ones.
+// view of these odds: the first reading of a wall decides, and the wall changes its state once later readings bring the
+// odds to the opposite threshold. As long as no wall changes, the view only grows, which strategies rely on. A change
+// begins a new version of the view, at which they plan anew. The kind `learned` starts each wall at prior odds, counted
+// in other mazes by what is known of the eight walls around it at its first reading; in small mazes, at even odds.
 //
 //      open ◄───────┬───────────────┬───────► closed
 //    -64           -16      0      +16           +64
-//                    a wall turns over beyond these
+//                    a wall changes its state at these
 #pragma once
 
 #include <array>
@@ -24,11 +24,11 @@
 
 namespace labmouse {
 
-/// What a map does with readings against what it has taken a wall for.
+/// How a map handles readings that contradict the state of a wall.
 enum class MapKind : std::uint8_t {
-  first,     ///< nothing: the first reading stays for ever, as in most mice
-  log_odds,  ///< it weighs them
-  learned,   ///< it weighs them with what other mazes say, and asks whether it is where it believes to be
+  first,     ///< it ignores them: the first reading stays for ever, as in most mice
+  log_odds,  ///< it adds up the evidence
+  learned,   ///< the same with prior odds from other mazes; the mouse also checks where it is
 };
 
 inline constexpr std::array all_map_kinds = {MapKind::first, MapKind::log_odds, MapKind::learned};
@@ -46,43 +46,44 @@ constexpr std::optional<MapKind> map_kind_of(std::string_view name) {
 
 class LogOddsMap {
  public:
-  /// Two or three readings to the contrary turn a wall over of which nothing more could be surer.
+  /// Limit of the odds, so that two or three contradicting readings change even the surest wall.
   static constexpr int most = 8 * evidence_a_nat;
-  /// What is beyond that says something.
+  /// Evidence of this size contradicts, and opposite odds of this size change a wall's state.
   static constexpr int telling = 2 * evidence_a_nat;
 
-  /// What a reading has done.
+  /// The effect of a reading.
   enum class News : std::uint8_t {
-    none,          ///< nothing that was not known
+    none,          ///< nothing new
     learned,       ///< the wall was unknown
-    contradicted,  ///< it speaks against what the wall is taken for, and is not enough
-    turned,        ///< the wall is taken for the opposite now
+    contradicted,  ///< it contradicts the wall's state, but does not change it
+    turned,        ///< the wall has changed its state
   };
 
-  /// Of a mouse that sees one cell far and knows the border.
+  /// For a mouse that sees one cell far and knows the border.
   LogOddsMap(Size size, MapKind kind);
 
-  /// Takes in a reading of a wall. Of a wall that was unknown 0 says that it is open, or what other mazes say.
+  /// Adds the evidence of a reading. An unknown wall starts at its prior odds (0 without a prior), and is open if the
+  /// sum is 0 or less.
   News add(Wall wall, int evidence);
-  /// Counts a reading that it took in by half. What spoke for the wall's state is never taken for less than nothing.
+  /// Takes back half of a reading that was added. This never moves the odds past 0, against the wall's state.
   void weaken(Wall wall, int evidence);
   /// Makes an inner wall unknown.
   void forget(Wall wall);
-  /// Forgets the walls taken for closed on that way between cells on which the odds against it are least in all.
-  /// Whether there is a way, and a wall on it.
+  /// Finds the path between the cells whose closed walls have the least total odds, and makes these walls unknown.
+  /// False if there is no path, or no closed wall on it.
   bool weaken_path(Cell from, const CellSet& to);
 
-  /// Above 0 where it is rather closed; `most` of the border.
+  /// Log-odds in eighths of a nat, above 0 if the wall is more likely closed; `most` for the border.
   int odds(Wall wall) const;
   const Knowledge& view() const { return view_; }
-  /// What the view says of the walls around a pose, as a reading of one cell.
+  /// The walls around a pose as a reading of one cell; unknown ones count as closed.
   Sighting sighting(const Pose& pose) const;
-  /// Grows with each view that does not contain the one before.
+  /// Grows whenever a known wall changes or is forgotten.
   int version() const { return version_; }
 
  private:
   std::size_t index_of(Wall wall) const;
-  /// The odds of a wall that nobody has read.
+  /// The prior odds of a wall without readings.
   int expected(Wall wall) const;
 
   Size size_;
@@ -91,7 +92,7 @@ class LogOddsMap {
   std::vector<std::int8_t> odds_;  ///< of the north and the east side of each cell
   Knowledge view_;
   int version_ = 0;
-  // For weaken_path(): what it takes to come to each cell, and in which heading it is entered then.
+  // For weaken_path(): the least cost to each cell, and the heading in which it is then entered.
   std::vector<int> costs_;
   std::vector<Heading> entered_;
 };

@@ -8,10 +8,10 @@
 
 namespace labmouse {
 
-/// Cells from one to the other where no wall stands in between.
+/// Manhattan distance in cells.
 inline int manhattan(Cell a, Cell b) { return std::abs(a.x - b.x) + std::abs(a.y - b.y); }
 
-/// The same to the nearest of some cells; unreachable where there is none.
+/// The same to the nearest of some cells; unreachable if there are none.
 inline int manhattan_to(const CellSet& cells, Cell from) {
   int nearest = unreachable;
   cells.for_each([&](Cell cell) { nearest = std::min(nearest, manhattan(from, cell)); });

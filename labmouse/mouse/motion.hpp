@@ -17,8 +17,8 @@
 
 namespace labmouse {
 
-/// A table of moves: a straight run of k cells costs cost[k], for k from 1 to longest. The unit is the world's own
-/// (steps in the capstone's). Costs are 1 to max_cost and do not fall as k grows.
+/// A table of moves: a straight run of k cells costs cost[k], for k from 1 to longest. The unit depends on the world
+/// (steps in the world of steps). Costs are 1 to max_cost and do not fall as k grows.
 struct Motion {
   static constexpr int max_longest = 8;
   static constexpr int max_cost = 63;
@@ -38,7 +38,7 @@ struct Motion {
   constexpr bool uniform() const { return cost[static_cast<unsigned>(longest)] == 1; }
 };
 
-/// The capstone's moves: up to `longest` cells in one step of cost 1; strides(1) is one cell at a time.
+/// The moves in the world of steps: up to `longest` cells in one step of cost 1; strides(1) is one cell at a time.
 constexpr Motion strides(int longest = 3) {
   Motion motion;
   motion.longest = longest;

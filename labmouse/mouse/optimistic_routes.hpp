@@ -1,4 +1,4 @@
-// The shortest routes that could exist: those of an optimist, who takes every wall for open that may be open.
+// The shortest routes that may exist, where every unknown wall is taken to be open.
 //
 // Their length is a bound: no route is shorter. While it is less than that of the shortest known route, each of them
 // leads through some unknown wall; when both agree, the known route is proven shortest.

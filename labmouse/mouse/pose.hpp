@@ -1,4 +1,4 @@
-// Where a mouse stands and looks.
+// The pose of a mouse: its cell and its heading.
 #pragma once
 
 #include "labmouse/grid/heading.hpp"

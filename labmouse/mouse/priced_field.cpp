@@ -31,8 +31,8 @@ void PricedField::spread(int price, const std::uint8_t* wall, int cell, int to_n
   }
 }
 
-/// Reaches the cells that lie within, at their costs: takes cells out of the buckets, the cheapest first, and goes on
-/// from them. Leaving out a cell must not change the costs of those that lie within.
+/// Dijkstra's search over the cells for which within(cell, cost) holds. Leaving out a cell must not change the costs of
+/// these.
 template <class Within>
 void PricedField::search(const WallPrices& prices, const CellSet& from, Within within) {
   std::fill(costs_.begin(), costs_.end(), unreachable);

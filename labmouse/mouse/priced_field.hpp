@@ -1,4 +1,4 @@
-// Cheapest costs over walls that have prices.
+// Least costs of routes where unseen walls have prices.
 //
 // Method: Dijkstra with a ring of buckets for its queue (CellBuckets).
 #pragma once
@@ -16,29 +16,27 @@
 
 namespace labmouse {
 
-/// Cheapest costs from a set of cells: a straight move of k cells costs what the motion says, times a step's price, and
-/// the prices of the walls that it leads through. Moves cost the same both ways, so these are the costs to the set,
-/// too.
+/// Least costs from a set of cells. A straight move of k cells costs its cost in the motion, times a step's price, plus
+/// the prices of the walls that it passes. Moves cost the same both ways, so these are the costs to the set, too.
 class PricedField {
  public:
-  /// Takes all memory that it will need: 4 bytes a cell, and for its queue as many and 2 KiB, for strides at a step's
-  /// price of 30.
+  /// Takes all memory that it will need: 4 bytes a cell, and for the queue 4 bytes a cell and 2 KiB (with strides() and
+  /// a step's price of 30).
   PricedField(Size size, const Motion& motion, int step_price);
-  /// A second field of the same kind, which saves the memory of a queue: the two must not be filled at the same time.
+  /// A second field that shares the queue, to save memory: the two must not be filled at the same time.
   PricedField sibling() const { return *this; }
 
   void fill(const WallPrices& prices, const CellSet& from);
-  /// The same for those cells alone whose cost is below a limit; others may be unreachable. It ends the sooner.
+  /// The same only for cells whose cost is below a limit; others may stay unreachable. It is faster.
   void fill_below(int limit, const WallPrices& prices, const CellSet& from);
-  /// The same for those cells alone whose cost and their rest, a field over the same prices, add up to less than a
-  /// limit.
+  /// The same only for cells whose cost, plus that in `rest` (a field over the same prices), is below a limit.
   void fill_below(int limit, const PricedField& rest, const WallPrices& prices, const CellSet& from);
 
   /// The cost of a cell inside, or unreachable.
   int at(Cell cell) const { return at_index(size_.index(cell)); }
   /// The same by the cell's index.
   int at_index(int index) const { return costs_[static_cast<std::size_t>(index)]; }
-  /// The price of a straight move of so many cells through open walls.
+  /// The price of a straight move of `cells` cells through open walls.
   int step_cost(int cells) const { return step_cost_[static_cast<unsigned>(cells)]; }
   int longest() const { return longest_; }
 

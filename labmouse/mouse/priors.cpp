@@ -36,7 +36,7 @@ const WallPrior* contest_prior_for(Size size) {
 }
 
 int complement(int reluctance) {
-  // round(-32 ln(1 - exp(-n / 32))) for n from 0, where it is never asked.
+  // round(-32 ln(1 - exp(-n / 32))); entry 0 is never used.
   static constexpr std::array<std::uint8_t, 113> table = {
       0,  111, 90, 77, 69, 62, 57, 52, 48, 45, 42, 40, 37, 35, 33, 31, 30, 28, 27, 26, 25, 23, 22,
       21, 20,  20, 19, 18, 17, 17, 16, 15, 15, 14, 14, 13, 13, 12, 12, 11, 11, 10, 10, 10, 9,  9,

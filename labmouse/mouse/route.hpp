@@ -1,4 +1,4 @@
-// From a distance field to moves.
+// Moves along a distance field.
 #pragma once
 
 #include <optional>
@@ -19,15 +19,15 @@ struct Move {
 /// The first move of a cheapest route, over the passages that the field was filled with, from a pose to the cells at
 /// distance 0. Nothing where there is no route or the pose is already there.
 ///
-/// Among equally cheap moves the order is total: ahead, left, right, back; in each direction the longest first.
+/// Ties are broken in this order: ahead, left, right, back; in each direction the longest first.
 std::optional<Move> next_move(const DistanceField& field, const WallSet& passages, Pose pose);
 
-/// The same as an action; a pose at distance 0 gives the step that stays there, none gives a forfeit.
+/// The same as an action: a step that stays if the pose is at distance 0, a forfeit if there is no route.
 Action step_along(const DistanceField& field, const WallSet& passages, Pose pose);
 
-/// One step towards the cells at distance 0 of a field filled over knowledge.possible(): along a cheapest route as far
-/// as it is known to be open; where it begins behind a wall not yet seen, a quarter turn to look at that wall. For a
-/// pose whose reading has been learned.
+/// One step towards the cells at distance 0 of a field filled over knowledge.possible(). It follows a cheapest route as
+/// far as it is known to be open. If the first wall is unknown, it turns by a quarter to look at it. The reading of the
+/// pose must have been learned.
 Action optimistic_step(const DistanceField& optimistic, const Knowledge& knowledge, Pose pose);
 
 }  // namespace labmouse

@@ -1,4 +1,5 @@
-// Runs from start to goal, in each world: the best that is known, the best that may exist, and what to look at to tell.
+// Runs from start to goal, in each world: the best known one, the best that may exist, and the unknown walls between
+// them.
 #pragma once
 
 #include "labmouse/mouse/briefing.hpp"
@@ -8,7 +9,7 @@
 
 namespace labmouse {
 
-/// In steps.
+/// The runs in the world of steps.
 class StrideRuns {
  public:
   explicit StrideRuns(const Briefing& briefing);
@@ -32,23 +33,23 @@ class StrideRuns {
   int known_ = unreachable;
 };
 
-/// In seconds, with the fields of the briefing.
+/// The runs in the worlds in seconds, with the fields of the briefing.
 class DriveRuns {
  public:
   explicit DriveRuns(const Briefing& briefing);
 
-  /// Finds the runs by what is known now; whether it had to plan for that. Plans anew only where a newly seen wall cuts
-  /// the route that was hoped for: walls only raise times, so that one that is not cut stays the fastest.
+  /// Finds the runs by what is known now; returns whether it made a new plan. It does so only if a newly seen wall cuts
+  /// the hoped-for route: walls only raise times, so a route that is not cut stays the fastest.
   bool plan(const Knowledge& knowledge) { return plan(knowledge.possible(), knowledge.open()); }
-  /// The same over passages that a strategy hopes for; those that come to its hopes later are seen with the next new
-  /// plan.
+  /// The same over passages that a strategy hopes for. If it hopes for more later, they are used from the next new plan
+  /// on.
   bool plan(const WallSet& hoped, const WallSet& open);
 
-  /// Plans anew the next time: walls have come back that it had left out.
+  /// Makes the next call plan anew: passages that were left out are possible again.
   void forget() { planned_ = false; }
 
-  /// Once all walls of the hoped-for route are open, it is the best known one, too. Nothing is left to prove where no
-  /// route can be driven.
+  /// Whether all walls of the hoped-for route are open, so that it is the best known one, too. True if no route can be
+  /// driven.
   bool proven() const { return unknown_.empty(); }
   const WallSet& unknown_walls() const { return unknown_; }
 

@@ -1,7 +1,7 @@
 // A breadth-first search as textbooks write it: one queue, and the four directions in a fixed order.
 //
-// DistanceField computes the same distances far faster, but has no opinion among equally short routes. Here the order
-// in which cells are found decides, as it does in the programs that the reports describe.
+// DistanceField computes the same distances far faster, but does not rank equally short routes. Here the order in which
+// cells are found decides, as in the programs of the capstone reports (docs/research/reports.md).
 #pragma once
 
 #include <span>
@@ -17,17 +17,17 @@ namespace labmouse {
 /// Shortest routes, in moves of up to `longest` cells, from one pose to every cell. Takes all its memory when made.
 class SearchTree {
  public:
-  /// In each direction the order in which the cells of one move are found: the nearest first, or the farthest.
+  /// The order in which the cells along one direction are found.
   enum class Reach : std::uint8_t { nearest_first, farthest_first };
 
   SearchTree(Size size, int longest, TieOrder order, Reach reach = Reach::nearest_first);
 
-  /// Searches anew over the given passages (all inside the size). A direction is tried as seen by a mouse that came
-  /// along the tree, with the heading of its last move.
+  /// Searches anew over the given passages (all inside the size). Directions are tried in the order of a mouse that
+  /// came along the tree, with the heading of its last move.
   void grow(const WallSet& passages, Pose root);
   /// The same for routes that only pass cells of `through`; the root may be passed, and any cell may be a route's end.
   void grow(const WallSet& passages, Pose root, const CellSet& through);
-  /// The same over a map, from each cell in the order of its set.
+  /// The same over a map; the neighbours of each cell are found in the order of its set.
   void grow(const ConnectedCells& map, Pose root);
 
   /// Moves from the root, or unreachable.

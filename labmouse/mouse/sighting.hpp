@@ -1,4 +1,4 @@
-// What a mouse is shown.
+// What a mouse sees of the walls around it.
 #pragma once
 
 #include "labmouse/grid/heading.hpp"

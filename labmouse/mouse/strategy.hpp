@@ -23,18 +23,17 @@ struct Counter {
 struct StrategyReport {
   /// Under names that never change.
   std::span<const Counter> counters = {};
-  /// For people: in the first line where it gave up, or what went wrong; then, of an external mouse, the last lines of
-  /// its standard error.
+  /// Text for the user. The first line says where it gave up, or what went wrong. For an external mouse the last lines
+  /// of its standard error follow.
   std::string_view last_words = {};
-  /// The time of its decisions, if it measures that itself: a mouse in another process does, without the way there and
-  /// back.
+  /// The time of its decisions, if it measures that itself. A mouse in another process does, without the time of
+  /// communication.
   std::optional<double> microseconds = std::nullopt;
-  /// False of an external mouse whose program did not start, or ended before it greeted.
+  /// False for an external mouse whose program did not start, or ended before its greeting.
   bool started = true;
 };
 
-/// Decides what a mouse does. It is called and never calls, so one object serves a loop, a browser frame and an
-/// interrupt.
+/// Decides what a mouse does. It never calls back, so one object can run in a loop, a browser frame or an interrupt.
 class Strategy {
  public:
   virtual ~Strategy() = default;
@@ -45,10 +44,10 @@ class Strategy {
   /// What the mouse knows, for viewers and tests.
   virtual const Knowledge& knowledge() const = 0;
 
-  /// What it reports of itself: asked when it decides no more, and maybe again.
+  /// Its report, called after its last decision, maybe several times.
   virtual StrategyReport report() { return {}; }
 
-  /// The reasons of the last decision; null unless it chose anew and its briefing asks for reasons.
+  /// The reasons of the last decision; null if it made no new choice, or if its briefing does not ask for reasons.
   virtual const Reasons* reasons() const { return nullptr; }
 };
 

@@ -29,8 +29,8 @@ bool TextbookSearch::search(const WalkedPassages& passages, Cell start, const Ce
   std::optional<Cell> goal;
   if (goals.contains(start)) goal = start;
   reach(start, {true}, passages);
-  // To the report's A* the start is a new cell when it is walked back into; its 141 cells in maze 1 are not to be had
-  // without it.
+  // The report's A* takes the start for a new cell when an edge leads back to it. The report's 141 cells in maze 1 can
+  // only be reproduced so.
   if (method_ == SearchMethod::a_star) node(start).reached = false;
   while (!heap_.empty() && !(goal && method_ == SearchMethod::a_star)) {
     const Edge edge = take();
@@ -57,7 +57,7 @@ void TextbookSearch::reach(Cell cell, Node as, const WalkedPassages& passages) {
   });
 }
 
-// The heap is written out because equal keys come as it leaves them, and libraries differ in that.
+// Our own heap, because the order of equal keys matters here and differs between libraries.
 
 void TextbookSearch::put(const Edge& edge) {
   std::size_t place = heap_.size();

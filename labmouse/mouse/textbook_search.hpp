@@ -1,4 +1,5 @@
-// One way from here to a goal, as the fifth report's program searches it: breadth-first, A* or Dijkstra, over cells.
+// The route search of the program in the fifth capstone report (docs/research/reports.md): breadth-first, A* or
+// Dijkstra.
 //
 // All three keep a queue of edges and take one after the other from it; an edge that leads to a new cell puts the edges
 // out of that cell into the queue. They differ in which edge is next, and in where they stop:
@@ -8,9 +9,9 @@
 //                     counting as one more
 //     Dijkstra        the one with the fewest cells from the start                                when none is left
 //
-// Equal edges come as a binary heap leaves them. What a turn costs is not handed on to the cells behind it, so A*
-// prefers straight ways only among nearly equal ones, and may miss a shortest way by a cell. That is the report's A*:
-// its heuristic is this turn, and no distance is estimated. Its Dijkstra was never written; this one is ours.
+// Equal edges come in the order of a binary heap. The cost of a turn is not passed on to the next cells, so A* prefers
+// straight ways only among nearly equal ones, and may miss a shortest way by a cell. This is the report's A*: its
+// heuristic is the turn, without an estimated distance. The report's Dijkstra was never written; this one is ours.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +34,7 @@ SearchMethod search_method(std::string_view name);
 /// A search that counts what it does. Takes all its memory when made.
 class TextbookSearch {
  public:
-  /// `most_edges` is the most that a map has.
+  /// `most_edges` is the largest number of edges of a map.
   TextbookSearch(Size size, std::size_t most_edges, SearchMethod method);
 
   /// Searches anew; whether there is a way.
@@ -42,7 +43,7 @@ class TextbookSearch {
   /// The way to the goal that was reached first, direction by direction; empty where there is none or the start is a
   /// goal.
   std::span<const Heading> way() const { return way_; }
-  /// Cells that an edge from the queue led to for the first time: the goal counts, the start in A* alone.
+  /// Number of cells that an edge from the queue reached first: the goal counts, the start only in A*.
   int found() const { return found_; }
 
  private:
@@ -72,8 +73,8 @@ class TextbookSearch {
   int found_ = 0;
 };
 
-/// Merges a way into moves of up to `longest` cells: each straight run from its end, so that what is left over comes
-/// first. The moves are appended.
+/// Merges a way into moves of up to `longest` cells; in each straight run the shortest move comes first. The moves are
+/// appended.
 void merge_strides(std::span<const Heading> way, int longest, std::vector<Move>& moves);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// In which order a strategy tries the four directions, where the rest of its method does not decide.
+// The order in which a strategy tries the four directions on a tie.
 #pragma once
 
 #include <array>

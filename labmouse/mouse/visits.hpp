@@ -1,4 +1,4 @@
-// How often a mouse has been where.
+// How often a mouse has visited each cell.
 #pragma once
 
 #include <cassert>

@@ -1,4 +1,4 @@
-// The map of the fifth report's robots: the passages that they walked through, in the order of walking.
+// The map of the robots in the fifth capstone report: the passages that they walked through, in the order of walking.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,21 @@ namespace labmouse {
 /// A graph of cells with an edge for each passage that was walked, in both directions; a passage walked again is stored
 /// again. Takes all its memory when made.
 ///
-/// The report's program has a slip, which is kept: before it adds an edge out of the cell that it leaves, it looks for
-/// one fixed cell where it means the cell that it enters. So walking out of that cell, or out of one that has an edge
-/// to it, adds no edge there; walking into it does. Some maps have no way to the goal for that reason alone.
+/// The report's program has a bug, which is kept: before it adds an edge out of the cell that it leaves, it looks for
+/// one fixed cell instead of the cell that it enters. So walking out of that cell, or out of one with an edge to it,
+/// adds no edge there; walking into it does. Some maps have no way to the goal for that reason alone.
 class WalkedPassages {
  public:
-  /// Where the slip is, in the report's program.
+  /// The fixed cell of that bug.
   static constexpr Cell slip{1, 0};
 
-  /// `walks` is how many steps are stored for certain. Of more, those through a passage that is in the map are not.
+  /// `walks` is the number of steps that are certainly stored. After these, only steps through new passages are.
   WalkedPassages(Size size, int walks);
 
-  /// A step between neighbouring cells.
+  /// Stores a step between neighbouring cells.
   void walk(Cell from, Cell to);
 
-  /// Hands the end of each edge out of a cell to visit(cell), in the order of walking.
+  /// Calls visit(cell) with the end of each edge out of a cell, in the order of walking.
   template <class Visit>
   void from(Cell cell, Visit visit) const {
     for (int edge = lists_[index(cell)].first; edge != none; edge = edges_[static_cast<std::size_t>(edge)].next)
@@ -42,7 +42,7 @@ class WalkedPassages {
   static constexpr int none = -1;
   struct Edge {
     Cell to;
-    int next = none;  ///< edge out of the same cell
+    int next = none;  ///< next edge out of the same cell
   };
   struct List {
     int first = none, last = none;

@@ -7,14 +7,13 @@
 namespace labmouse {
 namespace {
 
-/// A wall `along` and `across` from another of the same kind, in cells.
+/// The parallel wall that is `along` and `across` cells away from another one.
 Wall parallel(Wall wall, int along, int across) {
   return wall.side == Heading::north ? Wall{{wall.cell.x + along, wall.cell.y + across}, wall.side}
                                      : Wall{{wall.cell.x + across, wall.cell.y + along}, wall.side};
 }
 
-/// The wall of the other kind on the far side, in the direction along, of the cell `along` and `across` from this
-/// wall's.
+/// The perpendicular wall on the far side, in the direction along, of the cell that is `along` and `across` cells away.
 Wall crossing(Wall wall, int along, int across) {
   Wall other = parallel(wall, along, across);
   other.side = wall.side == Heading::north ? Heading::east : Heading::north;

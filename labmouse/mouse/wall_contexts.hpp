@@ -26,10 +26,10 @@ inline constexpr int wall_contexts = 6561;
 /// The eight neighbours of a wall, in the order of the picture; some may lie on the border or outside.
 std::array<Wall, 8> neighbours_of(Wall wall);
 
-/// The smallest context that a mirror makes of this one: walls of equal surroundings have it in common.
+/// The smallest of this context and its mirror images, so that walls of symmetric surroundings share it.
 int folded_context(int context);
 
-/// The context of a wall among walls that are known, where none is kept up to date.
+/// The context of a wall, computed from known walls without a WallContexts.
 int context_of(Wall wall, const Knowledge& knowledge);
 
 /// The contexts of all walls of a maze, kept up to date as walls become known. The border is closed from the beginning.
@@ -38,7 +38,8 @@ class WallContexts {
   explicit WallContexts(Size size);
 
   int of(Wall wall) const { return contexts_[index(wall)]; }
-  /// Tells a wall's neighbours what it is; once for each wall. Calls changed(Wall) for each inner one.
+  /// Adds the state of a wall to its neighbours' contexts; once for each wall. Calls changed(Wall) for each inner
+  /// neighbour.
   template <class Changed>
   void learn(Wall wall, bool open, Changed changed) {
     const std::array<Wall, 8> neighbours = neighbours_of(wall);

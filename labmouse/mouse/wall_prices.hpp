@@ -1,5 +1,5 @@
-// What it would cost to go through each wall: nothing where it is open, everything where it is closed, and a strategy's
-// guess where it has not been seen.
+// The price of passing each wall: 0 if it is open, a strategy's guess if it has not been seen; closed walls are
+// impassable.
 #pragma once
 
 #include <cassert>
@@ -33,8 +33,8 @@ class WallPrices {
         static_cast<std::uint8_t>(price);
   }
 
-  /// Prices of the north (east) sides by the cell's index. What lies before the first is closed as far as a search
-  /// looks: north()[index - width] is the south side of any cell, east()[index - 1] its west side.
+  /// Prices of the north (east) sides by the cell's index. The entries before the first are closed, so that a search
+  /// can read the south side of any cell, north()[index - width], and its west side, east()[index - 1].
   const std::uint8_t* north() const { return north_.data() + size_.width; }
   const std::uint8_t* east() const { return east_.data() + 1; }
 

@@ -1,4 +1,4 @@
-// How likely a wall is that has not been seen: counted in mazes, by what is known of its surroundings.
+// The probability of unseen walls, counted in mazes by what is known of their surroundings.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 
 namespace labmouse {
 
-/// So many numbers does rim_context give.
+/// Number of values of rim_context.
 inline constexpr int rim_contexts = 24;
 
-/// What crossing an unseen wall is worth avoiding: its reluctance, -ln(1 - P(closed)) in 1/32, 0 to 255. Integers that
-/// a table gives, so that no mathematical library decides what a mouse does. `labmouse learn` makes them.
+/// The reluctance to cross an unseen wall, -ln(1 - P(closed)) in 1/32, 0 to 255. Integers from a table, so that
+/// decisions do not depend on a mathematical library. `labmouse learn` makes them.
 struct WallPrior {
   /// Of any wall, by its context.
   std::array<std::uint8_t, wall_contexts> walls;

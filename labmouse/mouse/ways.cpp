@@ -16,8 +16,8 @@ Action hopeful_step(const SearchField& field, const Knowledge& knowledge, const 
   if (step.kind != Action::Kind::step || step.movement == 0) return step;
   const Heading direction = after_search(place, step).pose.heading;
   if (knowledge.open().contains(wall_at(place.pose.cell, direction))) return step;
-  // Of a mouse that reads well only the wall behind it, at rest, can be unknown: the other three were just read. One
-  // that is not sure stops, and looks that way.
+  // If readings are certain, only the wall behind a mouse at rest can be unknown: the other three were just read. If
+  // they are not, the mouse stops and looks that way.
   return step.rotation == 180 || (place.at_rest && step.rotation == 0) ? Action::step(90, 0)
                                                                        : Action::step(step.rotation, 0);
 }

@@ -1,4 +1,4 @@
-// Ways of an exploring mouse, in each world: how it gets to some cells, step by step.
+// Steps of a searching mouse towards some cells, in each world.
 #pragma once
 
 #include "labmouse/mouse/briefing.hpp"
@@ -13,12 +13,12 @@ class StrideWays {
  public:
   explicit StrideWays(const Briefing& briefing) : field_(briefing.size, briefing.motion) {}
 
-  /// A step to some cells over what may be open: as far as that is known, or a look at what is not.
+  /// A step to some cells over walls that may be open: as far as these are known, or a turn to look at an unknown one.
   Action step_towards(const CellSet& cells, const Knowledge& knowledge, const Pose& pose) {
     field_.fill(knowledge.possible(), cells);
     return optimistic_step(field_, knowledge, pose);
   }
-  /// A step to the nearest of some cells from which something is to be seen: over what is known.
+  /// A step to the nearest of some cells over known passages, in order to look from there.
   Action step_to_look(const CellSet& cells, const Knowledge& knowledge, const Pose& pose) {
     field_.fill(knowledge.open(), cells);
     return step_along(field_, knowledge.open(), pose);
@@ -33,18 +33,18 @@ class SearchWays {
  public:
   explicit SearchWays(const Briefing& briefing);
 
-  /// A step to some cells over what may be open, also to look from there: readings show little, so that a way through
-  /// unseen walls shows more than one round them, and it is shorter.
+  /// A step to some cells over walls that may be open, also to look from there. Readings show little here, so a way
+  /// through unseen walls shows more than one round them, and it is shorter.
   Action step_towards(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place);
 
  private:
   SearchField& field_;
 };
 
-/// A step along a field over what may be open: as far as it is known, or a look at what is not.
+/// A step along a field over walls that may be open: as far as these are known, or a turn to look at an unknown one.
 Action hopeful_step(const SearchField& field, const Knowledge& knowledge, const SearchPlace& place);
 
-/// The cells that look along a corridor of open walls at one of the walls.
+/// The cells from which one of the walls can be seen, along a corridor of open walls.
 CellSet viewpoints_of(const WallSet& walls, const Knowledge& knowledge, int sight);
 
 }  // namespace labmouse

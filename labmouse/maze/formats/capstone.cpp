@@ -14,7 +14,7 @@ using namespace formats;
 
 constexpr std::size_t most_lines_of_capstone = 1 + max_side;
 
-// A line of one number, or of several with commas: then the size is missing, and the reader says so.
+// The first line is one number. Several with commas are accepted, too, so that the reader can report the missing size.
 bool is_capstone(std::string_view content) {
   const std::string_view line = first_line(content);
   return has_only_numbers(line) &&

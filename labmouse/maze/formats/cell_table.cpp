@@ -7,7 +7,7 @@
 namespace labmouse::formats {
 namespace {
 
-// The sides of all cells, each as its own statement has them.
+// The open sides of each cell, as the file states them for that cell.
 using SideTable = std::array<Sides, max_side * max_side>;
 
 std::string contradiction(Cell cell, Heading side) {

@@ -1,7 +1,7 @@
-// What the formats share that describe each cell by its four sides: capstone, num and maz.
+// Code shared by the formats that describe each cell by its four sides: capstone, num and maz.
 //
-// They state every inner wall twice, once from either cell, so they can contradict themselves; and they have no place
-// for a start or a goal, so both are the default.
+// They state every inner wall twice, once for each of its cells, so a file can contradict itself. They cannot store a
+// start or a goal, so both are the default.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ inline constexpr Sides all_sides = 15;
 
 constexpr bool has_side(Sides sides, Heading side) { return (sides >> static_cast<unsigned>(side) & 1U) != 0; }
 
-/// What a file says of one cell, and where it says it.
+/// The sides of one cell as a file states them, and their place in the file.
 struct CellStatement {
   Cell cell;
   Sides open = 0;
@@ -25,14 +25,14 @@ struct CellStatement {
   int column = 0;
 };
 
-/// The maze of the statements, one for each cell of that size; or all open sides that lie on the border or whose
-/// neighbour says otherwise, in the order of the statements.
+/// Builds the maze from one statement for each cell of that size. Fails with each open side that lies on the border or
+/// that is closed by the neighbour's statement, in the order of the statements.
 ReadResult maze_of(Size size, std::span<const CellStatement> statements);
 
 /// The open sides of a cell.
 Sides open_sides(const Maze& maze, Cell cell);
 
-/// Why a format without marks cannot hold the maze: its start or its goals are not the default. Empty when it can.
+/// Why a format without start and goal cannot store the maze: one of them is not the default. Empty if it can.
 std::string refused_marks(const Maze& maze);
 
 }  // namespace labmouse::formats

@@ -1,10 +1,10 @@
-// The drawing that the micromouse world shares: posts `o` or `+`, walls `---` and `|`, start `S`, goals `G`.
+// The text drawing common among micromouse builders: posts `o` or `+`, walls `---` and `|`, start `S`, goals `G`.
 //
 //     o---o---o   line 1: the north sides of the row y = 1
 //     |     G |   line 2: its cells, each with the wall west of it
 //     o   o---o   line 3: the north sides of the row y = 0
 //     | S     |
-//     o---o---o   last line: the south sides of the row y = 0, under their one name the north sides of y = -1
+//     o---o---o   last line: the south sides of the row y = 0, stored as the north sides of y = -1
 #include "labmouse/maze/formats/drawing_reader.hpp"
 #include "labmouse/maze/formats/format.hpp"
 #include "labmouse/maze/formats/problem_list.hpp"
@@ -20,8 +20,8 @@ bool is_drawing(std::string_view content) {
   return !line.empty() && is_post(line.front()) && line.find_first_not_of("o+- ") == std::string_view::npos;
 }
 
-// Which marks are drawn. A cell has room for one letter, so where the start is a goal one of the two is left out and
-// must be the one that a reader puts there anyway.
+// Which marks are drawn. A cell has room for one letter. If the start is a goal, one mark is left out; it must be one
+// that a reader sets by default.
 struct Marks {
   bool start = true;
   bool goals = true;

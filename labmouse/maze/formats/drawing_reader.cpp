@@ -10,7 +10,7 @@ constexpr std::size_t most_lines_of_drawing = 2 * max_side + 1;
 
 constexpr std::size_t text_width(Size size) { return 4 * static_cast<std::size_t>(size.width) + 1; }
 
-// The size that the lines have, with a problem for each side that is none.
+// The size of the drawing; adds a problem for an invalid width or height.
 Size size_of(const std::vector<Line>& lines, ProblemList& problems) {
   const std::size_t width = lines.front().text.size();
   if (width % 4 != 1 || width < 5 || width > text_width({max_side, max_side}))
@@ -60,7 +60,7 @@ class DrawingReader {
     }
   }
 
-  // Three characters that are all `-` or all blank; otherwise the first that breaks the row is the wrong one.
+  // A wall is three characters, all `-` or all blank. The first one that differs is reported.
   void read_wall(const Line& line, int column, Wall wall) {
     const char first = letter(line, column);
     int wrong = column;

@@ -1,4 +1,4 @@
-// The reading half of the drawing format; drawing.cpp has the picture and the writing half.
+// Reader of the drawing format. drawing.cpp explains the format and has the writer.
 #pragma once
 
 #include <string_view>

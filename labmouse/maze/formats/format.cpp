@@ -8,8 +8,8 @@
 namespace labmouse {
 namespace {
 
-// No content is recognised by two of them: the text formats differ in their first line, and a maz file has no character
-// that could stand there.
+// No content matches two of them: the text formats differ in their first line, and the bytes of a maz file cannot occur
+// in text.
 constexpr std::array<const Format*, 4> formats_in_order = {&drawing_format, &capstone_format, &num_format, &maz_format};
 
 }  // namespace

@@ -22,7 +22,7 @@ struct WriteResult {
 struct Format {
   std::string_view name;
   std::string_view summary;
-  /// Whether content is of this format, judged by a look that never fails and may be wrong only on broken content.
+  /// Whether content seems to be of this format. Never fails, and can be wrong only for malformed content.
   bool (*recognises)(std::string_view content);
   ReadResult (*read)(std::string_view content);
   WriteResult (*write)(const Maze& maze);
@@ -33,12 +33,12 @@ extern const Format drawing_format;
 extern const Format num_format;
 extern const Format maz_format;
 
-/// All formats, in the order in which they are asked whether they recognise a file.
+/// All formats, in the order in which they are tried.
 std::span<const Format* const> all_formats();
 /// The format of that name, or null.
 const Format* find_format(std::string_view name);
 
-/// Reads a maze in whatever format its content shows. Never throws, whatever the content.
+/// Recognises the format of the content and reads the maze. Never throws.
 ReadResult read_maze(std::string_view content);
 
 }  // namespace labmouse

@@ -15,17 +15,17 @@ using namespace formats;
 constexpr std::size_t most_lines_of_num = max_side * max_side;
 constexpr std::size_t words_in_line = 6;
 
-// A line of several numbers without commas. Whether there are six, and whether they fit, is for the reader to say.
+// A line of several numbers without commas. The reader checks their count and values.
 bool is_num(std::string_view content) {
   const std::string_view line = first_line(content);
   return has_only_numbers(line) && line.find(',') == std::string_view::npos &&
          words_between_blanks(line, 2).size() == 2;
 }
 
-// What the lines say so far.
+// The lines read so far.
 struct Table {
   std::vector<CellStatement> statements;
-  std::array<int, max_side * max_side> line_of{};  // by cell of a maze of the largest size; 0: not yet
+  std::array<int, max_side * max_side> line_of{};  // by cell, indexed as in the largest maze; 0: not read yet
   Size size;
   ProblemList problems;
 
@@ -88,13 +88,13 @@ void find_missing(Table& table) {
 }
 
 ReadResult read_num(std::string_view content) {
-  // One line too many is a problem of its own accord: some cell is there twice.
+  // One line more than the most cells is detected later: some cell occurs twice.
   const auto lines = lines_of(content, most_lines_of_num + 1);
   if (lines.empty()) return failure(0, 0, "the file is empty");
   Table table;
   for (const Line& line : lines)
     if (!table.problems.full()) read_line(table, line);
-  // A line that could not be read leaves a gap, which is no news.
+  // An unreadable line leaves a gap, so missing cells are reported only if all lines were read.
   if (table.problems.empty()) find_missing(table);
   if (!table.problems.empty()) return table.problems.failure();
   return maze_of(table.size, table.statements);

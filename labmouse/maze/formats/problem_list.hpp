@@ -1,4 +1,4 @@
-// What readers collect and how they word it.
+// The problems that readers find, and their wording.
 #pragma once
 
 #include <string>
@@ -17,19 +17,19 @@ class ProblemList {
     if (!full()) problems_.push_back({line, column, std::move(reason)});
   }
   bool empty() const { return problems_.empty(); }
-  /// A reader may stop here: nothing more will be listed.
+  /// Whether no more problems are listed; a reader may stop then.
   bool full() const { return problems_.size() >= most_problems; }
 
   const std::vector<Problem>& all() const { return problems_; }
 
-  /// The result of a reading that failed; the list must not be empty.
+  /// The result of failed reading; the list must not be empty.
   ReadResult failure() const { return {std::nullopt, problems_}; }
 
  private:
   std::vector<Problem> problems_;
 };
 
-/// The result of a reading that failed for a single reason.
+/// The result of reading that failed for a single reason.
 ReadResult failure(int line, int column, std::string reason);
 
 /// A cell as reasons name it: "(3,4)".

@@ -1,4 +1,4 @@
-// What reading a maze file comes to: a maze, or what is wrong and where.
+// The result of reading a maze file: a maze, or a list of problems.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace labmouse {
 
-/// What is wrong with an input, and where: line and column count from 1; 0 where the input as a whole is meant.
-/// In a binary file the line is 0 and the column the byte's position counted from 1.
+/// What is wrong with an input, and where. Line and column count from 1; both are 0 for the input as a whole. In a
+/// binary file the line is 0, and the column is the position of the byte, from 1.
 struct Problem {
   int line = 0;
   int column = 0;
@@ -19,7 +19,7 @@ struct Problem {
   friend bool operator==(const Problem&, const Problem&) = default;
 };
 
-/// At most so many problems of one input are listed.
+/// The most problems that are listed for one input.
 inline constexpr std::size_t most_problems = 10;
 
 /// A maze, or what is wrong with its file: exactly one of the two is there.

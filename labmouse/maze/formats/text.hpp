@@ -13,8 +13,8 @@ namespace labmouse::formats {
 
 inline constexpr std::string_view blanks = " \t";
 
-/// One line without its end and without the blanks before that. The number counts from 1, and so do columns, in bytes;
-/// a byte order mark has none.
+/// One line without its line end and trailing blanks. Its number counts from 1, and so do columns, in bytes; a byte
+/// order mark is not counted.
 struct Line {
   int number = 0;
   std::string_view text;
@@ -35,8 +35,8 @@ bool is_blank(std::string_view content);
 /// The first line; empty when there is none.
 std::string_view first_line(std::string_view content);
 
-/// The lines up to the last that is not blank, but no more than `most`, so that a reader that asks for one more than
-/// its format allows sees that there are too many, and no input makes it hold more.
+/// The lines up to the last that is not blank, but at most `most`. A reader that asks for one more than its format
+/// allows detects excess lines, and never stores more.
 std::vector<Line> lines_of(std::string_view content, std::size_t most);
 
 /// Whether a line has digits, and nothing else but signs, commas and blanks.
@@ -48,7 +48,7 @@ std::vector<Word> words_between_blanks(std::string_view text, std::size_t most);
 /// The pieces between commas, without the blanks around them, possibly empty; but no more than `most`.
 std::vector<Word> words_between_commas(std::string_view text, std::size_t most);
 
-/// The number that the digits give, or nothing when it is none or not from `least` to `most` (0 <= least).
+/// The number that the digits give; nothing if it is none, or not from `least` to `most` (0 <= least).
 std::optional<int> number_of(std::string_view digits, int least, int most);
 
 }  // namespace labmouse::formats

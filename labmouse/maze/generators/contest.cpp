@@ -1,17 +1,16 @@
-// Contest mazes: to the official rules (labmouse/maze/contest_rules.hpp), which know 16×16 and 32×32; other even sides
-// give mazes that keep all of those rules but the size.
+// Contest mazes by the official rules (labmouse/maze/contest_rules.hpp), which are for 16×16 and 32×32. Mazes of other
+// even sides keep all of those rules except the size.
 //
-// Method: grow walls (labmouse/maze/generators/wall_growth.hpp) from the border, the closed goal room, the wall beside
-// the start and some islands. By construction then every cell is connected, every post but the goal's middle has a
-// wall, the start has three, and the walls of the goal room never touch those of the border, so that no wall follower
-// comes to them. Last, the goal room gets its entrance where the way is long: the mouse that runs straight to the
-// centre stands before a closed wall; and pieces of wall are moved until the way is as long as the dice asked for, two
-// to five sides of the maze, or no longer. Loops open walls wherever the rules allow. Why it always ends: should no
-// entrance have several routes, a second growth lets no wall start at the goal room. The twelve cells around the room
-// then form a ring; the ways from the start come to it in at most one of the eight cells before a possible entrance, or
-// else in several, and two ways lead around to each of the other cells. Source: our own. Lengths of way (median 61
-// cells at 16x16), loops (10) and straights (93) are near those of 260 real contest mazes (54, 13 and 106); dead ends
-// are more (39 against 27). Measured in 2026 over 1,000 seeds.
+// Method: walls grow (labmouse/maze/generators/wall_growth.hpp) from the border, the closed goal room, the wall beside
+// the start and some islands. By construction every cell is then connected, every post but the goal's middle has a
+// wall, and the start has three. The walls of the goal room never touch those of the border, so no wall follower
+// reaches them. Then the goal room gets its entrance where the route is long: a mouse that runs straight to the centre
+// meets a closed wall. Pieces of wall are moved until the route has at least a random length of two to five sides of
+// the maze, or the trials are over. Last, loops open walls wherever the rules allow. It always ends: if no entrance has
+// several routes, the walls grow again, and none may start at the goal room. The twelve cells around the room then form
+// a ring. The routes from the start reach it in at most one of the eight cells before a possible entrance, or in
+// several; two routes lead around to each of the other cells. Source: our own. In brackets, 260 real contest mazes of
+// 16x16: median route 61 cells (54), 10 loops (13), 93 straights (106), 39 dead ends (27); 1,000 seeds, 2026.
 #include <cassert>
 #include <optional>
 
@@ -23,10 +22,10 @@
 namespace labmouse {
 namespace {
 
-// Entrances that are compared before the one with the longest way is taken: always the longest would be no surprise.
+// Random entrances that are compared; the one with the longest route is taken. Comparing all would be too predictable.
 constexpr int compared_entrances = 4;
 
-// Below it the goal room and its surroundings leave too little maze to choose a way in.
+// In a smaller maze the goal room and its surroundings leave too few cells for routes.
 constexpr int least_side = 12;
 
 // Its posts, one more than its cells, have to fit into a row of bits.
@@ -43,7 +42,7 @@ std::string_view refuses(const GeneratorOrder& order) {
          "of maze";
 }
 
-// The walls around the goal room, each on its goal cell's side.
+// The walls around the goal room, each named from its goal cell.
 std::vector<Wall> walls_around(const CellSet& goals) {
   std::vector<Wall> walls;
   goals.for_each([&](Cell cell) {
@@ -98,7 +97,7 @@ Maze make_contest(const GeneratorOrder& order) {
   Dice dice(order.seed);
   MazeDraft draft = grown_walls(order.size, GoalRoom::may_have_arms, dice);
   if (!open_entrance(draft, dice)) {
-    // Not seen in 6,000 mazes, but possible: an arm may wind around the whole goal room.
+    // Possible, but not seen in 6,000 mazes: a wall from the goal room may wind around all of it.
     draft = grown_walls(order.size, GoalRoom::bare, dice);
     [[maybe_unused]] const bool opened = open_entrance(draft, dice);
     assert(opened);

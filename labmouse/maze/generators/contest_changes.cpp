@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-// Enough for most mazes to get the length they were asked for, and a few milliseconds.
+// Most mazes reach the requested length with these; they take a few milliseconds.
 constexpr int trials = 150;
 
 struct Ends {
@@ -25,7 +25,7 @@ Ends ends_of(Wall wall) {
   return {first, neighbour(first, wall.side == Heading::north ? Heading::east : Heading::north)};
 }
 
-// The walls that stand at a post, those of the border among them.
+// The closed walls at a post, including those of the border.
 std::vector<Wall> walls_at(const MazeDraft& draft, Post post) {
   std::vector<Wall> walls;
   for (const Heading heading : all_headings)
@@ -47,7 +47,8 @@ Wall wall_between(Cell a, Cell b) {
   return {};
 }
 
-// Closes a passage of the way, and opens a wall at one of its posts instead; nothing where that cannot be.
+// Closes a passage of the route, and opens a wall at one of its posts instead; nothing if the drawn ones do not allow
+// it.
 std::optional<MazeDraft> with_a_piece_moved(const MazeDraft& draft, const std::vector<Cell>& way, Dice& dice) {
   const auto step = static_cast<std::size_t>(dice.below(static_cast<int>(way.size()) - 1));
   const Wall passage = wall_between(way[step], way[step + 1]);

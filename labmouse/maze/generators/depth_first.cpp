@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-// One of the headings that lead to a cell not visited yet, by lot.
+// A random heading among those that lead to an unvisited cell.
 std::optional<Heading> way_on(Size size, const CellSet& visited, Cell cell, Dice& dice) {
   std::vector<Heading> ways;
   for (const Heading heading : all_headings)

@@ -12,7 +12,7 @@ struct Room {
   Size size;
 };
 
-// Parts the room by an upright wall east of one of its columns, with a gap in one row.
+// Divides the room by a north-south wall east of one of its columns, with a gap in one row.
 void part_upright(MazeDraft& draft, Room room, std::vector<Room>& rooms, Dice& dice) {
   const int west = 1 + dice.below(room.size.width - 1);
   const int gap = dice.below(room.size.height);
@@ -22,7 +22,7 @@ void part_upright(MazeDraft& draft, Room room, std::vector<Room>& rooms, Dice& d
   rooms.push_back({{room.corner.x + west, room.corner.y}, {room.size.width - west, room.size.height}});
 }
 
-// Parts the room by a level wall north of one of its rows, with a gap in one column.
+// Divides the room by an east-west wall north of one of its rows, with a gap in one column.
 void part_level(MazeDraft& draft, Room room, std::vector<Room>& rooms, Dice& dice) {
   const int south = 1 + dice.below(room.size.height - 1);
   const int gap = dice.below(room.size.width);

@@ -1,6 +1,6 @@
-// Makers of mazes: seeded, the same bits on every compiler.
+// Maze generators: seeded, with the same result on every platform.
 //
-// depth-first, prim, kruskal, wilson and division make perfect mazes: one way between any two cells, so that width ×
+// depth-first, prim, kruskal, wilson and division make perfect mazes: one route between any two cells, so that width ×
 // height - 1 walls are open. They differ in texture, from long winding corridors (depth-first) to many short dead ends
 // (prim); wilson makes every perfect maze equally likely. `loops` then opens more walls; a larger share opens the same
 // walls as a smaller one and some more.
@@ -15,7 +15,7 @@
 
 namespace labmouse {
 
-/// What a generator is asked for.
+/// The parameters of a generated maze.
 struct GeneratorOrder {
   Size size{16, 16};
   std::uint64_t seed = 1;
@@ -23,7 +23,7 @@ struct GeneratorOrder {
   int loops = 0;
 };
 
-/// One way to make mazes; each is defined in a file of its own.
+/// A generator; each is defined in a file of its own.
 struct Generator {
   std::string_view name;
   std::string_view summary;
@@ -41,7 +41,7 @@ extern const Generator division_generator;
 extern const Generator empty_generator;
 extern const Generator contest_generator;
 
-/// What every generator refuses: a size or a share of loops that is out of range.
+/// Why the size or the share of loops is out of range, which every generator refuses; empty if they are valid.
 std::string_view refuses_out_of_range(const GeneratorOrder& order);
 
 /// All generators, in the order of the list above.

@@ -1,14 +1,15 @@
-// Kruskal: take all walls by lot, and open each that still separates two parts. An even texture of short dead ends.
+// Kruskal: take all walls in random order, and open each that still separates two parts. An even texture of short dead
+// ends.
 //
 // Source: Kruskal, "On the shortest spanning subtree of a graph and the traveling salesman problem" (Proceedings of the
-// American Mathematical Society, 1956), with lots in the place of lengths; parts by Galler and Fischer's forests
+// American Mathematical Society, 1956), with a random order in place of lengths; union-find after Galler and Fischer
 // (1964).
 #include "labmouse/maze/generators/loops.hpp"
 
 namespace labmouse {
 namespace {
 
-// Which cells are connected: each part is a tree that is named by its root.
+// Union-find over cells: each part is a tree that is named by its root.
 class Parts {
  public:
   explicit Parts(Size size) : size_(size) {
@@ -26,7 +27,7 @@ class Parts {
  private:
   int& parent(int index) { return parent_[static_cast<std::size_t>(index)]; }
 
-  // Halves the path on its way, which keeps the trees flat.
+  // Path halving keeps the trees flat.
   int root(int index) {
     while (parent(index) != index) {
       parent(index) = parent(parent(index));

@@ -1,4 +1,4 @@
-// Drawing lots, and opening walls by lot, which gives a perfect maze its loops.
+// Random draws, and opening of random walls, which gives a perfect maze its loops.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// Takes one member, each with the same chance, out of the lots, which must not be empty.
+/// Removes and returns a random member of the lots, which must not be empty.
 template <class T>
 T draw(std::vector<T>& lots, Dice& dice) {
   std::swap(lots[static_cast<std::size_t>(dice.below(static_cast<int>(lots.size())))], lots.back());
@@ -18,16 +18,16 @@ T draw(std::vector<T>& lots, Dice& dice) {
   return drawn;
 }
 
-/// The walls of a set as lots.
+/// The walls of a set as a vector to draw from.
 inline std::vector<Wall> lots_of(const WallSet& walls) {
   std::vector<Wall> lots;
   walls.for_each([&](Wall wall) { lots.push_back(wall); });
   return lots;
 }
 
-/// Opens the ordered share of the inner walls that still stand, rounded to the nearest number, drawn one by one; a wall
-/// is passed over unless may_open(draft, wall). The dice depend on the order's seed alone, so that a larger share opens
-/// the same walls and more.
+/// Opens a share (order.loops) of the inner walls that still stand, rounded to the nearest number, in random order.
+/// Skips walls for which may_open(draft, wall) is false. The random numbers depend on the order's seed alone, so a
+/// larger share opens the same walls and more.
 template <class MayOpen>
 void open_loops(MazeDraft& draft, const GeneratorOrder& order, MayOpen may_open) {
   Dice dice(seed_for(order.seed, "loops"));

@@ -1,14 +1,14 @@
-// Prim: grow the maze from the start; of all walls between it and the rest open one, by lot, until no cell is left.
-// Many short dead ends, and short ways outwards from the start.
+// Prim: grow the maze from the start; open a random wall between it and the rest, until no cell is left. Many short
+// dead ends, and short routes outwards from the start.
 //
 // Source: Prim, "Shortest connection networks and some generalizations" (Bell System Technical Journal, 1957), with
-// lots in the place of lengths.
+// random choices in place of lengths.
 #include "labmouse/maze/generators/loops.hpp"
 
 namespace labmouse {
 namespace {
 
-// A way out of the grown part, into a neighbour that may have joined meanwhile.
+// A step out of the grown part; the neighbour may have been added meanwhile.
 struct Way {
   Cell from;
   Heading heading;

@@ -7,7 +7,7 @@
 namespace labmouse {
 namespace {
 
-// How the walls of contest mazes look was matched by eye and by the counts of dead ends, turns and straights.
+// Tuned by eye, and by the counts of dead ends, turns and straights, to resemble contest mazes.
 constexpr int cells_of_a_patch = 24;
 constexpr int longest_wall = 14;
 constexpr int obedience = 88;     // per cent of pieces that follow the grain where they can
@@ -71,8 +71,8 @@ Grain WallGrowth::grain_at(Post post) const {
   return std::min_element(patches_.begin(), patches_.end(), nearer)->grain;
 }
 
-// The heading of the next piece of a wall, by lot among the free ones: those along the grain, mostly. `last` is the
-// heading of the piece before, if there is one.
+// A random free heading for the next piece of a wall, mostly along the grain. `last` is the heading of the piece
+// before, if there is one.
 Heading WallGrowth::choose(Post tip, std::optional<Heading> last, std::vector<Heading> free) {
   const Grain grain = grain_at(tip);
   std::vector<Heading> along;
@@ -112,7 +112,7 @@ void WallGrowth::plant_islands(int count) {
   }
 }
 
-// Mostly from the newest post: few branches, and so few dead ends between them.
+// Mostly grows from the newest post: this makes few branches, and so few dead ends between them.
 void WallGrowth::fill() {
   while (!roots_.empty()) {
     if (!dice_.chance(newest_first, 100))

@@ -1,9 +1,9 @@
 // Wall growth: a maze made from its walls instead of its corridors.
 //
-// Method: walls grow from posts that stand to posts that are free, and never to one that stands already. So every post
-// ends with a wall, and no wall ever closes a ring: all cells stay connected. Walls that hang on the border are one
-// body; each island of walls apart from it is a loop of the maze. Which way a wall grows follows the grain of its
-// patch of the maze, rows, columns or stairs, so that neighbouring walls run side by side: long straights and zigzags.
+// Method: walls grow from posts that have a wall to free posts, never to another one that has a wall. So every post
+// ends with a wall, and no wall closes a ring: all cells stay connected. Each island of walls that is not connected to
+// the border adds a loop to the maze. Walls grow along the grain of their patch of the maze, rows, columns or stairs,
+// so that neighbouring walls run side by side: long straights and zigzags.
 // Limits: sides of at most 63 cells.
 // Source: the wall-extending method (kabe-nobashi) of Japanese maze programming, folklore of the 1980s; the grain is
 // our own.
@@ -18,23 +18,23 @@
 
 namespace labmouse {
 
-/// The way in which walls prefer to grow: along rows, along columns, or in stairs (north and east take turns, or south
-/// and west: rising; north and west, or south and east: falling).
+/// The direction in which walls prefer to grow: along rows, along columns, or in stairs (north and east take turns, or
+/// south and west: rising; north and west, or south and east: falling).
 enum class Grain : std::uint8_t { row, column, rising_stairs, falling_stairs };
 
-/// Grows walls in a draft. Posts of the border and posts with a wall stand from the beginning.
+/// Grows walls in a draft. Posts of the border and posts with a wall count as standing from the beginning.
 class WallGrowth {
  public:
-  /// Draft and dice must outlive the growth. No wall starts at or comes to a barren post.
+  /// Draft and dice must outlive it. Walls neither start at a barren post nor reach it.
   WallGrowth(MazeDraft& draft, Dice& dice, const CellSet& barren);
 
-  /// Plants up to `count` islands: a wall of at least one piece at a free post among free posts, each.
+  /// Adds up to `count` islands: each is a wall of at least one piece from a free post with four free neighbours.
   void plant_islands(int count);
   /// Grows walls until no free post next to a standing one is left.
   void fill();
 
  private:
-  // The posts nearest to a centre share their grain.
+  // The posts nearest to the centre have this grain.
   struct Patch {
     Post centre;
     Grain grain;

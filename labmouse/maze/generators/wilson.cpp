@@ -8,7 +8,7 @@
 namespace labmouse {
 namespace {
 
-// The heading in which the walk last left each cell. Walking again from a cell forgets the loop in between.
+// The heading in which the walk last left each cell. Overwriting it when the walk returns erases the loop.
 class Walk {
  public:
   explicit Walk(Size size) : size_(size), left_by_(static_cast<std::size_t>(size.area()), Heading::north) {}

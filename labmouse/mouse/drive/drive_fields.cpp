@@ -8,7 +8,7 @@
 namespace labmouse {
 namespace {
 
-/// Ways and runs lie behind what the routes keep, where the routes themselves are written anew by each fill.
+/// Ways and runs lie behind what the routes keep, in memory that each fill of the routes overwrites.
 std::size_t bytes_with_ways(Size size, const RouteTables& tables) {
   return std::max(tables.bytes_for(size), tables.kept_bytes_for(size) + SearchField::bytes_for(size));
 }

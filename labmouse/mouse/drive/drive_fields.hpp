@@ -12,23 +12,23 @@
 
 namespace labmouse {
 
-/// One field for routes of runs, one for ways of a search and one for what runs cost about, which all parts of a
-/// strategy use in turn: whoever needs one fills it first, and reads it before another is filled, which may take its
-/// place. They lie in one piece of memory, whose size follows from the maze and the robot; nothing else is allocated,
-/// ever.
+/// The fields of a strategy in seconds: one for routes of runs, one for ways of a search, and one for approximate costs
+/// of runs. All parts of a strategy use them in turn. Fill a field and read it before another is filled, which may
+/// overwrite it. They lie in one block of memory, whose size follows from the maze and the robot; nothing else is ever
+/// allocated.
 class DriveFields {
  public:
   /// In memory that must outlive them: bytes_for(size, model), beginning at a multiple of FastestRoutes::alignment.
   DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory);
-  /// In memory of their own, of which they take more and are faster.
+  /// In their own memory: they take more of it, and are faster.
   static DriveFields in_own_memory(Size size, const DriveModel& model);
   static std::size_t bytes_for(Size size, const DriveModel& model);
-  /// What these bytes are spent on; ways and runs, as far as they do not lie in the place of others.
+  /// The parts of these bytes; ways and runs count only what does not overlap with others.
   static MemoryLayout layout(Size size, const DriveModel& model);
 
   FastestRoutes& routes() { return routes_; }
   SearchField& ways() { return ways_; }
-  /// For ways that lead home. In memory of their own another field than ways(), so that both have little to repair.
+  /// The field for ways home. In their own memory it is another one than ways(), so that both have little to repair.
   SearchField& home() { return home_ ? *home_ : ways_; }
   /// Not for mazes of more than RunCosts::largest_area.
   RunCosts& runs() { return *runs_; }
@@ -38,7 +38,7 @@ class DriveFields {
   using Memory = std::unique_ptr<std::byte[]>;
   DriveFields(Size size, const Tables& tables, SearchField ways, std::byte* memory);
 
-  Memory own_;  ///< where it is their own
+  Memory own_;  ///< null if the memory is the caller's
   FastestRoutes routes_;
   SearchField ways_;
   std::optional<SearchField> home_;

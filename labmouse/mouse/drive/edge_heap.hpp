@@ -1,4 +1,4 @@
-// The edges of a maze that wait, by time.
+// A priority queue of edges of a maze, by time.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace labmouse {
 
-/// A heap of edges, each of which is in it at most once and knows its place, so that it can be moved forward:
-/// Dijkstra's search needs no more room than one place an edge.
+/// A heap of edges. Each is in it at most once, and its place is stored, so that it can be moved forward: Dijkstra's
+/// search needs no more room than one place an edge.
 class EdgeHeap {
  public:
   static constexpr std::uint16_t nowhere = 0xffff;
 
   EdgeHeap() = default;
-  /// Over two arrays with room for all edges, and the times by which they wait, which others write.
+  /// Uses two arrays with room for all edges, and the times that order them, which the caller writes.
   EdgeHeap(std::uint16_t* heap, std::uint16_t* places, const DriveTime* times)
       : heap_(heap), places_(places), times_(times) {}
 
@@ -26,7 +26,7 @@ class EdgeHeap {
   }
   bool empty() const { return size_ == 0; }
   bool contains(std::size_t edge) const { return places_[edge] != nowhere; }
-  /// Puts an edge in whose time has become less, or moves it forward.
+  /// Inserts an edge, or moves it forward after its time has decreased.
   void reach(std::size_t edge) {
     std::size_t place = places_[edge];
     if (place == nowhere) place = size_++;
@@ -35,14 +35,14 @@ class EdgeHeap {
     put(edge, place);
   }
   std::size_t first() const { return heap_[0]; }
-  /// Takes out the first one.
+  /// Removes and returns the first one.
   std::size_t take() {
     const std::size_t first = heap_[0], last = heap_[--size_];
     places_[first] = nowhere;
     if (size_ > 0) put_off(last, 0);
     return first;
   }
-  /// Takes an edge out, if it waits.
+  /// Removes an edge, if it is queued.
   void remove(std::size_t edge) {
     const std::size_t place = places_[edge];
     if (place == nowhere) return;
@@ -54,7 +54,7 @@ class EdgeHeap {
   }
 
  private:
-  /// Puts an edge in a place that is free, or moves it back from there.
+  /// Puts an edge into a free place, or moves it back from there.
   void put_off(std::size_t edge, std::size_t place) {
     for (std::size_t next = 2 * place + 1; next < size_; next = 2 * place + 1) {
       if (next + 1 < size_ && times_[heap_[next + 1]] < times_[heap_[next]]) ++next;

@@ -38,7 +38,7 @@ void pass(const DriveSegment& segment, WallSet& walls) {
   }
   add(from.x, from.y);
   add(from.x + before.x, from.y + before.y);
-  // A half turn goes round the end of a wall, over one more.
+  // A half turn goes around the end of a wall, and passes one more place of a wall.
   if (before.x == -after.x && before.y == -after.y)
     add((from.x + to.x) / 2 + 2 * before.x, (from.y + to.y) / 2 + 2 * before.y);
   add(to.x - after.x, to.y - after.y);
@@ -124,7 +124,7 @@ class FastestRoutes::Search {
     return best;
   }
 
-  /// Goes along a fastest route, of this time: visit(segment) for each of its segments.
+  /// Follows a fastest route that takes this time, and calls visit(segment) for each of its segments.
   template <class Visit>
   void follow(Pose start, DriveTime time, Visit visit) const {
     if (time == 0 || time >= no_time) return;
@@ -146,7 +146,7 @@ class FastestRoutes::Search {
     DriveTime time = 0;
     std::size_t lane = 0;
   };
-  /// A route that is written: where it has come to, and in which lane.
+  /// The state while a route is followed: where it has come to, and in which lane.
   template <class Visit>
   struct Walk {
     Visit& visit;
@@ -159,8 +159,8 @@ class FastestRoutes::Search {
     return point.x % 2 != 0 && point.y % 2 != 0 && goals_.contains({(point.x - 1) / 2, (point.y - 1) / 2});
   }
 
-  /// Calls visit(units, lane, time of the straight, time behind it) for each straight that a route may begin with:
-  /// units up to where a turn begins, in its lane, or one that ends in a goal, with the lane no_lane.
+  /// Calls visit(units, lane, time of the straight, time behind it) for each straight that a route may begin with: up
+  /// to a turn that begins in that lane, or up to a goal, with the lane no_lane.
   template <class Visit>
   void each_start(Pose start, Visit visit) const {
     const int node = number({start.cell, start.heading, Place::centre});
@@ -171,7 +171,7 @@ class FastestRoutes::Search {
     }
   }
 
-  /// Writes the first straight. Whether the route goes on behind it.
+  /// Visits the first straight; returns whether the route goes on behind it.
   template <class Visit>
   bool begin(Pose start, Walk<Visit>& walk) const {
     int chosen = -1;
@@ -201,7 +201,7 @@ class FastestRoutes::Search {
     walk.here.time += time;
   }
 
-  /// Writes a turn that begins here, and goes to its end.
+  /// Visits a turn that begins here, and goes to its end; false if there is none.
   template <class Visit>
   bool turn(Walk<Visit>& walk) const {
     const DriveNode& here = walk.here.node;
@@ -235,7 +235,7 @@ class FastestRoutes::Search {
     walk.here = {there, end, driven.to};
   }
 
-  /// Writes the straight that begins here, of no length perhaps. Whether the route goes on behind it.
+  /// Visits the straight that begins here, perhaps of no length; returns whether the route goes on behind it.
   template <class Visit>
   bool straight(Walk<Visit>& walk) const {
     const bool diagonal = walk.here.node.diagonal();

@@ -1,11 +1,11 @@
 // The search for robots that have one speed at all nodes: one lane along the axes and one on the diagonals.
 //
-// It goes from the goals backwards in time, which is forwards over nodes turned round: turns and their times are the
-// same both ways. A label of a turn is spread along the corridor ahead, several nodes at once; then all nodes that have
-// improved turn from there, and those that this improves wait for their time.
+// It goes from the goals backwards in time, which is forwards over reversed nodes: turns and their times are the same
+// both ways. The label of a turn is spread along the corridor ahead, several nodes at once. Then turns are tried from
+// all nodes that have improved, and the nodes that these improve are queued for their time.
 //
-// With a start it is the search A* (Hart, Nilsson and Raphael 1968): a node waits for its time to the goals and that
-// from the start in the maze without inner walls, which is never more than it takes in any other.
+// With a start it is A* (Hart, Nilsson and Raphael 1968): a node is queued for its time to the goals plus its time from
+// the start in the maze without inner walls, which is a lower bound.
 #include <algorithm>
 
 #include "labmouse/mouse/drive/kept_bounds.hpp"
@@ -16,11 +16,11 @@
 namespace labmouse::drive {
 namespace {
 
-/// Nodes that are looked at together.
+/// Number of nodes that are processed together.
 constexpr int stretch = 2 * width;
 
-/// Times by units, and how much later than a mouse that starts over after k units one that comes through is at least,
-/// at any place further on: the least of t(k + j) - t(j).
+/// Times by units. gain[k] is the least of t(k + j) - t(j): how much longer, at least and at any place further on, it
+/// takes to drive on through k units than to start anew behind them.
 struct Straight {
   DriveTime times[StraightTimes::longest + 1 + stretch]{};
   DriveTime gain[StraightTimes::longest + 1]{};
@@ -135,7 +135,7 @@ class FixedSearch final : public Search {
     waiting_.clear();
   }
 
-  /// Goes on from the nodes that have been spread, until no node waits for a time before `enough`.
+  /// Goes on from the nodes that have been spread, until no node is queued for a time before `enough`.
   template <class Bounds>
   void finish(const DriveTime& enough, const Bounds& bounds) {
     const auto time_of = [&](int node) { return times_[index(node)] + bounds[node]; };
@@ -148,8 +148,8 @@ class FixedSearch final : public Search {
     }
   }
 
-  /// A turn has led to this node: spreads the times of straights of all lengths from here, a stretch at a time, since
-  /// few are longer. What is improved will turn, and so will the node itself.
+  /// A turn leads to this node: spreads the times of straights of all lengths from here, a stretch at a time, since few
+  /// are longer. Turns will be tried from all nodes that this improves, and from the node itself.
   void spread(int node, DriveTime time) {
     const Straight& straight = tables_.straights[static_cast<unsigned>(node / L::plane) & 1U];
     const int run = lattice_.run(node);
@@ -166,18 +166,19 @@ class FixedSearch final : public Search {
         better |= bits_of(improves) << i;
       }
       let_turn(node + k, better & static_cast<unsigned>(turns >> k));
-      // Whoever rolled here before is ahead of this one at all places further on.
+      // The earlier label is better than this one at all places further on.
       if (k + stretch > run || last <= time + straight.gain[k + stretch - 1]) return;
     }
   }
 
-  /// Some of the nodes of a stretch will turn, once each.
+  /// Marks some of the nodes of a stretch: their turns will be tried, once each.
   void let_turn(int node, unsigned nodes) {
     driven_.add(node / L::points, static_cast<Word>(nodes) << node % L::points);
   }
 
-  /// All nodes to which straights have led turn wherever that is earlier than what is known. A mouse that rolls through
-  /// a node before a turn could lead there is ahead of it at all places further on, so one time a node will do.
+  /// Tries the turns of all marked nodes, and keeps them where they are earlier than what is known. One time a node
+  /// suffices: a mouse that rolls through a node before a turn could lead there is ahead of it at all places further
+  /// on.
   template <class Bounds>
   void drive_turns(const Bounds& bounds) {
     turns_.clear();
@@ -200,7 +201,7 @@ class FixedSearch final : public Search {
     for (const int improved : improved_) waiting_.add(improved, times_[index(improved)] + bounds[improved]);
   }
 
-  /// Turns that are listed at once.
+  /// Length of the list of turns.
   static constexpr int chunk = 512;
 
   const FixedTables& tables_;
@@ -209,9 +210,9 @@ class FixedSearch final : public Search {
   KeptBounds<L::nodes>& kept_;
   int start_ = everywhere;
   L lattice_;
-  /// Of a mouse that rolls at a node, turned round, until the end.
+  /// Time to the end of a mouse that rolls through the reversed node.
   DriveTime* times_;
-  Bounds<L::nodes> bounds_;             ///< from the start to a node, turned round, at least
+  Bounds<L::nodes> bounds_;             ///< lower bounds of the times from the start to the reversed node
   Buckets<L::nodes, 4> waiting_;        ///< nodes to which turns have led
   NodeSet<Word, 8 * L::lines> driven_;  ///< nodes to which straights have led
   List<TurnAt, chunk> turns_;

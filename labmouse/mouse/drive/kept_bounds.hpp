@@ -1,4 +1,4 @@
-// The bounds of a few starts, which all searches for routes of a robot share.
+// Storage for the bounds of a few starts (least times from there), shared by all searches for routes of a robot.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace labmouse::drive {
 
-/// May be used by many at once: who finds none works them out and keeps them, which are the same whoever does it.
+/// Several threads may use it at once. A search that finds no bounds computes and keeps them; all compute the same.
 template <int Nodes>
 class KeptBounds {
  public:
-  /// Takes the memory for all that it will keep; without this nothing is kept.
+  /// Allocates the storage; before that nothing is kept.
   void start_keeping() { kept_ = std::make_unique<std::array<Kept, 8>>(); }
 
-  /// Those of a start in a maze of that size, or null.
+  /// The bounds of a start in a maze of that size, or null.
   const Bounds<Nodes>* find(Size size, int start) const {
     if (kept_ == nullptr) return nullptr;
     for (const Kept& kept : *kept_)
@@ -25,7 +25,7 @@ class KeptBounds {
         return &kept.bounds;
     return nullptr;
   }
-  /// Keeps them, where there is room and nobody else is just doing that.
+  /// Keeps them, if there is room and no other thread is just keeping some.
   void keep(Size size, int start, const Bounds<Nodes>& bounds) {
     if (kept_ == nullptr) return;
     for (Kept& kept : *kept_) {

@@ -1,10 +1,10 @@
 // The search for robots of many speeds: a label for each lane in which a turn can end or begin at a node.
 //
-// Otherwise as in fixed_search.cpp, backwards from the goals. A label of a turn is spread along the corridor ahead into
-// all lanes that a turn before it could have ended in, several at a time, and to the nodes where one could.
+// Otherwise as in fixed_search.cpp, backwards from the goals. The label of a turn is spread along the corridor ahead,
+// to all nodes and lanes in which a turn before it could have ended, several lanes at a time.
 //
-// In the open most straights are of no use beyond the next few nodes: whoever comes from farther away had better begin
-// a turn there that is known already. Tables of how much later this one may be tell so exactly (LaneTables::slacks).
+// In the open most straights are of no use beyond the next few nodes: from farther away, another known turn is better.
+// LaneTables::slacks decides this exactly.
 #include <algorithm>
 #include <cassert>
 
@@ -26,8 +26,8 @@ struct BothWays {
   int shift;
 };
 
-/// For so many speeds of each turn. The labels of the nodes of a line lie one behind the other, by slots: whoever reads
-/// or writes the whole vectors of a row meets labels of the nodes about it, and must leave them as they are.
+/// For up to `Speeds` speeds of each turn. The labels of the nodes of a line lie one behind the other, by slots: the
+/// whole vectors of a row overlap with labels of the nodes about it, which must not change.
 template <class Word, unsigned Speeds>
 class LaneSearch final : public Search {
  public:
@@ -79,7 +79,7 @@ class LaneSearch final : public Search {
       std::conditional_t<(Speeds <= 2), std::uint8_t, std::conditional_t<(Speeds <= 4), std::uint16_t, std::uint32_t>>;
   static constexpr unsigned speeds = Speeds;
   static constexpr std::size_t labels = slots_a_speed * Speeds * static_cast<std::size_t>(L::nodes + 1) + width;
-  /// What is listed at once.
+  /// Length of the lists.
   static constexpr int chunk = 96;
 
   static std::size_t index(int node) { return static_cast<std::size_t>(node); }
@@ -90,7 +90,7 @@ class LaneSearch final : public Search {
   /// The first label of a node.
   static std::size_t label(int node) { return slots_a_speed * Speeds * index(node); }
   static unsigned end_slot(int node) { return end_slot_a_speed[kind_of(node)] * Speeds; }
-  /// A node with a slot in one number.
+  /// A node and a slot, packed into one number.
   static std::uint32_t stand(int node, unsigned slot) { return static_cast<std::uint32_t>(node) * 32 + slot; }
   static int node_of(std::uint32_t stand) { return static_cast<int>(stand / 32); }
   static std::size_t label_of(std::uint32_t stand) { return label(node_of(stand)) + stand % 32; }
@@ -115,7 +115,7 @@ class LaneSearch final : public Search {
     }
     return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
   }
-  /// The nodes ahead of this one, up to so many units away, where a turn can begin.
+  /// The nodes ahead of this one, up to `units` away, where a turn can begin.
   Word places_of_turns(int node, int units) const {
     const unsigned beyond = static_cast<unsigned>(L::points - 1 - units) % L::points;
     return (lattice_.any_turn(node) >> node % L::points) & static_cast<Word>(~Word{0}) >> beyond;
@@ -146,7 +146,7 @@ class LaneSearch final : public Search {
     waiting_.clear();
   }
 
-  /// Forgets the times of all nodes that a search has touched.
+  /// Resets the times of all nodes that a search has touched.
   void forget_times() {
     for (std::size_t word = 0; word < std::size(touched_); ++word)
       for (std::uint64_t nodes = std::exchange(touched_[word], 0); nodes != 0; nodes &= nodes - 1) {
@@ -160,7 +160,7 @@ class LaneSearch final : public Search {
   }
   void touch(int node) { touched_[index(node) / 64] |= std::uint64_t{1} << node % 64; }
 
-  /// Goes on from the nodes to which straights have led, until no node waits for a time before enough().
+  /// Goes on from the nodes to which straights have led, until no node is queued for a time before enough().
   template <class Bounds, class Enough>
   void finish(const LaneTables& lanes, const Bounds& bounds, Enough enough) {
     for (;;) {
@@ -170,7 +170,7 @@ class LaneSearch final : public Search {
     }
   }
 
-  /// Turns begin at the nodes whose time has come: spreads those in all slots that have improved.
+  /// Turns begin at the nodes whose time has come: spreads their improved slots.
   void drive_straights(const LaneTables& lanes) {
     ready_.clear();
     waiting_.empty([&](int node) {
@@ -192,11 +192,11 @@ class LaneSearch final : public Search {
     ready_.clear();
   }
 
-  /// The numbers in a row of straights that lead to a node.
+  /// The length of a row of straights that lead to a node.
   static unsigned row(int node) { return row_of(is_diagonal(node) ? diagonal_node : centre_node, Speeds); }
 
-  /// How long a straight to a turn at most is of use: behind another turn that would do for all mice from farther away,
-  /// only as far as they are too near for that one.
+  /// The greatest useful length of a straight to a turn. If another turn would do for all places farther away, only the
+  /// places that are too near for that one are left.
   int useful_units(int node, DriveTime time, const DriveTime* slacks, int reach) const {
     const unsigned row = LaneSearch::row(node);
     int useful = lattice_.run(node);
@@ -215,8 +215,8 @@ class LaneSearch final : public Search {
     return bits_of(ahead) != 0;
   }
 
-  /// A turn begins here, this time before the end: spreads it over the straights that lead to it, rows of times by
-  /// units.
+  /// A turn begins here, `time` before the end: spreads it over the straights that lead to it, which are rows of times
+  /// by units.
   void spread(int node, DriveTime time, const DriveTime* straights, int units) {
     constexpr unsigned along = row_of(centre_node, Speeds), across = row_of(diagonal_node, Speeds);
     if constexpr (along != across)
@@ -243,7 +243,7 @@ class LaneSearch final : public Search {
     }
   }
 
-  /// Turns at all nodes to which straights have led, in those slots that have improved.
+  /// Tries the turns at all nodes to which straights have led, in those slots that have improved.
   template <class Bounds>
   void drive_turns(const LaneTables& lanes, const Bounds& bounds) {
     turns_.clear();
@@ -281,7 +281,7 @@ class LaneSearch final : public Search {
     known += gain;
     improved_.add(to, static_cast<unsigned>(gain) >> 31);
   }
-  /// Lets the labels that turns have improved wait for their time.
+  /// Queues the labels that turns have improved.
   template <class Bounds>
   void await(const Bounds& bounds) {
     for (const std::uint32_t improved : improved_) {
@@ -295,7 +295,7 @@ class LaneSearch final : public Search {
   }
 
   static constexpr unsigned most_turns = LaneTables::most_turns;
-  /// Turns that agree in the slot that they end in and their bit.
+  /// The most turns that agree in their end slot and bit.
   static constexpr int most_of_one = 8;
 
   const BothWays& lanes_;
@@ -306,10 +306,10 @@ class LaneSearch final : public Search {
   L lattice_;
   DriveTime rolling_[labels];  ///< by label
   DriveTime turning_[labels];
-  Bounds<L::nodes> bounds_;               ///< from the start to a node, turned round, at least
+  Bounds<L::nodes> bounds_;               ///< lower bounds of the times from the start to the reversed node
   Buckets<L::nodes, 8> waiting_;          ///< nodes to which turns have led
   List<std::uint16_t, L::nodes> driven_;  ///< nodes to which straights have led
-  /// By node: slots in which turns have led there, and straights.
+  /// By node: the slots that turns have improved, and those that straights have.
   Slots turns_due_[L::nodes]{};
   Slots straights_due_[L::nodes]{};
   List<std::uint32_t, chunk> ready_;                         ///< turns that are to be spread

@@ -111,7 +111,7 @@ void LaneTables::find_straights(const DriveTables& tables) {
     }
 }
 
-/// The first length from which on all turns can follow each other.
+/// Finds the least length from which on any turn can follow any other.
 void LaneTables::find_reach() {
   for (unsigned kind = 0; kind < node_kinds; ++kind)
     for (const Slot& to : used_[kind])

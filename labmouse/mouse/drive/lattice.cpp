@@ -20,8 +20,7 @@ std::uint64_t spread(std::uint64_t bits, std::uint64_t) {
   return (word | word << 1U) & 0x5555555555555555U;
 }
 
-/// Turns a square of bits about its diagonal: bit x of word y becomes bit y of word x. By halves (Hacker's Delight,
-/// 7-3).
+/// Transposes a square of bits: bit x of word y becomes bit y of word x. By halves (Hacker's Delight, 7-3).
 template <class Word>
 void transpose(Word* words) {
   constexpr int size = 8 * sizeof(Word);
@@ -92,7 +91,7 @@ void Lattice<Word>::build(Size size, const WallSet& passages) {
 /// The turns of a direction along the axes; the words are the lines in that direction, walls and posts between them.
 template <class Word>
 void Lattice<Word>::find_turns_along(int direction, const Word* words) {
-  // To the right of north and west lie the greater numbers.
+  // To the right of north and west, the numbers of lines increase.
   const int right = direction == 0 || direction == 6 ? 1 : -1;
   for (int line = 0; line < lines; ++line) {
     const Word* here = words + 2 * line + 1;
@@ -141,14 +140,14 @@ unsigned Lattice<Word>::turns_at(int node) const {
   return bits;
 }
 
-/// The node behind the turn of a bit; a wrong one where the turn would leave the maze, which no lattice asks for.
+/// The node behind the turn of a bit. It is wrong if the turn would leave the maze, but then it is never used.
 template <class Word>
 int Lattice<Word>::leap(int node, unsigned bit) {
   const int before = direction(node);
   const bool even = node % 2 == 0;
   const int side = leads_left(bit, before, even) ? -1 : 1;
   const Turn turn = turn_of(bit, before % 2 != 0, even);
-  // Of a diagonal: the way across the wall that it lies on, and across the next.
+  // For a diagonal: the directions across the wall that it lies on, and across the next one.
   const HalfPoint ahead = unit(before), across = unit(before + 2 * side + 8);
   const HalfPoint first = unit(before - side + 8), second = unit(before + side + 8);
   const auto moved = [&](int m, HalfPoint a, int n, HalfPoint b) {

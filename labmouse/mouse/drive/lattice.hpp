@@ -25,8 +25,8 @@
 
 namespace labmouse::drive {
 
-/// A turn that can begin at a node, as a bit of a byte. At the middle of a cell these are the first eight; on an edge
-/// S90 takes the places of F90; a diagonal has the other three, each to the one side on which it is possible.
+/// A turn that can begin at a node, as a bit of a byte. The middle of a cell has these eight. On an edge S90 takes the
+/// places of F90. A diagonal has the other three (below), each to the only side that is possible.
 enum class Bit : std::uint8_t {
   f90_left,
   f90_right,
@@ -47,7 +47,7 @@ constexpr Turn turn_of(unsigned bit, bool diagonal, bool edge) {
   return edge ? Turn::s90 : centres[bit / 2];
 }
 
-/// One unit in each direction.
+/// The step of one unit in a direction, in half cells.
 constexpr HalfPoint unit(int direction) {
   constexpr std::array<HalfPoint, 8> units = {{{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
   return units[static_cast<unsigned>(direction) & 7U];
@@ -91,9 +91,9 @@ class Lattice {
     return ((node - position) ^ 4 * plane) + points - position;
   }
 
-  /// Points ahead of a node up to the first that cannot be passed.
+  /// Number of points ahead of a node before the first that cannot be passed.
   int run(int node) const { return std::countr_one(static_cast<Word>((lines_[node / points] >> node % points) >> 1)); }
-  /// Whether a point, from border to border, can be passed.
+  /// Whether a point of the maze, including its border, can be passed.
   bool passable(HalfPoint point) const { return point.y < points && (columns_[point.x + margin] >> point.y & 1U) != 0; }
 
   /// The turns that can begin at the nodes of a line: words by bit, and all bits together.
@@ -103,8 +103,8 @@ class Lattice {
   /// The turns that can begin at a node.
   unsigned turns_at(int node) const;
 
-  /// Where the turns lead: the node behind the turn of a bit is at [8 * node + bit], whatever is open. The same for all
-  /// mazes: 64 or 256 KiB, to be kept.
+  /// The nodes that turns lead to: that of the turn of a bit is at [8 * node + bit], whether walls are open or not. The
+  /// table is the same for all mazes (64 or 256 KiB), so keep it.
   static std::vector<std::uint16_t> leaps();
   /// Whether the turn of a bit leads to the left.
   static bool leads_left(unsigned bit, int direction, bool even) {
@@ -144,7 +144,7 @@ class Lattice {
   Word any_turn_[8 * lines]{};
 };
 
-/// The leaps of both kinds, as far as mazes up to a size need them.
+/// The tables of Lattice::leaps() for both sizes of words, as far as mazes up to a size need them.
 struct Leaps {
   explicit Leaps(Size largest);
   template <class Word>

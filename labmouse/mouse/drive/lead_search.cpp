@@ -1,10 +1,9 @@
-// The search for robots whose turns have one speed each, and leads: one layer of labels, so that it fits the memory of
-// a mouse.
+// The search for robots whose turns have one speed each, and leads. Only turns have labels, so that it fits the memory
+// of a mouse.
 //
-// It goes backwards from the goals, which is forwards over nodes turned round. A label is the time of a turn that
-// begins at a node. When its time has come, it is taken along the corridor ahead, through every turn that could have
-// ended there, to the nodes where those begin. What lies between, a straight of any length, has no label: it is looked
-// up.
+// It goes backwards from the goals, which is forwards over reversed nodes. A label is the time of a turn that begins at
+// a node. When its time has come, it is taken along the corridor ahead, through every turn that could have ended there,
+// to the nodes where those begin. The straight between has no label: its time is looked up.
 #include <algorithm>
 #include <cassert>
 
@@ -39,7 +38,7 @@ struct LeadTables {
 
   const DriveTables& robot;
   LaneTables lanes;
-  /// By kind of node, those that end there, by bit of the node turned round; and which of them there are.
+  /// By kind of node: the turns that end there, by bit of the reversed node, and which bits have one.
   std::array<std::array<TurnBefore, 8>, node_kinds> turns{};
   std::array<unsigned, node_kinds> driven{};
   /// From the start to a turn: rows of its slots, by units.
@@ -51,8 +50,8 @@ template <class Word>
 class LeadSearch final : public Search {
  public:
   using L = Lattice<Word>;
-  /// Of a line along the axes five for an edge and the middle of a cell, of a diagonal three a node; and a vector that
-  /// is read behind the last.
+  /// Five labels for an edge and the middle of a cell along the axes, three for a node of a diagonal, and a vector that
+  /// may be read behind the last.
   static constexpr std::size_t labels = (4 * L::plane / 2) * 5 + 4 * L::plane * 3 + width;
 
   LeadSearch(Size size, const LeadTables& tables, const Leaps& leaps, DriveTime* labels_of_nodes)
@@ -112,8 +111,8 @@ class LeadSearch final : public Search {
   static unsigned kind_of(int node) {
     return is_diagonal(node) ? diagonal_node : centre_node & static_cast<unsigned>(node);
   }
-  /// Before the first label of a node, by the number of its first slot. Who reads a whole vector there meets labels of
-  /// the nodes about it.
+  /// Index of the label of slot 0 of a node, which lies before its first label if its first slot is not 0. A whole
+  /// vector there contains labels of the nodes about it.
   static std::size_t label(int node) {
     const auto plane = static_cast<unsigned>(node / L::plane), place = static_cast<unsigned>(node % L::plane);
     const std::size_t first = (plane / 2 * 11 + plane % 2 * 5) * L::plane / 2;
@@ -144,13 +143,13 @@ class LeadSearch final : public Search {
     }
     return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
   }
-  /// The nodes ahead of this one, up to so many units away, where a turn can begin.
+  /// The nodes ahead of this one, up to `units` away, where a turn can begin.
   Word places_of_turns(int node, int units) const {
     const unsigned beyond = static_cast<unsigned>(L::points - 1 - units) % L::points;
     return (lattice_.any_turn(node) >> node % L::points) & static_cast<Word>(~Word{0}) >> beyond;
   }
 
-  /// Spreads the labels of a node whose time has come. Some that wait for later than buckets reach wait on.
+  /// Spreads the labels of a node whose time has come. Labels beyond the range of the buckets are queued again.
   void spread(int node) {
     const unsigned kind = kind_of(node);
     for (unsigned slot = first_slot_a_speed[kind]; slot < end_slot_a_speed[kind]; ++slot) {
@@ -163,8 +162,8 @@ class LeadSearch final : public Search {
     }
   }
 
-  /// How long a straight to a turn at most is of use: behind another turn that would do for all mice from farther away,
-  /// only as far as they are too near for that one.
+  /// The greatest useful length of a straight to a turn. If another turn would do for all places farther away, only the
+  /// places that are too near for that one are left.
   int useful_units(int node, DriveTime time, const DriveTime* slacks, int reach) const {
     const int run = lattice_.run(node);
     if (would_do(node, time, slacks)) return std::min(run, reach - 1);
@@ -177,8 +176,8 @@ class LeadSearch final : public Search {
     return bits_of(load(turning_ + label(node)) <= load(slacks) + time) != 0;
   }
 
-  /// A turn begins here, this time before the end, or a run ends: takes it over the straights that lead here, rows of
-  /// times by units, and through the turns before those.
+  /// A turn begins here, or a run ends, `time` before the end: takes it over the straights that lead here, which are
+  /// rows of times by units, and through the turns before those.
   void spread(int node, DriveTime time, const DriveTime* straights, int units) {
     for (Word places = places_of_turns(node, units); places != 0; places &= places - 1) {
       const auto unit = static_cast<unsigned>(std::countr_zero(places));

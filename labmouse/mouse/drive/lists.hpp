@@ -1,5 +1,5 @@
-// Lists of nodes that a search writes without asking: what a processor would have to foresee, and cannot in a maze that
-// it has not met before, costs it more than a few words written in vain.
+// Lists of nodes that a search writes without branches: in a new maze, branches that a processor predicts wrongly cost
+// more than a few unused writes.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace labmouse::drive {
 
-/// The places of the ones in every byte, from the lowest on.
+/// The positions of the bits that are set in each byte, lowest first.
 template <class Number>
 struct Ones {
   Number places[256][8]{};
@@ -24,7 +24,7 @@ struct Ones {
   }
 };
 
-/// A list of up to `Most` numbers in its own memory. More than is added is written behind its end.
+/// A list of up to `Most` numbers in its own memory. Additions may write a few unused numbers behind its end.
 template <class Number, int Most>
 class List {
  public:
@@ -36,15 +36,15 @@ class List {
   const Number* begin() const { return numbers_; }
   const Number* end() const { return end_; }
   bool empty() const { return end_ == numbers_; }
-  /// Whether so many more have room.
+  /// Whether there is room for so many more.
   bool takes(int more) const { return end_ - numbers_ <= Most - more; }
 
-  /// Adds a number once or not at all.
+  /// Adds a number if `times` is 1; does not if it is 0.
   void add(Number number, unsigned times) {
     *end_ = number;
     end_ += times;
   }
-  /// Adds the sums of a number and the places of the ones of a byte.
+  /// Adds, for each bit that is set in a byte, the number plus the bit's position.
   void add_ones(Number number, unsigned byte) {
     for (unsigned i = 0; i < 8; ++i) end_[i] = static_cast<Number>(number + ones.places[byte][i]);
     end_ += ones.count[byte];
@@ -57,19 +57,20 @@ class List {
   Number* end_ = numbers_;
 };
 
-/// A set of nodes, as bits by line, that is gone through line by line.
+/// A set of nodes, as bits by line, that is emptied line by line.
 template <class Word, int Lines>
 class NodeSet {
  public:
   static constexpr int points = 8 * static_cast<int>(sizeof(Word));
 
-  /// Adds nodes of the line of a node: the place of a bit is that of the node on the line.
+  /// Adds nodes of one line: a bit's position is that of the node on the line.
   void add(int line, Word nodes) {
     lines_.add(static_cast<std::uint16_t>(line),
                static_cast<unsigned>(nodes_[line] == 0) & static_cast<unsigned>(nodes != 0));
     nodes_[line] |= nodes;
   }
-  /// Calls visit(node) for all nodes, and forgets them; it must not add any. A few are listed before they are visited.
+  /// Calls visit(node) for all nodes, and removes them; visit must not add any. A few are listed before they are
+  /// visited.
   template <class Visit>
   void empty(Visit visit) {
     List<std::uint16_t, 128> some;
@@ -92,12 +93,12 @@ class NodeSet {
   List<std::uint16_t, Lines> lines_;  ///< those with nodes
 };
 
-/// Numbers below `Nodes` that wait, by time, in buckets: those of one bucket in any order, so that it may fill again
+/// A bucket queue of numbers below `Nodes`, by time. Those of one bucket come in any order, so that it may fill again
 /// while it is emptied (Dial 1969; Denardo and Fox 1979).
 template <int Nodes, unsigned Count>
 class Buckets {
  public:
-  /// They are used in turn; what waits for a later time than they reach is visited with the last of them.
+  /// Buckets are used in turn. Times beyond their range are put into the last of them.
   static constexpr unsigned count = Count;
 
   explicit Buckets(int shift) : shift_(shift) {}
@@ -107,8 +108,8 @@ class Buckets {
       if (filled_[bucket] != 0) empty(bucket, [](int) {});
     current_ = last_ = 0;
   }
-  /// Lets a node wait until a time, or until now if that has passed; never, where it is no_time or later. Compilers
-  /// think it too long for where it stands; a call costs a search 3 %.
+  /// Queues a node for a time, or for now if that has passed; not at all for no_time or later. Forced inline: without
+  /// it compilers make a call, which costs a search 3 %.
   [[gnu::always_inline]] void add(int node, DriveTime time) {
     if (time >= no_time) return;
     const unsigned bucket = std::clamp(bucket_of(time), current_, current_ + count - 1);
@@ -117,24 +118,24 @@ class Buckets {
     filled_[bucket % count] |= std::uint64_t{1} << word % 64;
     last_ = std::max(last_, bucket);
   }
-  /// Goes on to the first bucket in which nodes wait, up to that of a time. Whether there is one.
+  /// Advances to the first bucket with nodes, at most to that of a time; false if there is none.
   bool advance(DriveTime until) {
     for (const unsigned end = std::min(last_, bucket_of(until)); current_ <= end; ++current_)
       if (filled_[current_ % count] != 0) return true;
     return false;
   }
-  /// Whether a node that waited for this time has been visited before the current bucket.
+  /// Whether a time lies before the current bucket, so that its nodes have been visited.
   bool passed(DriveTime time) const { return bucket_of(time) < current_; }
-  /// Whether a node that waits for this time is in the current bucket.
+  /// Whether a time lies in the current bucket.
   bool is_now(DriveTime time) const { return bucket_of(time) == current_; }
-  /// Calls visit(node) for all nodes of the current bucket, and forgets them. It may add others meanwhile.
+  /// Calls visit(node) for all nodes of the current bucket, and removes them. It may add others meanwhile.
   template <class Visit>
   void empty(Visit visit) {
     empty(current_ % count, visit);
   }
 
  private:
-  static constexpr std::size_t words = Nodes / 64;  ///< of a set
+  static constexpr std::size_t words = Nodes / 64;  ///< in the bit set of a bucket
 
   unsigned bucket_of(DriveTime time) const { return static_cast<unsigned>(time >> shift_); }
 
@@ -149,12 +150,12 @@ class Buckets {
 
   int shift_;
   unsigned current_ = 0;
-  unsigned last_ = 0;  ///< in which a node has been put
+  unsigned last_ = 0;  ///< the last one that has been filled
   std::uint64_t sets_[count][words]{};
-  std::uint64_t filled_[count]{};  ///< words that are not empty, modulo 64
+  std::uint64_t filled_[count]{};  ///< by bucket: the words that are not 0, modulo 64
 };
 
-/// The least times from a start to all nodes, in 16 bits each: rounded down to a unit in which the latest one fits.
+/// The least times from a start to all nodes, in 16 bits each: rounded down to a unit that makes the latest one fit.
 template <int Nodes>
 class Bounds {
  public:
@@ -169,7 +170,7 @@ class Bounds {
       times_[node] = static_cast<std::uint16_t>(std::min(time_of(node), latest) >> shift_);
   }
   DriveTime operator[](int node) const { return DriveTime{times_[node]} << shift_; }
-  /// By how much less than the true time that may be.
+  /// By how much a stored time may be below the true one.
   DriveTime error() const { return (DriveTime{1} << shift_) - 1; }
 
  private:

@@ -1,4 +1,4 @@
-// What the memory of a strategy's fields is spent on.
+// The parts of the memory of a strategy's fields.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ struct MemoryPart {
   std::size_t bytes = 0;
 };
 
-/// `labels` are times by node, `lattice` the maze as routes see it, `bounds` the least times from the start, `waiting`
-/// the nodes whose time has not come yet, `ways` the field of a search, `other` the rest.
+/// `labels` are times by node, `lattice` the maze in the form for route searches, `bounds` the least times from the
+/// start, `waiting` the queue of nodes, `ways` the field of a search, `runs` the costs of runs, `other` the rest.
 using MemoryLayout = std::vector<MemoryPart>;
 
 }  // namespace labmouse

@@ -45,7 +45,7 @@ void RunCosts::set_walls(const WallPrices& walls, const RunTolls& tolls) {
     for (const Heading heading : {Heading::north, Heading::east}) {
       const Wall wall = wall_at(size_.cell_at(index), heading);
       const int price = on_border(wall, size_) ? WallPrices::closed : walls.of(wall);
-      // A price is at least a step.
+      // A price above 0 counts as at least one step.
       const int steps = price == 0 ? 0 : std::max(price / price_step, 1);
       walls_[2 * index + (heading == Heading::east ? 1 : 0)] =
           static_cast<std::uint8_t>(price < tolls.closed ? steps : WallPrices::closed);
@@ -64,7 +64,7 @@ int RunCosts::cost_of(Last last, Last next) const {
   return last == next ? run_.again : run_.opposite;
 }
 
-/// What a run costs at least from an edge into that cell on.
+/// A lower bound of what a run costs from an edge into that cell on.
 int RunCosts::least_from(Cell cell) const {
   const int x = std::max({south_west_.x - cell.x, cell.x - north_east_.x, 0});
   const int y = std::max({south_west_.y - cell.y, cell.y - north_east_.y, 0});
@@ -130,7 +130,7 @@ void RunCosts::go_back(std::size_t number) {
                   to_goal_.prices[number] + steps);
 }
 
-/// Expands all states that wait, and those that come to wait by that.
+/// Expands all queued states, and those that this queues.
 template <class Expand>
 void RunCosts::search(Expand expand) {
   for (bool any = true; any;) {

@@ -1,15 +1,15 @@
-// What a run from start to goal would cost that led through a cell, about.
+// Approximate costs of the best run from start to goal through each cell.
 //
 //   start ... A(e) ... | e | ... V(e) ... goal
 //
-// The run with the least cost through a cell has the least A(e) + V(e) of the edges e by which the cell is entered.
+// The best run through a cell costs the least A(e) + V(e) of the edges e by which the cell is entered.
 //
-// A and V are the least sums of RunPrices, and of what unseen walls cost. Method: Bellman and Ford, forwards and
-// backwards, over the edges by which cells are entered, each with the turn right before it. A set of bits says which of
-// them wait, so that it takes little more memory than what it finds. What cannot be part of a run below the limit is
-// left out: forwards by the cells that are left at least, backwards by A.
+// A and V are the least sums of RunPrices and of the costs of unseen walls. Method: Bellman-Ford, forwards and
+// backwards, over the edges by which cells are entered, each with the turn right before it. The queue is a set of bits,
+// so that it takes little more memory than the result. What cannot be part of a run below the limit is left out:
+// forwards by a lower bound of the rest, backwards by A.
 //
-// Limits: a run of 65.5 s or more is none; prices count in steps of 4, and up to 1020 in all.
+// Limits: runs of 65.5 s or more are left out; prices count in steps of 4, and up to 1020 in all.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ namespace labmouse {
 struct RunTolls {
   int per_nat = 0;                  ///< milliseconds for a price of 32
   int base = 0;                     ///< milliseconds for each wall that has a price
-  int closed = WallPrices::closed;  ///< a wall of this price or more is taken for closed
+  int closed = WallPrices::closed;  ///< a wall of this price or more counts as closed
 };
 
 /// A run that may exist.
@@ -41,10 +41,10 @@ class RunCosts {
   /// In memory that must outlive it: bytes_for(size), beginning at a multiple of two.
   RunCosts(Size size, std::span<std::byte> memory);
   static std::size_t bytes_for(Size size);
-  /// Larger mazes than of this area have none: they would take more memory than a chip has for a strategy.
+  /// The largest area of a maze, in cells: larger ones would take more memory than a chip has for a strategy.
   static constexpr int largest_area = 256;
 
-  /// Which runs these are; before all else.
+  /// Sets the prices, the start and the goals; call it before all else.
   void aim(const RunPrices& run, Pose start, const CellSet& goals);
   /// The time of the best run over open walls alone, in milliseconds, or no_run.
   int known(const WallPrices& walls);
@@ -93,7 +93,7 @@ class RunCosts {
   RunPrices run_;
   Pose start_;
   CellSet goals_;
-  Cell south_west_, north_east_;  ///< corners of the least rectangle about the goals
+  Cell south_west_, north_east_;  ///< corners of the smallest rectangle around the goals
   RunTolls tolls_;
   int limit_ = no_run;
   Field from_start_, to_goal_;

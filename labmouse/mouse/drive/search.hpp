@@ -1,4 +1,5 @@
-// What the searches behind FastestRoutes have in common: for robots of one speed, of one speed a turn, and of many.
+// The interface of the searches behind FastestRoutes: for robots with one speed, with one speed per turn, and with
+// many.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +12,16 @@
 
 namespace labmouse::drive {
 
-/// A search over the lattice. Labels are times to the goals: of a turn that begins at a node in a lane, and of a
+/// A search over the lattice. A label is a time to the goals: of a turn that begins at a node in a lane, or of a
 /// straight that begins there behind a turn that ended in a lane. Directions are those of driving.
 class Search {
  public:
   virtual ~Search() = default;
-  /// Finds the times to the goals, of all nodes, or with a start (its node in the direction of driving) of those on
-  /// fastest routes from there; others may be too late then.
+  /// Finds the times to the goals: of all nodes, or with a start of those on fastest routes from there; other times may
+  /// then be too late. `start` is a node in the direction of driving, or `everywhere`.
   virtual void fill(const WallSet& passages, const CellSet& goals, int start) = 0;
   static constexpr int everywhere = -1;
-  /// The time until the end from a turn that begins at a node; one above the limit may be reported as no_time.
+  /// The time to the goals from a turn that begins at a node; one above the limit may be reported as no_time.
   virtual DriveTime turning(int node, std::size_t lane, DriveTime limit) const = 0;
   virtual DriveTime rolling(int node, std::size_t lane) const = 0;
   virtual int node(HalfPoint point, int direction) const = 0;
@@ -34,11 +35,11 @@ class Search {
   virtual int leap(int node, unsigned bit) const = 0;
 };
 
-/// How wide the buckets of a search are, as an exponent of two: about as a turn lasts, so that few labels improve
-/// behind the time at which they were spread.
+/// The width of a search's buckets, as an exponent of two: about the time of a turn, so that few labels improve after
+/// they were spread.
 int bucket_shift(const DriveTables& tables);
 
-/// Ends a search whose memory is somebody else's.
+/// Destroys a search without freeing its memory, which the caller owns.
 struct EndInPlace {
   void operator()(Search* search) const { search->~Search(); }
 };
@@ -49,29 +50,29 @@ constexpr std::size_t aligned(std::size_t bytes) {
   return (bytes + search_alignment - 1) / search_alignment * search_alignment;
 }
 
-/// The memory of a search, both parts aligned: what it keeps, and behind that what holds nothing any more once a field
-/// has been read.
+/// The memory of a search, both parts aligned: what it keeps, and behind that scratch memory, which is free once a
+/// field has been read.
 struct SearchBytes {
   std::size_t kept = 0;
   std::size_t scratch = 0;
 };
 
-/// What all searches for one robot share, and makes them. What it is made of must outlive it.
+/// Makes the searches for one robot, and owns the tables that they share. Its arguments must outlive it.
 class SearchMaker {
  public:
   virtual ~SearchMaker() = default;
-  /// How much memory a search of a maze takes, and its making there: it begins at a multiple of search_alignment.
+  /// The memory for a search of a maze. make() needs it at a multiple of search_alignment.
   virtual SearchBytes bytes(Size size) const = 0;
-  /// What these bytes are spent on, but for the rest.
+  /// The parts of these bytes, without `other`.
   virtual MemoryLayout layout(Size size) const = 0;
-  /// Of its tables, which all searches share.
+  /// Bytes of the tables that all searches share.
   virtual std::size_t table_bytes() const = 0;
   virtual SearchInPlace make(Size size, std::byte* memory) const = 0;
-  /// From now on what a search finds about a start beforehand serves others, too.
+  /// From now on the bounds that a search computes for a start are kept for others, too.
   virtual void keep_bounds() {}
 };
 
-/// The leanest that a robot can do with: for one speed at all nodes, for one speed a turn, or for many.
+/// The simplest search that a robot allows: fixed for one speed at all nodes, lead for one speed a turn, lane for many.
 std::unique_ptr<SearchMaker> make_searches(const DriveTables& tables, const Leaps& leaps);
 std::unique_ptr<SearchMaker> make_fixed_searches(const DriveTables& tables, const Leaps& leaps);
 std::unique_ptr<SearchMaker> make_lead_searches(const DriveTables& tables, const Leaps& leaps);

@@ -25,9 +25,9 @@ bool SearchClock::is_too_late_after(const Action& step, const Knowledge& knowled
   // Stops at home and faces its start.
   const std::int64_t arrival = slowed(search_.half_cell + 2 * search_.quarter);
   const std::int64_t then = time_ + time_of(step, knowledge, place);
-  // It could go home the way that it came, and then the same way as fast as it searched.
+  // An upper limit: home the way that it came, and a run on the same way at the search speed.
   if (3 * then + slowed(search_.back) + arrival < time_limit_) return false;
-  // More walls seen make no way longer.
+  // More seen walls make no way longer, so that this is an upper limit, too.
   const SearchPlace there = after_search(place, step);
   fields_.home().fill(knowledge.open(), knowledge.known_cells(), CellSet::of(start_.cell), &there);
   const std::int64_t home = then + slowed(fields_.home().from(there)) + arrival;

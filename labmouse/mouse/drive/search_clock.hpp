@@ -1,4 +1,4 @@
-// A searching mouse's own count of the time.
+// The clock of a searching mouse, which adds up the times of its steps.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// Counts the time of a search, and says when the mouse must go home to run in time.
+/// Counts the time of a search, and decides when the mouse must go home to run in time.
 class SearchClock {
  public:
   /// For a briefing in seconds, with fields.
@@ -19,13 +19,13 @@ class SearchClock {
     time_ += time_of(step, knowledge, from);
   }
 
-  /// From now on the mouse searches at that part of its usual pace.
+  /// Sets the search pace, as a share of the usual one.
   void set_pace(double pace) { pace_ = pace; }
-  /// What the contest's clock says, where the mouse gets it.
+  /// Sets the time to that of the contest's clock, where the mouse gets it.
   void set(std::int64_t time) { time_ = time; }
 
-  /// Whether the way home and the fastest known run would no longer fit into the time after that step, whatever it
-  /// shows. Never where no run is known. Uses the briefing's fields.
+  /// Whether after that step the way home and the fastest known run no longer fit into the time, whatever the step
+  /// shows. False if no run is known. Uses the briefing's fields.
   bool is_too_late_after(const Action& step, const Knowledge& knowledge, const SearchPlace& place);
 
   /// What is left of the time in the maze, in microseconds.
@@ -41,10 +41,10 @@ class SearchClock {
   Pose start_;
   CellSet goals_;
   SearchDrive search_;
-  double pace_;  ///< the part of the usual one at which it searches
+  double pace_;  ///< of a search, as a share of the usual one
   std::int64_t time_limit_;
   std::int64_t time_ = 0;
-  DriveTime run_ = no_time;  ///< the last that it planned, which needs these walls
+  DriveTime run_ = no_time;  ///< of the last planned run, which needs these walls to be open
   WallSet run_walls_;
   DriveFields& fields_;
 };

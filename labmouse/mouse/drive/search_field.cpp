@@ -7,7 +7,7 @@
 namespace labmouse {
 namespace {
 
-/// Of two times; what comes to no_time or more is none.
+/// The sum of two times, at most no_time.
 DriveTime sum(std::int64_t a, std::int64_t b) { return static_cast<DriveTime>(std::min<std::int64_t>(no_time, a + b)); }
 
 /// Every move takes some time, whatever it saves.
@@ -25,7 +25,7 @@ std::array<std::size_t, 4> edges_ahead(Size size) {
   return {row, 4, std::size_t{0} - row, std::size_t{0} - 4};
 }
 
-/// Calls visit(cell, now) for the cells that are in one of the sets only: whether in the one of now.
+/// Calls visit(cell, whether it is in `now`) for the cells that are in only one of the sets.
 template <class Visit>
 void for_each_difference(const CellSet& now, const CellSet& before, Visit visit) {
   CellSet added = now, taken = before;
@@ -84,7 +84,7 @@ void SearchField::set_price(Wall wall, std::uint8_t price) {
   prices_[edge_of(neighbour(wall.cell, wall.side), opposite(wall.side))] = price;
 }
 
-/// What leaving a cell costs besides the time, or no_time.
+/// The cost of leaving a cell besides the time of the move, or no_time.
 DriveTime SearchField::toll(Cell cell, Heading heading) const {
   const std::uint8_t price = prices_[edge_of(cell, heading)];
   if (price == closed) return no_time;
@@ -125,9 +125,9 @@ void SearchField::begin(const CellSet& known, const CellSet& targets) {
   });
 }
 
-/// Goes on from the edges that wait, as far as a place needs it.
+/// Takes edges from the queue, as far as a place needs them.
 void SearchField::search(const SearchPlace* place) {
-  // Once the time from the place is a sum of final ones, edges that are further off make none that is less.
+  // Edges that are due after the time from the place cannot lower it.
   DriveTime enough = place != nullptr ? from(*place) : no_time;
   while (!heap_.empty() && due_[heap_.first()] <= enough) {
     const std::size_t edge = heap_.take();
@@ -136,14 +136,14 @@ void SearchField::search(const SearchPlace* place) {
   }
 }
 
-/// Lets an edge wait for a time, if that is less than what it has or waits for.
+/// Queues an edge for a time, if that is less than its own time and than what it is queued for.
 void SearchField::reach(std::size_t edge, DriveTime time) {
   if (time >= times_[edge] || (heap_.contains(edge) && time >= due_[edge])) return;
   due_[edge] = time;
   heap_.reach(edge);
 }
 
-/// It is the turn of an edge.
+/// Handles an edge that was taken from the queue.
 void SearchField::take(std::size_t edge) {
   if (own_ == nullptr || due_[edge] < times_[edge]) {
     times_[edge] = due_[edge];
@@ -154,7 +154,7 @@ void SearchField::take(std::size_t edge) {
   if (best_of(edge) == lost) return;
   times_[edge] = no_time;
   repair(edge);
-  // Those whose best move led here, or does as far as they know.
+  // Repairs the edges whose best move led here, by their own or by their queued time.
   const Pose pose = pose_of(edge);
   if (is_shut_behind(pose)) return;
   for_each_before(pose, [&](std::size_t from, DriveTime move) {
@@ -183,7 +183,8 @@ void SearchField::for_each_before(const Pose& pose, Visit visit) const {
   if (drive_.dashes()) for_each_dash_before(pose, visit);
 }
 
-/// The same of dashes that end at this edge, which alone may cost or save something: known cells have no unseen walls.
+/// The same for dashes that end at this edge. Only its wall may cost or save something: known cells have no unseen
+/// walls.
 template <class Visit>
 void SearchField::for_each_dash_before(const Pose& pose, Visit visit) const {
   Cell before = neighbour(pose.cell, pose.heading, -1);
@@ -194,7 +195,7 @@ void SearchField::for_each_dash_before(const Pose& pose, Visit visit) const {
   }
 }
 
-/// Lets all edges wait whose best move is another by these walls and cells.
+/// Queues all edges whose best move changes with these walls and cells.
 void SearchField::repair(const WallSet& passages, const CellSet& known, const CellSet& targets) {
   repair_walls(passages);
   for_each_difference(known, known_, [&](Cell cell, bool now) {
@@ -231,13 +232,13 @@ void SearchField::repair_dashes(Cell cell) {
   }
 }
 
-/// What leads to an edge, or could if its wall were open, may have become later or earlier.
+/// Repairs the edges from which one move leads to this one, or would if its wall were open.
 void SearchField::repair_before(const Pose& pose) {
   if (size_.contains(neighbour(pose.cell, pose.heading, -1)))
     for_each_before(pose, [&](std::size_t from, DriveTime) { repair(from); });
 }
 
-/// Lets an edge wait if its time is not that of its best move.
+/// Queues an edge if its time is not that of its best move.
 void SearchField::repair(std::size_t edge) {
   const DriveTime best = best_of(edge), time = std::min(best, times_[edge]);
   if (heap_.contains(edge)) {
@@ -249,7 +250,7 @@ void SearchField::repair(std::size_t edge) {
   heap_.reach(edge);
 }
 
-/// The same as from() of an edge, where no wall costs or saves anything.
+/// The same as from() for an edge, if no wall costs or saves anything.
 DriveTime SearchField::best_of(std::size_t edge) const {
   const std::size_t cell = edge / 4 * 4, ahead = edge % 4;
   if (targets_.contains(size_.cell_at(static_cast<int>(edge / 4)))) return 0;

@@ -1,10 +1,10 @@
 // The least search times from every place to a set of cells.
 //
 // Method: Dijkstra with a heap, backwards from the cells, over the edges by which cells are entered, one for each
-// heading. A field in memory of its own is repaired where little has changed since it was filled (Koenig, Likhachev and
-// Furcy 2004, without a heuristic): an edge whose time is no longer that of its best move waits for the earlier of
-// these two times. When it is its turn, it takes the time of the move; or where the move has become later than the
-// edge's own time, it loses that one and waits for the move.
+// heading. A field in its own memory is repaired if little has changed since it was filled (Koenig, Likhachev and Furcy
+// 2004, without a heuristic): an edge whose time is no longer that of its best move is queued for the earlier of these
+// two times. When it is taken, it gets the time of the move; but if the move has become later than the edge's own time,
+// it loses its time and is queued for that of the move.
 #pragma once
 
 #include <array>
@@ -20,40 +20,39 @@
 
 namespace labmouse {
 
-/// How a strategy counts the moves of a search where it expects something of walls that it has not seen.
+/// How a strategy prices the moves of a search through walls that it has not seen.
 struct SearchTolls {
   SearchDrive drive;                ///< the moves
   DriveTime unit = 0;               ///< for each unit of an unseen wall's price
   DriveTime base = 0;               ///< for each wall that has a price
-  int closed = WallPrices::closed;  ///< a wall of that price or more is taken for closed
-  /// By the number of a cell: what entering it saves. A move still takes some time. Must outlive the field's use, and
-  /// be 0 for known cells; may be empty.
+  int closed = WallPrices::closed;  ///< a wall of this price or more counts as closed
+  /// Time that entering a cell saves, by the cell's index; a move still takes some time. Must outlive the field's use,
+  /// and be 0 for known cells; may be empty.
   std::span<const DriveTime> savings = {};
 };
 
-/// Times in microseconds to enter any of some cells by the moves of a search; a pivot on the way is none of them, but
-/// for that of a mouse at rest. Takes all memory that it will need: for mazes up to 64×64, or for 32×32 and less.
+/// Times in microseconds to enter any of some cells by the moves of a search. Steps that end at rest are not used, but
+/// a mouse at rest may pivot first. Takes all memory that it will need.
 class SearchField {
  public:
-  /// Times of moves are more than 0. In memory of its own: the faster where the fills of a field differ little.
+  /// The times of `drive` must be more than 0. In its own memory: faster if the fills of a field differ little.
   SearchField(Size size, const SearchDrive& drive);
   /// In memory that must outlive it: bytes_for(size), beginning at a multiple of four.
   SearchField(Size size, const SearchDrive& drive, std::span<std::byte> memory);
   static std::size_t bytes_for(Size size);
 
   /// Finds all times over the given passages (all inside the size) to the given cells, with dashes over known ones.
-  /// Told of a place, it finds no more than what from() and step() of that one need, and of those that its steps lead
-  /// to.
+  /// With a place, it finds only what from() and step() need there and at the places that its steps lead to.
   void fill(const WallSet& passages, const CellSet& known, const CellSet& targets, const SearchPlace* place = nullptr);
-  /// The same over walls that are not closed, counted by those tolls, and so are from() and step() until the next fill.
+  /// The same over walls that are not closed, priced by those tolls. from() and step() use them, too, until the next
+  /// fill.
   void fill(const WallPrices& prices, const SearchTolls& tolls, const CellSet& known, const CellSet& targets,
             const SearchPlace* place = nullptr);
 
   /// The time from a place; 0 in the cells themselves, no_time where none of them can be reached.
   DriveTime from(const SearchPlace& place) const;
-  /// The first move of a fastest way from a place, over one edge or a dash: of equally fast ones straight on, the
-  /// fewest edges first, to the left, to the right, back. In one of the cells already it stays, as Action::step(0, 0);
-  /// where there is no way it forfeits.
+  /// The first move of a fastest way from a place, over one edge or a dash. Ties: straight on with the fewest edges, to
+  /// the left, to the right, back. In one of the cells it stays, as Action::step(0, 0); if there is no way it forfeits.
   Action step(const SearchPlace& place) const;
 
  private:
@@ -66,7 +65,7 @@ class SearchField {
     DriveTime time;
   };
 
-  /// With so many bytes for when edges are due before the others.
+  /// `due_bytes` is the size of due_ at the beginning of the memory; 0 if it is the same as times_.
   SearchField(Size size, const SearchDrive& drive, std::byte* memory, std::size_t due_bytes);
   static std::size_t due_bytes(Size size);
 
@@ -107,15 +106,15 @@ class SearchField {
   std::array<std::size_t, 4> ahead_;
   CellSet known_;
   CellSet targets_;
-  /// With memory of its own, the passages that it was filled over, if it was.
+  /// With its own memory: the passages of the last fill.
   std::unique_ptr<WallSet> passages_;
   bool repairable_ = false;
-  std::unique_ptr<std::byte[]> own_;  ///< where the memory is its own
+  std::unique_ptr<std::byte[]> own_;  ///< null if the memory is the caller's
   /// By edge_of: the time from the edge by which the cell is entered in that heading.
   DriveTime* times_;
-  /// By edge_of: the time that an edge waits for. Without memory of its own these are its times.
+  /// By edge_of: the time that an edge is queued for. Without its own memory these are its times.
   DriveTime* due_;
-  /// By edge_of, of a cell that is left in that heading: what that costs besides the time, in units, or `closed`.
+  /// By edge_of, for leaving the cell in that heading: the cost besides the time, in units, or `closed`.
   std::uint8_t* prices_;
   SearchTolls tolls_;
   EdgeHeap heap_;

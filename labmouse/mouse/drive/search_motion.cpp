@@ -8,7 +8,7 @@ namespace {
 
 int quarters_of(const Action& step) { return step.rotation / 90; }
 
-/// From rest in the middle to the first edge, or to the next rest.
+/// The time of the pivot of a step.
 DriveTime pivot_time(const SearchDrive& drive, const Action& step) {
   return std::abs(quarters_of(step)) * drive.quarter;
 }

@@ -3,12 +3,13 @@
 // Between two moves it is at the edge by which it enters a cell, heading into it, and has just read the walls of that
 // cell; or at rest in the middle of a cell, as it is in the beginning. An Action::step(rotation, cells) of it is
 //
-//       0, k   straight on over k edges             180, k   stops in the middle, pivots, leaves where it came in, and
-//       on
-//     ±90, k   a small turn, then straight on    any, 0   stops in the middle, pivots, and looks
+//       0, k   straight on over k edges
+//     ±90, k   a small turn, then straight on
+//     180, k   stops in the middle, pivots, leaves where it came in, then straight on
+//     any, 0   stops in the middle, pivots, and looks
 //
-// where the first of the k edges is that of the cell it is in. At rest, a rotation is a pivot. "Straight on" over cells
-// that are known is a dash, where the robot makes them: there is nothing to be read before its end.
+// The first of the k edges is that by which it leaves its cell. At rest, a rotation is a pivot. Straight on over known
+// cells is a dash, if the robot drives them: there is nothing to be read before its end.
 #pragma once
 
 #include <cstdint>
@@ -34,10 +35,10 @@ bool is_search_step(const SearchPlace& from, const Action& step);
 /// Where such a step leads, if all walls on its way are open.
 SearchPlace after_search(const SearchPlace& from, const Action& step);
 
-/// How long it takes, where the walls of those cells are known.
+/// The time of such a step, with dashes over the cells of `known`.
 DriveTime search_time(const SearchDrive& drive, const SearchPlace& from, const Action& step, const CellSet& known = {});
 
-/// Over how many edges the mouse dashes from an edge, at most so many: as far as it need not read a cell. At least one.
+/// Number of edges, 1 to `most`, over which the mouse dashes from an edge: as far as it need not read a cell.
 template <class Knows>
 int dash_length(const SearchDrive& drive, const Pose& edge, int most, Knows knows) {
   int cells = 1;
@@ -46,12 +47,12 @@ int dash_length(const SearchDrive& drive, const Pose& edge, int most, Knows know
   return cells;
 }
 
-/// How long something takes at a part of the pace at which it takes that time, in microseconds.
+/// The time in microseconds, at a share of the pace, of what takes `time` at the full pace.
 inline std::int64_t at_pace(std::int64_t time, double pace) {
   return pace == 1.0 ? time : static_cast<std::int64_t>(static_cast<double>(time) / pace);
 }
 
-/// The step over so many edges in a direction.
+/// The step over `cells` edges in a direction.
 Action search_step(Heading heading, Heading direction, int cells);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// Four times at once, by the vector extensions of the compilers.
+// Vectors of four times, by the vector extensions of the compilers.
 #pragma once
 
 #include <cstring>
@@ -18,13 +18,13 @@ inline Times load(const DriveTime* from) {
 }
 inline void store(DriveTime* to, Times times) { std::memcpy(to, &times, sizeof(times)); }
 
-/// Makes so many times no_time.
+/// Sets so many times to no_time.
 inline void forget(DriveTime* times, std::size_t count) {
   static_assert(no_time == 0x3f3f3f3f);
   std::memset(times, 0x3f, count * sizeof(*times));
 }
 
-/// The sign bits of four lanes; of a comparison those that hold.
+/// The sign bits of four lanes; for a comparison, the lanes in which it holds.
 inline unsigned bits_of(Times lanes) {
 #if defined(__SSE2__)
   using Floats = float __attribute__((vector_size(16)));

@@ -12,11 +12,11 @@ namespace labmouse {
 namespace {
 
 constexpr DriveTime shortest_allowed_turn = 1'000;
-/// The slowest robot: straights of 64 units in the largest cells still last less than no_time. Whole routes that do not
-/// are none.
+/// The slowest robot, in mm/s: its straights of 64 units in the largest cells still take less than no_time. Whole
+/// routes that take longer do not count.
 constexpr double slowest_speed = 50.0;
 
-/// Faster than any.
+/// Faster than any robot, mm/s.
 constexpr double no_speed = 1e9;
 
 constexpr bool leads_back(Turn turn) { return turn == Turn::out45 || turn == Turn::out135; }
@@ -53,8 +53,8 @@ DriveModel refused(std::string why) {
   return model;
 }
 
-/// One lane along and one diagonal, without leads. The published straights begin and end at that one speed everywhere,
-/// at the start and in the goal too.
+/// One lane along the axes and one on diagonals, without leads. As published, straights begin and end at the same speed
+/// everywhere, also at the start and in the goal.
 DriveModel fixed_model(const Robot& robot) {
   DriveModel model;
   DriveTables& tables = model.tables;
@@ -119,13 +119,13 @@ std::vector<Turn> turns_of(const Robot& robot) {
   return turns;
 }
 
-/// The fastest, in whole steps, at which it can enter the small turn behind the first wall, from rest.
+/// The largest speed, in steps of speed_step, at which it can enter the small turn behind the first wall from rest.
 double speed_by_first_wall(const Robot& robot, const TurnShape& small_turn) {
   const double way = robot.run_up + robot.cell / 2.0 + small_turn.lead_in;
   return std::floor(std::sqrt(2.0 * robot.acceleration * way) / speed_step) * speed_step;
 }
 
-/// The fastest, in whole steps, from which it can stop in the goal behind the small turn, in the middle of the cell.
+/// The largest speed, in steps of speed_step, from which it can stop in the middle of the goal behind the small turn.
 double speed_to_stop_from(const Robot& robot, const TurnShape& small_turn) {
   const double way = robot.cell / 2.0 + small_turn.lead_out;
   return std::floor(std::sqrt(2.0 * robot.braking * way) / speed_step) * speed_step;
@@ -144,8 +144,8 @@ double common_speed(const Robot& robot, const std::vector<FittedTurn>& fitted) {
   return small_speed < common ? std::max(small_speed, slowest_speed) : common;
 }
 
-/// A speed between two others that splits them: of a turn, so that this one can be followed at once by others, or the
-/// middle one where no turn has one that is not close to either.
+/// A speed between two others: that of the turn nearest to the middle, so that other turns can follow that one at once;
+/// or the middle itself, if every turn is close to either end.
 double speed_between(double low, double high, const std::vector<FittedTurn>& fitted) {
   constexpr double close = 0.1;
   const double middle = (low + high) / 2.0;
@@ -175,8 +175,8 @@ std::vector<double> levels_of(const std::vector<FittedTurn>& fitted, double comm
   return bounds;
 }
 
-/// Each turn at its own largest speed, and on the same path at lower ones: a fast turn cannot be followed at once by a
-/// slow one. With one speed only, all turns at the common one.
+/// Each turn at its own largest speed, and on the same path at lower ones, because a slow turn cannot follow a fast one
+/// at once. With one speed only, all turns at the common one.
 DriveModel model_of_speeds(const Robot& robot) {
   std::vector<FittedTurn> fitted;
   for (const Turn turn : turns_of(robot)) {
@@ -248,7 +248,7 @@ std::string refusal_of_curves(const Robot& robot) {
   if (robot.run_up >= robot.cell / 2.0)
     return "a run-up of " + millimetres(robot.run_up) + " begins behind the wall of the start cell, which is " +
            millimetres(robot.cell / 2.0) + " from the middle";
-  // Half a diagonal from wall to wall leads between two posts half a cell away.
+  // A diagonal through the middles of walls passes posts at cell / sqrt(8).
   if (const double room = robot.cell / std::sqrt(8.0); robot.clearance > room)
     return "a clearance of " + millimetres(robot.clearance) + " does not fit diagonals in cells of " +
            millimetres(robot.cell) + ", which pass posts at " + millimetres(room);
@@ -263,8 +263,8 @@ std::string refusal_of_turn_times(const DriveTables& tables) {
   return "";
 }
 
-/// Every maze that can be searched can be run: all turns follow each other at the slowest speed, if the start reaches
-/// it and the mouse can stop from it.
+/// Checks that every maze that can be searched can be run: all turns follow each other at the slowest speed, if the
+/// start reaches it and the mouse can stop from it.
 std::string refusal_of_ends(const DriveTables& tables) {
   const auto slowest = std::find_if(tables.turns.rbegin(), tables.turns.rend(),
                                     [](const DrivenTurn& turn) { return turn.turn == Turn::s90; });
@@ -278,7 +278,7 @@ std::string refusal_of_ends(const DriveTables& tables) {
   return "";
 }
 
-/// Or why it is refused.
+/// The model of a robot, or the reason why it is refused.
 DriveModel model_of(const Robot& robot) {
   if (std::string why = refusal_of_limits(robot); !why.empty()) return refused(std::move(why));
   if (std::string why = robot.fixed ? refusal_of_fixed(robot) : refusal_of_curves(robot); !why.empty())
@@ -298,7 +298,7 @@ DriveModel model_of(const Robot& robot) {
   return model;
 }
 
-/// Limits of curves that a robot need not have may be what is behind a refusal: then it names them.
+/// If an optional limit of curves is the cause of a refusal, adds its name.
 DriveModel with_cause(DriveModel refusal, const Robot& robot) {
   struct Limit {
     double Robot::*value;

@@ -1,4 +1,4 @@
-// A robot with the tables that follow from its limits: what a contest in seconds is driven by.
+// A robot with the tables that follow from its limits: the model for contests in seconds.
 #pragma once
 
 #include <memory>
@@ -13,18 +13,17 @@ namespace labmouse {
 
 class RouteTables;
 
-/// The tables of a robot, with its turns' shapes, or a sentence that says in mm and mm/s what does not fit and why.
+/// The tables of a robot and the shapes of its turns, or a text that says what does not fit and why, in mm and mm/s.
 struct DriveModel {
   DriveTables tables;
-  /// By Turn and then by speed as in tables.turns: the shape of tables.turns[i] is shapes[i], in its first direction of
-  /// driving (a turn back from a diagonal has a shape of its own). The time of the turn is that from the lead of the
-  /// lane it begins in to whole() less the lead of the lane it ends in; what is left of the shape is part of the
-  /// straights.
+  /// By Turn and then by speed as in tables.turns: the shape of tables.turns[i] is shapes[i], as it is driven (a turn
+  /// back from a diagonal has a shape of its own). The turn's time is that from the lead of its first lane to whole()
+  /// less the lead of its last lane; the rest of the shape belongs to the straights.
   std::vector<TurnShape> shapes;
   SearchDrive search;
   Robot robot;  ///< the one that it was made of
   std::string error;
-  /// What its searches for routes share, where it is kept: share_route_tables() makes it.
+  /// Tables that its route searches share, if share_route_tables() was called.
   std::shared_ptr<const RouteTables> route_tables;
 };
 

@@ -37,7 +37,7 @@ End last_end(const DriveModel& model, const DriveRoute& route, std::size_t i) {
   return {end_speed(model.robot, stopping_room(route, model.tables)), 0.0, true};
 }
 
-/// The end with the speed that is reached there, if it may have several.
+/// The end with the speed that is reached there, if it is free.
 End reached(End last, double length, const End& first, const StraightLimits& limits) {
   if (last.free)
     last.speed =

@@ -18,17 +18,17 @@ struct DriveSpot {
   double angle = 0.0;
 };
 
-/// One segment of a route, as it is driven: a straight, with the leads of the turns about it, speeds up, stays at the
-/// limit and brakes; a turn is driven at one speed, or where the robot has grip at speeds that change. Times are
-/// microseconds since the segment's beginning, lengths mm from there.
+/// One segment of a route, as it is driven. A straight, with the leads of the turns about it, speeds up, stays at the
+/// limit and brakes. A turn is driven at one speed, or at changing ones if the robot has grip. Times are microseconds
+/// since the segment's beginning, lengths mm from there.
 class DriveProfile {
  public:
   DriveProfile(const DriveModel& model, const DriveRoute& route, std::size_t segment);
 
   double length() const { return length_; }
   DriveTime duration() const { return duration_; }
-  /// From the segment's first node to where it begins, in the direction of driving: a straight may begin before its
-  /// node, a turn behind it.
+  /// Distance in mm from the segment's first node to its beginning, in the direction of driving: below 0 for a straight
+  /// that begins before its node, above 0 for a turn that begins behind it.
   double beginning() const { return shape_ != nullptr ? offset_ : -offset_; }
   /// The shape of a turn; null of a straight.
   const TurnShape* shape() const { return shape_; }
@@ -63,10 +63,10 @@ class DriveProfile {
   DriveSegment segment_;
   double cell_;
   double length_ = 0.0;
-  double offset_ = 0.0;  ///< from the first node to the beginning, backwards of a straight, along the shape of a turn
+  double offset_ = 0.0;  ///< mm from the first node to the beginning: back for a straight, along the shape for a turn
   DriveTime duration_;
-  double scale_ = 1e6;                          ///< microseconds that a second of the phases lasts: tables are rounded
-  std::array<Phase, TurnDrive::steps> phases_;  ///< of which so many are in use; no heap
+  double scale_ = 1e6;                          ///< microseconds per second of the phases: tables are rounded
+  std::array<Phase, TurnDrive::steps> phases_;  ///< the first phase_count_ are in use; no heap
   std::size_t phase_count_ = 0;
   const TurnShape* shape_ = nullptr;
 };

@@ -23,7 +23,7 @@ std::string refusal_of_clearance(Turn turn, const Robot& robot, double best, dou
          millimetres(speed) + "/s, its best, it comes within " + millimetres(best) + " of a post or a wall";
 }
 
-/// At which speed the curve of a half turn is as wide as a cell: wider the faster.
+/// The speed at which the curve of a half turn is as wide as a cell; it widens with the speed.
 double speed_around_post(const Robot& robot) {
   const auto too_wide = [&](double speed) {
     return width_of(shape_at(Turn::f180, speed, curve_limits(robot), robot.cell)) > robot.cell;
@@ -38,8 +38,8 @@ double speed_around_post(const Robot& robot) {
   return high;
 }
 
-/// As given, or half a cell, as around the post in the middle; less where the curve would come too near to the wall
-/// ahead.
+/// Sets both leads: as given, or half a cell as around the post in the middle. They are less if the curve would come
+/// too near to the wall ahead.
 void set_leads_around_post(TurnShape& shape, const Robot& robot) {
   if (const double given = robot.layout(Turn::f180).given; given > 0.0) {
     shape.lead_in = shape.lead_out = given;
@@ -107,8 +107,8 @@ FittedTurn fitted_turn(Turn turn, const Robot& robot) {
   };
   for (int steps = top_steps; steps > 0; --steps)
     if (fits(steps)) return nearest;
-  // A slow robot turns on the path of a faster one, where its own would come too near to a post. The curve grows with
-  // the speed, up to where it has no room.
+  // If its own path would come too near to a post, a slow robot turns on that of a faster one. The curve grows with the
+  // speed, until it has no room.
   const int none = static_cast<int>(2.0 * std::sqrt(robot.lateral_acceleration * robot.cell) / speed_step);
   for (int steps = top_steps + 1; steps <= none; ++steps)
     if (fits(steps)) return nearest;

@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-/// Whole steps of speed that are tried for a turn, mm/s.
+/// The step of the speeds that are tried for a turn, mm/s.
 inline constexpr double speed_step = 5.0;
 
 struct FittedTurn {
@@ -17,14 +17,15 @@ struct FittedTurn {
   std::string error;   ///< why no speed fits, in mm and mm/s
 };
 
-/// Both leads are 0 or more, and the path keeps the robot's clearance: at the largest such speed in steps of 5 mm/s, or
-/// at the one that the robot gives. The width of 180 leaves one curve only; its speed is what the limits allow on it.
+/// Fits a turn into its cells: both leads are 0 or more, and the path keeps the robot's clearance. It has the largest
+/// such speed in steps of 5 mm/s, or the one that the robot gives. The width of a 180 leaves one curve only; its speed
+/// is what the limits allow on it.
 FittedTurn fitted_turn(Turn turn, const Robot& robot);
 
-/// On the path of one speed (mm/s), whatever the robot gives; not of 180.
+/// The turn on the path for a speed (mm/s), whatever the robot gives; not for a 180.
 FittedTurn turn_laid_out_for(double speed, Turn turn, const Robot& robot);
 
-/// How hard a robot may turn.
+/// The limits of a robot's curves.
 CurveLimits curve_limits(const Robot& robot);
 
 /// "12.3", "12"

@@ -1,4 +1,4 @@
-// The places of a route that a mouse drives in seconds.
+// The nodes of a route that a mouse drives in seconds.
 //
 // A route passes centres of cells and middles of walls, and at each of them it has a direction: one of the four
 // headings, or at the middle of a wall one of the diagonals between two of them. So sixteen nodes belong to a cell,
@@ -9,7 +9,7 @@
 //          |   c   |      l  left: on that wall, heading north-west: it will cross the western side of the neighbour
 //          o---o---o      r  right: on that wall, heading north-east
 //
-// A node on a wall is one only while that wall is open, and a diagonal one while the wall that it will cross is open
+// A node on a wall exists only if that wall is open, and a diagonal one only if the wall that it will cross is open,
 // too.
 #pragma once
 
@@ -42,7 +42,7 @@ struct DriveNode {
   friend constexpr bool operator==(const DriveNode&, const DriveNode&) = default;
 
   constexpr bool diagonal() const { return place == Place::left || place == Place::right; }
-  /// The heading that a diagonal node crosses second: the wall after the one it lies on is on that side.
+  /// The heading in which a diagonal node crosses its second wall, the one after that on which it lies.
   constexpr Heading second() const { return place == Place::left ? left_of(heading) : right_of(heading); }
 };
 
@@ -77,8 +77,8 @@ constexpr DriveNode reversed(const DriveNode& node) {
     default:
       break;
   }
-  // A diagonal lies on a wall and leads into the cell behind it; backwards it comes out of that cell's other side, so
-  // it crosses first what it lies on, from behind, and then the side away from which it had come.
+  // Backwards, a diagonal first crosses its wall from behind, and then the side by which it had come into the first
+  // cell. That side is on the left if the forward node is on the left.
   const bool left = node.place == Place::left;
   return {neighbour(node.cell, node.heading), opposite(node.heading), left ? Place::left : Place::right};
 }

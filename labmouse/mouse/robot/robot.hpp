@@ -11,23 +11,24 @@
 
 namespace labmouse {
 
-/// How a robot searches: cell by cell at one speed, seeing the walls about each cell as it enters it.
+/// The times of a robot's search moves, in microseconds. It drives cell by cell at one speed, and reads the walls of
+/// each cell as it enters it.
 struct SearchDrive {
   DriveTime cell = 0;       ///< straight on, from edge to edge
   DriveTime turn = 0;       ///< a quarter turn inside one cell, from edge to edge
   DriveTime back = 0;       ///< stops in the middle of the cell, pivots, and leaves it where it came in
   DriveTime quarter = 0;    ///< a quarter turn on the spot, at rest
   DriveTime half_cell = 0;  ///< from rest in the middle of a cell to its edge, or from there to rest
-  /// From an edge so many half cells straight on, faster and faster, through cells whose walls are all known: the first
-  /// half of a dash, whose second half is as long. All 0 where known cells are driven as others are.
+  /// The time from an edge over so many half cells straight on, accelerating, through known cells: the first half of a
+  /// dash, whose second half is as long. All 0 if known cells are driven as others are.
   std::array<DriveTime, max_drive_side + 1> onward{};
 
   bool dashes() const { return onward.back() != 0; }
-  /// Straight on over so many edges, where the walls of all cells behind the first are known.
+  /// The time straight on over so many edges, where the walls of all cells behind the first are known.
   DriveTime dash(int cells) const {
     return cells < 2 || !dashes() ? cells * cell : 2 * onward[static_cast<std::size_t>(cells)];
   }
-  /// The part of a dash to its edge of that number.
+  /// The time of a dash from its beginning to one of its edges, by number.
   DriveTime dash_part(int cells, int edge) const {
     if (cells < 2 || !dashes()) return edge * cell;
     const auto half = [&](int edges) { return onward[static_cast<std::size_t>(2 * edges)]; };
@@ -47,15 +48,16 @@ struct FixedTimes {
 /// How one kind of turn is driven, where the file says more than the limits do.
 struct TurnLayout {
   bool driven = true;
-  /// The speed in mm/s that its path is laid out for, or of 180 the straights before and after it in mm, as published;
+  /// The speed in mm/s that its path is laid out for; for a 180 the straights before and after it in mm, as published.
   /// 0: what fits best.
   double given = 0.0;
 
   friend bool operator==(const TurnLayout&, const TurnLayout&) = default;
 };
 
-/// Where a run may end: at rest in the middle of its goal cell or of one of the open cells straight behind it, so that
-/// its speed in the goal is one that it can stop from; or at any speed, as if there were no wall behind the goal.
+/// Where a run may end. `goal`: at rest in the middle of the goal cell, or of one of the open cells straight behind it,
+/// so that it must be able to stop from its speed in the goal. `beyond`: at any speed, as if there were no wall behind
+/// the goal.
 enum class Stop : std::uint8_t { goal, beyond };
 
 inline constexpr int most_speeds = 8;
@@ -64,31 +66,31 @@ inline constexpr int most_speeds = 8;
 struct Robot {
   std::string name;
   double cell = 180.0;                                     ///< side of a cell
-  double speed = 0.0, speed_diagonal = 0.0;                ///< never faster than that on straights
+  double speed = 0.0, speed_diagonal = 0.0;                ///< mm/s, limits on straights
   double acceleration = 0.0, acceleration_diagonal = 0.0;  ///< mm/s²
   double braking = 0.0, braking_diagonal = 0.0;            ///< mm/s², positive
   double lateral_acceleration = 0.0;                       ///< mm/s², in curves
   double yaw_acceleration = 0.0;                           ///< rad/s², where a curve begins and ends
   double yaw_speed = 0.0;                                  ///< rad/s; 0: as much as the lateral acceleration allows
-  double yaw_jerk = 0.0;                                   ///< rad/s³; 0: as much as there may be
-  double grip = 0.0;          ///< mm/s² in any direction, shared by both kinds; 0: turns are driven at one speed each
+  double yaw_jerk = 0.0;                                   ///< rad/s³; 0: no limit
+  double grip = 0.0;          ///< mm/s², lateral and longitudinal together; 0: turns are driven at one speed each
   double clearance = 0.0;     ///< mm that the robot's middle keeps from the middle of any post and wall that may stand
   double run_up = 0.0;        ///< mm behind the middle of the start cell where it stands before a run
   int speeds = 6;             ///< of each turn at most, 1 to most_speeds: its own largest, and lower ones
   Stop stop = Stop::goal;     ///< of robots with limits; those of published times end at the speed of the nodes
-  int sight = 1;              ///< cells that its sensors look into each direction
-  bool diagonals = true;      ///< whether it drives any
+  int sight = 1;              ///< cells that its sensors see in each direction
+  bool diagonals = true;      ///< whether it drives diagonals
   double search_speed = 0.0;  ///< mm/s
-  double search_turn_speed = 0.0;    ///< mm/s, on a path of its own; 0: at the search speed, on the path of S90
-  double known_speed = 0.0;          ///< mm/s, of a search over straights of known cells; 0: as over others
+  double search_turn_speed = 0.0;    ///< mm/s, on its own path; 0: at the search speed, on the path of S90
+  double known_speed = 0.0;          ///< mm/s, of a search over known cells; 0: as over others
   double known_acceleration = 0.0;   ///< mm/s², there; 0: the lesser of acceleration and braking
   double pivot_speed = 0.0;          ///< rad/s, turning on the spot
   double pivot_acceleration = 0.0;   ///< rad/s²
-  SearchDrive search;                ///< where its `cell` is 0, it follows from the three numbers before it
-  std::optional<FixedTimes> fixed;   ///< then the limits on curves above have no meaning
+  SearchDrive search;                ///< if its `cell` is 0, it is computed from the numbers above
+  std::optional<FixedTimes> fixed;   ///< if given, the limits of curves above are not used
   std::optional<Hardware> hardware;  ///< what it is built of, where that is known
-  /// By Turn: of those onto a diagonal, and so of those back from it. S90 is always driven, since every maze can be
-  /// driven by it.
+  /// By Turn: of those onto a diagonal, which hold for those back from it, too. S90 is always driven, since it is
+  /// enough for every maze.
   std::array<TurnLayout, all_turns.size()> layouts{};
 
   const TurnLayout& layout(Turn turn) const {

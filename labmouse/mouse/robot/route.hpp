@@ -26,9 +26,8 @@ struct DriveSegment {
   friend bool operator==(const DriveSegment&, const DriveSegment&) = default;
 };
 
-/// From rest in the middle of a start cell to the middle of a goal cell, at a speed that the robot may have there.
-/// Straights and turns follow each other in turns; a straight of no length is left out, unless there is a lead to
-/// drive.
+/// A route from rest in the middle of a start cell to the middle of a goal cell, at a speed that the robot may have
+/// there. Straights and turns alternate; a straight of no length is left out, unless there is a lead to drive.
 struct DriveRoute {
   std::vector<DriveSegment> segments;
   DriveTime time = no_time;
@@ -36,14 +35,14 @@ struct DriveRoute {
   friend bool operator==(const DriveRoute&, const DriveRoute&) = default;
 };
 
-/// The end of a route, segment by segment.
+/// Follows a route segment by segment, to find where it ends and how much room it needs to stop.
 class RouteEnd {
  public:
   void pass(const DriveSegment& segment);
-  /// Where it is.
+  /// The node at the end.
   const DriveNode& node() const { return last_.to; }
-  /// How many open cells behind it the mouse needs to stop in; none where no segment has passed. The route must be one
-  /// that can be driven.
+  /// Number of open cells behind the end that the mouse needs to stop in; 0 if no segment has passed. The route must be
+  /// one that can be driven.
   int room(const DriveTables& tables) const;
 
  private:
@@ -53,7 +52,7 @@ class RouteEnd {
   static constexpr int none = -1;
 };
 
-/// How many open cells behind its end a route needs to stop in. It must be one that can be driven.
+/// Number of open cells behind its end that a route needs to stop in. It must be one that can be driven.
 int stopping_room(const DriveRoute& route, const DriveTables& tables);
 
 }  // namespace labmouse

@@ -28,19 +28,19 @@ std::string refusal(const Robot& robot, double small_turn_speed) {
   return "";
 }
 
-/// A straight on which a mouse changes from one speed to another, whichever comes first.
+/// A straight on which a mouse changes between two speeds, in either order.
 struct Change {
   double speed = 0.0;  ///< mm/s at the edge of the cell
   double other = 0.0;  ///< mm/s in the curve
   double rate = 0.0;   ///< mm/s²
 
   double way() const { return std::abs(speed * speed - other * other) / (2.0 * rate); }
-  /// Over a lead that is long enough: the rest of it at the speed of the edge.
+  /// Seconds over a lead that is long enough; the rest of it is driven at the speed of the edge.
   double seconds(double lead) const { return 2.0 * way() / (speed + other) + (lead - way()) / speed; }
 };
 
-/// Seconds of a quarter turn from edge to edge at a speed of its own, into and out of which it changes on its leads: at
-/// the edge the mouse has just seen where it can go.
+/// A quarter turn from edge to edge at a speed of its own. The mouse changes to it and back on the leads: at the edge
+/// it has just seen where it can go.
 struct OwnTurn {
   double seconds = 0.0;
   std::string error;
@@ -60,7 +60,7 @@ OwnTurn own_turn(const Robot& robot) {
   return {before.seconds(lead_in) + turn.shape.length / own + after.seconds(lead_out), ""};
 }
 
-/// Over cells one by one, as the robot gives it or as follows from its search speed.
+/// The times of a search cell by cell, as the robot gives them or as they follow from its search speed.
 SearchModel cell_by_cell(const Robot& robot, const TurnShape& small_turn, double small_turn_speed) {
   if (robot.search.cell != 0) return {robot.search, {}};
   const double speed = robot.search_speed;

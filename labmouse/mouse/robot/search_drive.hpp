@@ -1,4 +1,4 @@
-// How a robot searches, from its search speed.
+// The times of a robot's search, from its search speed.
 #pragma once
 
 #include "labmouse/mouse/robot/robot.hpp"
@@ -11,10 +11,10 @@ struct SearchModel {
   std::string error;  ///< why it cannot search at that speed, in mm/s
 };
 
-/// What the robot gives, or else: cells and the small turn at its search speed; a turn back that stops within half a
-/// cell, pivots and starts within half a cell. Where braking and starting differ, both last as long as the longer. A
-/// turn that has a speed of its own begins and ends at the search speed, and changes to its own on its leads. Over
-/// known cells it speeds up to the speed that it may have there, and brakes to that of the search, both as hard.
+/// The times of a search, as the robot gives them or as follows. Cells and the small turn are driven at the search
+/// speed. A turn back stops within half a cell, pivots, and starts within half a cell; both last as long as the longer
+/// one. A turn with a speed of its own begins and ends at the search speed, and changes on its leads. Over known cells
+/// it accelerates to the speed allowed there, and brakes to that of the search, both equally hard.
 SearchModel search_model(const Robot& robot, const TurnShape& small_turn, double small_turn_speed);
 
 }  // namespace labmouse

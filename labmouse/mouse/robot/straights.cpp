@@ -6,7 +6,7 @@
 namespace labmouse {
 namespace {
 
-/// By how many of its microseconds rounding made the straight longer than two that it is made of.
+/// Undoes rounding that makes a straight longer than two straights that it is made of.
 void take_back_rounding(StraightTimes& straights, std::size_t lane) {
   const auto at = [&](int units) -> DriveTime& {
     return straights.between[(static_cast<std::size_t>(units) * straights.count() + lane) * straights.count() + lane];
@@ -15,7 +15,7 @@ void take_back_rounding(StraightTimes& straights, std::size_t lane) {
     for (int part = 1; part <= units / 2; ++part) at(units) = std::min(at(units), at(part) + at(units - part));
 }
 
-/// No time where the mouse cannot stop.
+/// The time to the end of a run; no_time if the mouse cannot stop.
 DriveTime time_to_end(double length, double from, double end, const StraightLimits& limits) {
   const double reached = std::sqrt(from * from + 2.0 * limits.acceleration * length);
   if (reached <= end || end >= limits.speed) return microseconds(seconds_onward(length, from, limits));

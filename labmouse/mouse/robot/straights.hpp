@@ -1,4 +1,4 @@
-// How long straights last: speed up as hard as allowed, stay at the limit, brake as late as possible.
+// The times of straights: a mouse speeds up as hard as allowed, stays at the limit, and brakes as late as possible.
 #pragma once
 
 #include <optional>
@@ -22,21 +22,21 @@ inline StraightLimits limits_diagonal(const Robot& robot) {
 /// Seconds over `length` mm from one speed to another, neither above the limit; nothing where that cannot be done.
 std::optional<double> seconds_between(double length, double from, double to, const StraightLimits& limits);
 
-/// Seconds over `length` mm from a speed to whatever speed is reached.
+/// Seconds over `length` mm from a speed, accelerating all the way.
 double seconds_onward(double length, double from, const StraightLimits& limits);
 
-/// Whole microseconds, to the nearest.
+/// Seconds as whole microseconds, to the nearest.
 DriveTime microseconds(double seconds);
 
-/// Fills `straights.between` for its lanes, `unit` mm apart. Where a lane without a lead leads to itself, two straights
-/// never last less than the one of both their lengths: rounding is taken back.
+/// Fills `straights.between` for its lanes; a unit is `unit` mm long. If a lane without a lead leads to itself, two
+/// straights never last less than one of both their lengths: rounding is taken back.
 void fill_between(StraightTimes& straights, double unit, const StraightLimits& limits);
 
-/// The speed from which a robot stops within so many cells.
+/// The largest speed in the goal, in mm/s, from which a robot stops within `room` cells.
 double end_speed(const Robot& robot, int room);
 
-/// Fills start, finish and whole of tables whose lanes stand: a run starts at rest, `robot.run_up` behind the middle of
-/// its cell, and ends in the middle of the goal as `robot.stop` says.
+/// Fills start, finish and whole of tables whose lanes are set. A run starts at rest, `robot.run_up` behind the middle
+/// of its cell, and ends in the middle of the goal as `robot.stop` says.
 void fill_ends(DriveTables& tables, const Robot& robot);
 
 }  // namespace labmouse

@@ -29,7 +29,7 @@ class TableHash {
   void add(const DrivenTurn& turn) {
     for (const int number : {static_cast<int>(turn.turn), int{turn.from}, int{turn.to}, int{turn.time}}) add(number);
     add_length(turn.speed);
-    // Robots whose turns are driven at one speed each keep the numbers that they had before there were others.
+    // Left out if it is the same, so that robots without grip keep the hashes of earlier versions.
     if (turn.end_speed != turn.speed) add_length(turn.end_speed);
   }
   std::uint64_t value() const { return hash_; }

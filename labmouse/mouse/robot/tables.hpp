@@ -1,9 +1,9 @@
-// What a robot's turns and straights last: all that a planner needs of it, in whole microseconds.
+// The times of a robot's turns and straights, in whole microseconds: all that a planner needs.
 //
-// A turn is driven at one speed, and may come in several speeds. It begins where its curve does, which may lie behind
-// the node: so much of the straight before is longer, its lead; and the same at its end. Turns that agree in speed and
-// lead share a *lane*: a straight is known by its length and the lanes that it leads from and to. One table for
-// straights along the axes and one for diagonals.
+// A turn begins where its curve does, which may lie behind the node. The straight before it is longer by that much, the
+// lead; and the same at its end. A turn may come in several speeds. Turns that agree in speed and lead share a *lane*:
+// the time of a straight follows from its length and the lanes at its two ends. There is one table for straights along
+// the axes and one for diagonals.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 
 namespace labmouse {
 
-/// Microseconds.
+/// A time in microseconds.
 using DriveTime = std::int32_t;
-/// Larger than any time of a route, and safe to add to another. All its bytes are the same, so that memory is soon full
-/// of it.
+/// Larger than any time of a route, and safe to add to another. All its bytes are the same, so that memset can write
+/// it.
 inline constexpr DriveTime no_time = 0x3f3f3f3f;
 
-/// How turns enter and leave straights.
+/// The speed and lead at which turns enter or leave straights.
 struct Lane {
   double speed = 0.0;  ///< mm/s
   double lead = 0.0;   ///< mm between the node and where the curve begins or ends; a part of the straight
@@ -36,7 +36,7 @@ struct DrivenTurn {
   std::uint8_t to = 0;     ///< lane in which it ends
   DriveTime time = 0;      ///< of the curve alone
   double speed = 0.0;      ///< mm/s where it begins
-  double end_speed = 0.0;  ///< where it ends; the same but for robots with grip
+  double end_speed = 0.0;  ///< mm/s where it ends; it differs only for robots with grip
 };
 
 /// Straights of one kind: along the axes in half cells, or diagonal in half diagonals of a cell.
@@ -54,22 +54,22 @@ struct StraightTimes {
   }
 };
 
-/// A robot as the planner sees it. `labmouse/mouse/robot/robot.hpp` makes it.
+/// A robot as the planner sees it; make_drive_model() computes it.
 struct DriveTables {
   double cell = 0.0;  ///< side of a cell, mm
   StraightTimes along;
   StraightTimes diagonal;
-  /// From the start, at rest: half cells from the middle of the start cell to a lane, at [units * lanes + to].
+  /// Times from rest at the start: over half cells from the middle of its cell to a lane, at [units * lanes + to].
   std::vector<DriveTime> start;
-  /// To the end: half cells from a lane to the middle of a goal cell, at [(room * lengths + units) * lanes + from],
-  /// where so many cells behind that one are open, as room to stop in; more than there are rooms are as the last one.
-  /// One room only where a run may end at any speed.
+  /// Times to the end: over half cells from a lane to the middle of a goal cell, at
+  /// [(room * lengths + units) * lanes + from]. `room` is the number of open cells behind that one to stop in; more
+  /// than rooms() - 1 count as that. There is one room only if a run may end at any speed.
   std::vector<DriveTime> finish;
   /// From the start to the end without a turn, at [room * lengths + units].
   std::vector<DriveTime> whole;
   /// All turns, by kind, the fastest of each first; those onto a diagonal and those back from it are both here.
   std::vector<DrivenTurn> turns;
-  /// Of all numbers above, for records.
+  /// Hash of all numbers above, for records.
   std::uint64_t hash = 0;
 
   DriveTime start_to(int units, std::size_t lane) const {
@@ -80,7 +80,7 @@ struct DriveTables {
     return finish[place_of(units, room) * along.count() + lane];
   }
   DriveTime whole_way(int units, int room) const { return whole[place_of(units, room)]; }
-  /// Of the curves alone; no_time without turns.
+  /// The least time of a turn's curve; no_time without turns.
   DriveTime shortest_turn() const;
 
  private:

@@ -6,7 +6,7 @@
 namespace labmouse {
 namespace {
 
-/// The curvature of a turn, rad/mm, and how it grows, rad/mm², so far from the beginning of its curve.
+/// The curvature of a turn, rad/mm, and its growth, rad/mm², at a distance from the beginning of its curve.
 struct Bend {
   double curvature = 0.0;
   double growth = 0.0;
@@ -19,14 +19,14 @@ Bend bend_at(const TurnShape& shape, double distance) {
   return {shape.ramp.peak, 0.0};
 }
 
-/// The square of the acceleration that is left of the grip at the square of a speed.
+/// The square of the longitudinal acceleration that the grip leaves, for the square of a speed.
 double left_of_grip(double squared_speed, const Bend& bend, double grip) {
   const double lateral = squared_speed * bend.curvature;
   return grip * grip - lateral * lateral;
 }
 
-/// How hard it may speed up there: within its own limit, its grip, and its yaw acceleration, which is v² times the
-/// growth of the curvature and the acceleration times the curvature.
+/// The largest acceleration there: within its own limit, its grip, and its yaw acceleration, which is v² times the
+/// growth of the curvature plus the acceleration times the curvature.
 double acceleration_at(double squared_speed, const Bend& bend, double own, const Robot& robot) {
   const double grip = left_of_grip(squared_speed, bend, robot.grip);
   if (grip <= 0.0) return 0.0;
@@ -36,7 +36,7 @@ double acceleration_at(double squared_speed, const Bend& bend, double own, const
   return std::max(0.0, most);
 }
 
-/// The squares of the speeds, speeding up from the first as hard as allowed, up to a top.
+/// The squares of the speeds along the curve, accelerating from the first as hard as allowed, up to a top speed.
 std::array<double, TurnDrive::steps + 1> rise(const TurnShape& shape, double from, double top, double own,
                                               const Robot& robot) {
   std::array<double, TurnDrive::steps + 1> squares{};

@@ -1,5 +1,4 @@
-// How a turn is driven where its speed may change on the way: the tyres give what they do not need for the curve to
-// speed up or to brake (a friction circle).
+// Turns at changing speed: the tyres' grip that the curve leaves is used to accelerate or to brake (a friction circle).
 #pragma once
 
 #include <array>
@@ -10,18 +9,18 @@
 
 namespace labmouse {
 
-/// Speeds along the curve of a turn, without its leads: even in squares over equally long steps, so that within a step
-/// the acceleration is the same.
+/// Speeds along the curve of a turn, without its leads. Their squares are linear in each of equally long steps, so that
+/// the acceleration is constant within a step.
 struct TurnDrive {
   static constexpr int steps = 128;
 
   std::array<double, steps + 1> speeds{};  ///< mm/s, where the steps begin and end
-  double seconds = 0.0;                    ///< of all of it
+  double seconds = 0.0;                    ///< of the whole curve
 };
 
-/// As fast as the robot's limits allow from one speed (mm/s) at the beginning of the curve to another at its end, never
-/// above a third, for which the path is laid out; nothing where that cannot be done. For robots with grip and without
-/// a limit of yaw jerk.
+/// The fastest drive that the robot's limits allow, from one speed (mm/s) at the beginning of the curve to another at
+/// its end, never above `top`, for which the path is laid out; nothing if there is none. For robots with grip and
+/// without a limit of yaw jerk.
 std::optional<TurnDrive> turn_drive(const TurnShape& shape, double from, double to, double top, const Robot& robot);
 
 }  // namespace labmouse

@@ -48,7 +48,7 @@ TurnRoom room_between(Turn turn) {
   }
 }
 
-/// Every wall about the cells that turns pass, but for the open ones.
+/// All walls around the cells that turns pass, except the open ones.
 std::vector<Wall> others(const std::vector<Wall>& open) {
   std::vector<Wall> walls;
   for (int y = origin.y - 2; y <= origin.y + 3; ++y)
@@ -58,7 +58,7 @@ std::vector<Wall> others(const std::vector<Wall>& open) {
   return walls;
 }
 
-/// From a point to a wall between its posts, in cells.
+/// The distance from a point to a wall between its posts, in cells.
 double distance(MazePoint point, Wall wall) {
   const bool level = wall.side == Heading::north;
   const MazePoint corner = {wall.cell.x + 1.0, wall.cell.y + 1.0};
@@ -99,7 +99,7 @@ double clearance_of(const TurnShape& shape, double cell) {
   double nearest = at(0.0);
   for (int i = 1; i <= steps; ++i)
     if (const double here = at(step * i); here < nearest) nearest = here, closest = i;
-  // The distance has one valley between the neighbours of the closest sample: thirds of it, until it is a point.
+  // The distance has one minimum between the neighbours of the closest sample: ternary search.
   double low = step * std::max(0, closest - 1);
   double high = step * std::min(steps, closest + 1);
   for (int i = 0; i < 40; ++i) {

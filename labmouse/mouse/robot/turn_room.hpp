@@ -14,10 +14,10 @@ struct TurnRoom {
   DriveNode from;
   DriveNode to;
   std::vector<Wall> open;      ///< must be open
-  std::vector<Wall> standing;  ///< all others of the cells about it: may stand; posts are their ends
+  std::vector<Wall> standing;  ///< other walls about its cells, which may stand; posts are their ends
 };
 
-/// Of a turn back from a diagonal: that of the turn onto it, which it passes from `to` to `from`.
+/// The walls of a turn. A turn back from a diagonal has those of the turn onto it, which it passes from `to` to `from`.
 TurnRoom room_of(Turn turn);
 
 /// A point in cells from the south-west corner of a maze.
@@ -26,7 +26,7 @@ struct MazePoint {
   double y = 0.0;
 };
 
-/// Where a point of a turn from that node lies; of a turn to the left, or of its mirror image to the right.
+/// The position of a point of a turn that begins at that node: to the left, or mirrored to the right.
 MazePoint maze_point(const DriveNode& from, bool left, const PathPoint& point, double cell);
 
 /// Distance in mm between the path of a turn and the nearest post or wall that may stand, middle to middle.

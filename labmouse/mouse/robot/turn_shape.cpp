@@ -12,13 +12,13 @@ namespace {
 
 double angle_of(Turn turn) { return eighths(turn) * (pi / 4.0); }
 
-/// Exact where quarters of a circle are.
+/// The direction at the end of a turn; exact for quarters of a circle.
 Direction end_direction(Turn turn) {
   const Position way = way_of_eighths(eighths(turn));
   return {way.x, way.y};
 }
 
-/// A point of the shape's curve, from where the curve begins; it is the same from both of its ends.
+/// A point of the shape's curve at a distance from where the curve begins; the curve is symmetric.
 PathPoint on_curve(const TurnShape& shape, double distance) {
   const double peak = shape.ramp.peak;
   const PathPoint point = shape.ramp.at(std::min(distance, shape.ramp.length));
@@ -29,16 +29,16 @@ PathPoint on_curve(const TurnShape& shape, double distance) {
   return {point.ahead + (after.sine - before.sine) / peak, point.aside + (before.cosine - after.cosine) / peak, angle};
 }
 
-/// Where the curve ends, in its own beginning's direction: both halves of it are mirror images.
+/// Where the curve ends, seen from its beginning; its two halves are mirror images.
 PathPoint curve_end(const TurnShape& shape) {
   const PathPoint middle = on_curve(shape, shape.length / 2.0);
-  // The mirror's axis stands at half the angle; the way to the middle is repeated behind it, mirrored.
+  // The axis of the mirror is at half the angle; the second half is the first one, mirrored.
   const Direction end = end_direction(shape.turn);
   return {middle.ahead * (1.0 + end.cosine) + middle.aside * end.sine,
           middle.ahead * end.sine + middle.aside * (1.0 - end.cosine), angle_of(shape.turn)};
 }
 
-/// The leads that put a curve with that end between the nodes of a turn.
+/// Sets the leads that put a curve with that end between the nodes of a turn.
 void set_leads(TurnShape& shape, const PathPoint& curve) {
   const Direction end = end_direction(shape.turn);
   shape.lead_out = (shape.end.aside - curve.aside) / end.sine;
@@ -57,7 +57,7 @@ TurnShape placed(TurnShape shape, double cell) {
   return shape;
 }
 
-/// A curve eight times as long as its clothoids, anywhere.
+/// A curve eight times as long as each of its clothoids, not yet put between its nodes.
 TurnShape curve_of_eighths(Turn turn, double ramp) {
   TurnShape shape;
   shape.turn = turn;
@@ -69,7 +69,7 @@ TurnShape curve_of_eighths(Turn turn, double ramp) {
 }  // namespace
 
 PathPoint end_of(Turn turn, double cell) {
-  constexpr double half = way_of_eighths(1).x;  // the root of it
+  constexpr double half = way_of_eighths(1).x;  // square root of 1/2
   constexpr std::array<PathPoint, 8> ends = {{{1.0, 0.5},
                                               {1.0, 1.0},
                                               {0.5, 1.0},
@@ -121,7 +121,7 @@ double width_of(const TurnShape& shape) { return curve_end(shape).aside; }
 TurnShape plain_shape(Turn turn, double cell) {
   const TurnShape unit = curve_of_eighths(turn, 1.0);
   if (turn == Turn::f180) return placed(curve_of_eighths(turn, cell / width_of(unit)), cell);
-  // A corner has the longest leads; each mm of the curve takes as much of them away as the one before it.
+  // A sharp corner has the longest leads; they shrink linearly with the length of the curve.
   TurnShape corner = unit;
   corner.end = end_of(turn, cell);
   set_leads(corner, {});

@@ -22,17 +22,17 @@ struct TurnShape {
   /// The point after so many mm from the first node, from 0 to lead_in + length + lead_out.
   PathPoint at(double distance) const;
   double whole() const { return lead_in + length + lead_out; }
-  /// How it bends there, rad/mm to the left.
+  /// The curvature there, rad/mm to the left.
   double curvature_at(double distance) const;
 };
 
-/// Where a turn leads in cells of that many mm.
+/// The last node of a turn, in cells of that many mm.
 PathPoint end_of(Turn turn, double cell);
 
-/// The tightest curve at a speed (mm/s) within the limits. Its leads come out below 0 where it needs more room than
-/// there is, and that of 180 has its last node wherever it ends: `width` says how far aside. Clearance is left at 0.
+/// The tightest curve at a speed (mm/s) within the limits. A lead is below 0 if the curve needs more room than there
+/// is. The curve of a 180 may end beside its last node: width_of() gives its width. Clearance is left at 0.
 TurnShape shape_at(Turn turn, double speed, const CurveLimits& limits, double cell);
-/// Of the curve alone, from its beginning to its end across.
+/// The width of the curve alone, from its beginning across to its end, in mm.
 double width_of(const TurnShape& shape);
 
 /// A curve eight times as long as each of its clothoids, as wide as the nodes allow.

@@ -9,7 +9,7 @@
 namespace labmouse {
 namespace {
 
-/// A third root by halving, to the last bits: that of the standard libraries differs in them.
+/// A cube root by bisection; those of the standard libraries differ in their last bits.
 double third_root(double cube) {
   double low = 0.0, high = std::max(1.0, cube);
   for (int i = 0; i < 200; ++i) {
@@ -19,7 +19,7 @@ double third_root(double cube) {
   return low;
 }
 
-/// After `distance` mm of a clothoid that starts straight and has turned by `angle` there: Fresnel's sums.
+/// The point after `distance` mm of a clothoid that starts straight and has turned by `angle` there: Fresnel's series.
 PathPoint after_clothoid(double distance, double angle) {
   double ahead = 0.0;
   double aside = 0.0;
@@ -45,8 +45,8 @@ double angle_on_ramp(const RampPath& ramp, double distance) {
   return onset_angle(ramp.onset) + slope * (ramp.onset + within) * within / 2.0;
 }
 
-/// Moves a point along the ramp between two distances within which the angle is one polynomial: Gauss's sums of eight
-/// points, exact to rounding for the angles of turns.
+/// Moves a point along the ramp between two distances within which the angle is one polynomial: Gauss-Legendre
+/// quadrature with eight points, exact to rounding for the angles of turns.
 void drive(const RampPath& ramp, double from, double to, PathPoint& point) {
   struct Sample {
     double place, weight;

@@ -3,15 +3,15 @@
 
 namespace labmouse {
 
-/// A point of a path, in mm ahead of and to the left of its first point, in the direction of that; with the path's own
-/// direction in rad to the left of it.
+/// A point of a path, in mm ahead and to the left of the path's first point, as seen in the direction there; and the
+/// path's direction at the point, in rad to the left of that.
 struct PathPoint {
   double ahead = 0.0;
   double aside = 0.0;
   double angle = 0.0;
 };
 
-/// How hard a robot may turn.
+/// The limits of a robot's curves.
 struct CurveLimits {
   double lateral_acceleration = 0.0;  ///< mm/s²
   double yaw_acceleration = 0.0;      ///< rad/s²
@@ -19,7 +19,7 @@ struct CurveLimits {
   double yaw_jerk = 0.0;              ///< rad/s³; 0: none
 };
 
-/// Up to a yaw rate as fast as the limits allow: the yaw acceleration rises, stays, and falls.
+/// The rise to a yaw rate as fast as the limits allow: the yaw acceleration rises, stays, and falls.
 struct YawRamp {
   double rate = 0.0;     ///< rad/s at its end
   double seconds = 0.0;  ///< of the whole
@@ -27,7 +27,7 @@ struct YawRamp {
 };
 
 YawRamp ramp_to(double yaw_rate, const CurveLimits& limits);
-/// The one that with its mirror image turns by an angle (rad), without an arc between them.
+/// The ramp that, with its mirror image behind it, turns by an angle (rad), without an arc between them.
 YawRamp ramp_of_half(double angle, const CurveLimits& limits);
 
 /// The path of a ramp: from a straight to the largest curvature.
@@ -38,7 +38,7 @@ struct RampPath {
 
   /// The point so many mm from its beginning, from 0 to its length.
   PathPoint at(double distance) const;
-  /// How it bends there, rad/mm.
+  /// The curvature there, rad/mm.
   double curvature_at(double distance) const;
 };
 
