@@ -132,8 +132,7 @@ enum class SandboxUse { where_possible, always, never };
 /// Packages installed for the Pythons of external mice. Cached for a race, because the query starts each Python.
 struct InstalledPackages {
   std::mutex mutex;
-  std::map<std::vector<std::string>, std::string>
-      known;  ///< by the path of Python and the variables that the mouse adds to the environment
+  std::map<std::vector<std::string>, std::string> known;  ///< by the mouse's variables and the path of Python
 };
 
 /// How external mice are started.
