@@ -317,7 +317,8 @@ void ContestBatch::add_everywhere(const Contest& contest, BeliefBits bits, typen
       Form::add(cells + static_cast<std::size_t>(y * size_.width + x) * Form::units_a_cell, bits);
 }
 
-// Marks what is seen, as Knowledge::learn does: each open wall of a corridor and the closed one at its end, in both of its cells.
+// Marks what is seen, as Knowledge::learn does: each open wall of a corridor and the closed one at its end, in both of
+// its cells.
 template <class Form>
 void ContestBatch::see(const Contest& contest, typename Form::Unit* cells) const {
   const Facts& facts = facts_[contest.slot];
