@@ -1,6 +1,6 @@
-// The core of the page: labmouse as a WebAssembly module without a loader. The page writes the name of a call, a
-// request (JSON) and bytes beside it into room that the module gives it, calls, and reads the answer. What the calls
-// mean is in labmouse/lab/page, where it is tested natively.
+// The core of the page: labmouse as a WebAssembly module without loader code. The page calls labmouse_room() for
+// memory, writes name, request (JSON) and bytes there, calls labmouse_call(), and reads the answer. labmouse/lab/page
+// implements the calls, and native tests cover it.
 #include <array>
 #include <cstddef>
 #include <string>
@@ -17,16 +17,16 @@ labmouse::PageAnswer answer;
 
 }  // namespace
 
-/// Room for that many bytes of a part: 0 the name of the call, 1 the request, 2 what goes beside it.
+/// Allocates `size` bytes for a part of the call: 0 its name, 1 the request, 2 binary data.
 LABMOUSE_EXPORT(labmouse_room) char* labmouse_room(std::size_t part, std::size_t size) {
   parts[part].resize(size);
   return parts[part].data();
 }
 
-/// Answers the call whose parts are there.
+/// Answers the call that was written to the parts.
 LABMOUSE_EXPORT(labmouse_call) void labmouse_call() { answer = labmouse::answer_page(parts[0], parts[1], parts[2]); }
 
-/// The answer to the last call: JSON, and what goes beside it.
+/// The answer to the last call: JSON and binary data. Valid until the next call.
 LABMOUSE_EXPORT(labmouse_answer) const char* labmouse_answer() { return answer.json.data(); }
 LABMOUSE_EXPORT(labmouse_answer_size) std::size_t labmouse_answer_size() { return answer.json.size(); }
 LABMOUSE_EXPORT(labmouse_answer_bytes) const char* labmouse_answer_bytes() { return answer.bytes.data(); }

@@ -1,4 +1,4 @@
-// What the lab does otherwise where it has no system: a page has no files, starts no programs, and has one thread.
+// Replaces functions that need an operating system: in the page there are no files, no programs and no threads.
 #include "labmouse/external/hidden_files.hpp"
 #include "labmouse/external/mms/run.hpp"
 #include "labmouse/lab/mice/external_specs.hpp"

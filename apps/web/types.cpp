@@ -1,5 +1,5 @@
-// Prints what scripts/page-types writes into apps/web/page/src/core: the page's TypeScript types (types.ts), or with
-// any argument how it shows races (worlds.json).
+// Prints the files that scripts/page-types writes into apps/web/page/src/core: the page's TypeScript types (types.ts),
+// or with any argument the tables of worlds (worlds.json).
 #include <cstdio>
 
 #include "labmouse/lab/page/world_tables.hpp"

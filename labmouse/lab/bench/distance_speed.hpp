@@ -1,4 +1,4 @@
-// How fast this build is on this machine.
+// Measures the speed of this build on this machine.
 #pragma once
 
 #include <map>
@@ -6,15 +6,15 @@
 
 namespace labmouse {
 
-/// Nanoseconds of one distance field, medians of one run.
+/// Median time to fill one distance field, in nanoseconds, by four implementations.
 struct DistanceSpeed {
-  double rows = 0.0;           ///< rows of bits, the widest code of this processor
-  double portable_rows = 0.0;  ///< rows of bits, the code for every processor
-  double queue = 0.0;          ///< one cell at a time, from a ring in an array
-  double plain = 0.0;          ///< one cell at a time, written for clarity
+  double rows = 0.0;           ///< DistanceField: bitboard rows, widest SIMD of this processor
+  double portable_rows = 0.0;  ///< the same in portable C++
+  double queue = 0.0;          ///< RingSearch: one cell at a time
+  double plain = 0.0;          ///< plain_distances: one cell at a time, written for clarity
 };
 
-/// By the side of the maze: 16, 32, 64. Strides of three, mazes of our generators with loops.
+/// By the side of the maze: 16, 32, 64 cells. Steps of up to three cells, in generated mazes with loops.
 using DistanceSpeeds = std::map<int, DistanceSpeed>;
 
 struct Speed {
@@ -25,7 +25,7 @@ struct Speed {
 
 Speed measure_speed();
 
-/// The distance fields alone.
+/// Measures the distance fields only.
 DistanceSpeeds measure_distances();
 
 }  // namespace labmouse

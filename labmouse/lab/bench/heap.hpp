@@ -1,11 +1,11 @@
-// The heap of this process.
+// Heap use of this process.
 #pragma once
 
 #include <cstddef>
 
 namespace labmouse {
 
-/// Bytes that are in use of it; 0 where the C library does not tell.
+/// Bytes of the heap in use; 0 where the C library has no such figure (other than glibc).
 std::size_t heap_in_use();
 
 }  // namespace labmouse

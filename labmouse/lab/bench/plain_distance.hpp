@@ -1,4 +1,4 @@
-// Distance fields the plain way: what the rows of bits are tested and measured against.
+// Simple implementations of distance fields, against which DistanceField is tested and measured.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace labmouse {
 
-/// Costs as DistanceField gives them, by size.index(cell), with a queue of the standard library; written for clarity.
-/// Any motion: the queue is one of (cost, cell) pairs in order (Dijkstra 1959).
+/// The costs of DistanceField, by size.index(cell), by Dijkstra's algorithm (1959) with a std::priority_queue. It is
+/// written for clarity and supports any motion.
 std::vector<int> plain_distances(Size size, const Motion& motion, const WallSet& passages, const CellSet& from);
 
-/// Breadth-first search for moves of cost one, the honest fast way with one cell at a time: passages in a flat array
-/// read beforehand, a ring in an array for a queue, no memory taken while it runs.
+/// Breadth-first search for moves of cost one, a fair competitor that handles one cell at a time. Passages are read
+/// into a flat array beforehand, the queue is an array, and fill() allocates no memory.
 class RingSearch {
  public:
   RingSearch(Size size, int longest, const WallSet& passages);

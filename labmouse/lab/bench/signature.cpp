@@ -1,4 +1,4 @@
-// Includes nothing that a microcontroller lacks: the portable checks compile this file with the modules below the lab.
+// Includes nothing that a microcontroller lacks: this file is also compiled for one, with the modules outside of lab/.
 #include "labmouse/lab/bench/signature.hpp"
 
 #include "labmouse/contest/drive.hpp"
@@ -20,7 +20,7 @@ class Hash {
     add(static_cast<int>(number & 0xffffffff));
     add(static_cast<int>(number >> 32));
   }
-  /// Every bit of it.
+  /// Adds all 64 bits.
   void add_number(double number) { add_long(bits_as<std::int64_t>(number)); }
   void add(int number) {
     const auto bits = static_cast<std::uint32_t>(number);
@@ -44,7 +44,7 @@ void add_contest(const Maze& maze, const BuiltinMouse& mouse, Hash& hash) {
   hash.add(static_cast<int>(record.outcome));
 }
 
-/// A robot of one speed, and one whose turns follow from its limits.
+/// A robot with fixed times (one speed), or one whose times follow from its limits.
 Robot robot(bool one_speed) {
   Robot robot;
   robot.cell = 90.0;
@@ -94,7 +94,7 @@ void add_drives(const Maze& maze, const DriveModel& model, Hash& hash) {
   }
 }
 
-/// What such a robot may be built of: a little of everything that there is.
+/// Hardware with every kind of sensor and noise.
 Hardware hardware() {
   Hardware all;
   all.chassis = {26.0, 16.0, 17.0, 15.0};
@@ -191,7 +191,7 @@ std::uint64_t seconds_signature() {
     for (const Generator* generator : all_generators())
       for (const Size size : {Size{7, 5}, Size{16, 16}}) {
         const GeneratorOrder order{size, 1, 100};
-        // A robot of many speeds takes its time to plan.
+        // Planning for a robot of many speeds is slow, so it drives in small mazes only.
         if (!generator->refuses(order).empty() || (!one_speed && size.width > 7)) continue;
         add_drives(generator->make(order), model, hash);
       }

@@ -1,4 +1,5 @@
-// Numbers for the behaviour of everything: equal on every compiler and platform. A change that alters it says why.
+// Hashes of the program's behaviour, equal on every compiler and platform. A commit that changes one must give the
+// reason.
 #pragma once
 
 #include <cstdint>
@@ -6,18 +7,17 @@
 
 namespace labmouse {
 
-/// A hash over all actions of every built-in mouse, with its defaults, in fixed mazes of our
-/// generators.
+/// A hash of all actions of every built-in mouse, with its defaults, in fixed generated mazes.
 std::uint64_t behaviour_signature();
 
-/// The same of the world in seconds: the tables of robots of all kinds, and every move and run of the mice that drive.
+/// The same for the world of seconds: a hash of the tables of two robots, and of every move and run of the mice that
+/// drive.
 std::uint64_t seconds_signature();
 
-/// The same of the physical world: every bit of where bodies are, and where their controllers believe to be, under
-/// noise.
+/// The same for the physical world with noise: a hash of every bit of the true and the estimated poses.
 std::uint64_t physical_signature();
 
-/// All in hexadecimal digits, with hyphens between: what `labmouse bench` prints.
+/// All three in hexadecimal digits, joined by hyphens, as `labmouse bench` prints them.
 std::string signature();
 
 }  // namespace labmouse

@@ -6,7 +6,7 @@
 
 namespace labmouse {
 
-/// `rows`, `portable_rows`, `queue` and `plain` for each side.
+/// For each side, an object of `rows`, `portable_rows`, `queue` and `plain` in nanoseconds.
 Json distance_json(const DistanceSpeeds& speeds);
 
 }  // namespace labmouse

@@ -13,7 +13,7 @@
 namespace labmouse {
 namespace {
 
-/// The heap serves small pieces from what was given back before: of so many strategies that is little.
+/// The heap reuses freed blocks, which the figure misses. Over so many strategies this is negligible.
 constexpr std::size_t strategies = 64;
 
 std::size_t own_memory(const BuiltinMouse& mouse, const Briefing& briefing) {

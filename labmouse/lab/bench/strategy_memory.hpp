@@ -1,4 +1,4 @@
-// How much memory strategies take in the world of seconds: what a real mouse would have to have.
+// Memory of strategies in the world of seconds, as a microcontroller would need it.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@ namespace labmouse {
 
 struct StrategyMemory {
   Size size;
-  std::size_t fields = 0;                  ///< in bytes, exactly: DriveFields
-  MemoryLayout layout;                     ///< what the fields are spent on
-  std::size_t tables = 0;                  ///< that all strategies of the robot share, and that are constant
-  std::map<std::string, std::size_t> own;  ///< by mouse: what it takes besides, in bytes of the heap, measured
+  std::size_t fields = 0;                  ///< of DriveFields, in bytes
+  MemoryLayout layout;                     ///< how the fields are divided
+  std::size_t tables = 0;                  ///< constant tables that all strategies of the robot share, in bytes
+  std::map<std::string, std::size_t> own;  ///< by mouse: further heap, in bytes, measured
 };
 
-/// Of all mice that drive, with their defaults, in mazes of a size up to 32×32.
+/// Measures all mice that drive, with their defaults, in a maze of at most 32×32 cells.
 StrategyMemory strategy_memory(Size size, const DriveModel& model);
 
 }  // namespace labmouse

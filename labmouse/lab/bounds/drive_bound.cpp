@@ -19,15 +19,15 @@ SearchPlace start_of(const Maze& maze) { return {{maze.start(), maze.start_headi
 
 void keep_least(std::optional<MazeTime>& least, MazeTime time) { least = std::min(least.value_or(time), time); }
 
-/// What a run behind a search is worth before any bonus; nothing where the rules leave no time for it.
+/// The score of a speed run after a search run, without bonus; nullopt where the rules do not allow it.
 std::optional<MazeTime> fast_score(const DriveRun& run, const DriveRules& rules) {
   const MazeTime end = rules.gate_to_gate ? *run.gate_in : *run.centre;
   if (rules.most_runs < 2 || run.begin >= rules.time_limit || end > rules.time_limit) return std::nullopt;
   return end - (rules.gate_to_gate ? *run.gate_out : run.begin) + maze_time_part(run.begin, rules);
 }
 
-/// The least time to a goal and home, by the algorithm of Dijkstra (1959) over edges, before a goal was entered and
-/// after.
+/// The least time to a goal and back, by Dijkstra's algorithm (1959). A node is an edge, and whether a goal was
+/// entered.
 class SearchHome {
  public:
   SearchHome(const Maze& maze, const SearchDrive& search)
@@ -50,7 +50,7 @@ class SearchHome {
  private:
   static constexpr MazeTime never = MazeTime{1} << 60U;
 
-  /// In the middle of the start cell, in the direction of the start.
+  /// Ends the way home in the middle of the start cell, in the start's heading.
   void stop(const SearchPlace& place, MazeTime time) {
     keep_least(least_, time + search_time(search_, place, search_step(place.pose.heading, maze_.start_heading(), 0)));
   }
@@ -65,7 +65,7 @@ class SearchHome {
     if (on_the_way_home && !place.at_rest && search_.dashes()) dash_from(place.pose, time);
   }
 
-  /// On the way home nothing is left to be read.
+  /// On the way home the robot may dash, because no walls are left to be read.
   void dash_from(const Pose& edge, MazeTime time) {
     Pose next = edge;
     for (int cells = 1; maze_.is_open(next.cell, next.heading); ++cells) {
@@ -107,7 +107,7 @@ std::optional<MazeTime> shortest_search(const Maze& maze, const DriveRules& rule
     const Action step = search_step(start.pose.heading, heading, 1);
     const DriveTime rest = to_goal.from(after_search(start, step));
     if (rest >= no_time) continue;
-    // The clock of the rules begins when it leaves the start, or where it stands.
+    // With gate-to-gate timing the clock starts when the robot leaves the start cell, else when it starts to move.
     const MazeTime out = search_time(search, start, step), stop = std::min(search.cell / 2, search.half_cell);
     const MazeTime end = out + rest + (rules.gate_to_gate ? 0 : stop);
     if (end <= rules.time_limit) keep_least(least, end - (rules.gate_to_gate ? out : 0));

@@ -1,4 +1,4 @@
-// What a mouse could do in a maze that it knows, in seconds.
+// Lower bounds of times in the world of seconds, for a mouse that knows the maze.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,26 @@
 
 namespace labmouse {
 
-/// In microseconds.
+/// Lower bounds for a maze, in microseconds.
 struct DriveBound {
-  /// The fastest route, from rest to the centre; nothing where none leads from the start in its direction to a goal.
+  /// Time of the fastest route from rest at the start to the goal's centre; empty where no route from the start pose
+  /// reaches a goal.
   std::optional<DriveTime> fastest;
-  /// The score by the rules, in their time, of a mouse that knows the maze but drives fast only over walls that it has
-  /// seen: of the shortest search to a goal itself, or of the fastest route after the shortest search to a goal and
-  /// home. By the clock from gate to gate another route may be faster by some milliseconds. Nothing where no run can
-  /// count.
+  /// The score of a mouse that knows the maze but may start a speed run only after a search run. It is the minimum of
+  /// two: of the shortest search run to a goal, and of the fastest route after the shortest search run to a goal and
+  /// back. With gate-to-gate timing, another route may be faster by some milliseconds. Empty where no run can count.
   std::optional<MazeTime> score;
 };
 
-/// For a maze up to 32×32.
+/// The bounds of a maze of at most 32×32 cells.
 DriveBound drive_bound_of(const Maze& maze, const DriveRules& rules, const DriveModel& model);
 
-/// The least time of a search from the start to a goal and on, to rest at the start again, where all cells are known
-/// once a goal was entered; nothing where there is no way.
+/// The least time, in microseconds, of a search run from the start to a goal and back to rest at the start. On the way
+/// back all cells count as known. Empty where there is no route.
 std::optional<MazeTime> shortest_search_home(const Maze& maze, const SearchDrive& search);
 
-/// The least time of a search to a goal by the clock of the rules; nothing where there is no way, or it takes too long.
+/// The least time of a search run to a goal, in microseconds, timed by the rules. Empty where there is no route, or it
+/// exceeds the time limit.
 std::optional<MazeTime> shortest_search(const Maze& maze, const DriveRules& rules, const SearchDrive& search);
 
 }  // namespace labmouse

@@ -13,10 +13,11 @@
 namespace labmouse {
 namespace {
 
-// Costs are whole twentieths of a point of the score: a point of the run counts in the run and, a tenth, in the total.
+// Costs are integers in units of 1/20 of a point of the score. A point of the run counts 1 for the run and 1/10 for the
+// total: 22 units.
 constexpr int points = 20, run_point = 22, start_turn = 2;
 
-/// A move's cost by its half steps: what effective_distance counts, times run_point.
+/// Cost of a move of that many half steps: its effective distance times run_point.
 constexpr int cost_of_move(int half_steps) {
   return half_steps <= 2 ? half_steps * run_point : (half_steps + 2) * run_point / 2;
 }
@@ -27,7 +28,7 @@ struct Turn {
 };
 constexpr Turn turns[] = {{2, "turnRight"}, {-2, "turnLeft"}, {1, "turnRight45"}, {-1, "turnLeft45"}};
 
-/// Shortest ways over poses (Dijkstra 1959), from the start to the first pose in a goal.
+/// Dijkstra's algorithm (1959) over poses, from the start to the nearest pose in a goal.
 class Search {
  public:
   explicit Search(const Maze& maze)
@@ -39,7 +40,7 @@ class Search {
     while (!open_.empty() && !end_) expand();
   }
 
-  /// The least cost; nothing where no goal can be reached.
+  /// The least cost; nullopt where no goal can be reached.
   std::optional<int> cost() const {
     if (!end_) return std::nullopt;
     return nodes_[*end_].cost;
@@ -58,7 +59,7 @@ class Search {
   struct Node {
     int cost = std::numeric_limits<int>::max();
     std::size_t parent = 0;
-    int half_steps = 0;  ///< of the move that led here; 0: it was a turn
+    int half_steps = 0;  ///< of the move that led here; 0 for a turn
   };
 
   std::size_t index(const HalfPose& pose) const {
@@ -116,7 +117,7 @@ class Search {
   std::optional<std::size_t> end_;
 };
 
-/// Whether a turn at the start finishes a run: it costs a tenth, in the total.
+/// Whether the start is a goal. Then a turn there finishes a run, and adds 1/10 to the score by the total.
 bool starts_in_goal(const Maze& maze) { return mms_goals(maze.size()).contains(Cell{}); }
 
 }  // namespace
@@ -125,7 +126,8 @@ MmsBound mms_bound_of(const Maze& maze) {
   if (starts_in_goal(maze)) return {0.0, static_cast<double>(start_turn) / points};
   const auto cost = Search(maze).cost();
   if (!cost) return {};
-  // Costs of runs are multiples of half a run_point, and the turns before them less than that.
+  // A run costs a multiple of run_point / 2, and the turns before it less than run_point / 2: the division removes
+  // them.
   const int half_points = *cost / (run_point / 2);
   return {half_points / 2.0, static_cast<double>(*cost) / points};
 }

@@ -13,7 +13,8 @@ struct RoundStep {
   int digit = 1;
   int exponent = 0;
 
-  /// So many steps as a number: multiplied, or divided by a power of ten that a double holds, so that 3 tenths are 0.3.
+  /// `count` steps as a number. For negative exponents it divides by a power of ten, which is exact, so 3 tenths give
+  /// 0.3.
   double times(long count) const {
     double power = 1.0;
     for (int i = std::abs(exponent); i > 0; --i) power *= 10.0;
@@ -22,7 +23,7 @@ struct RoundStep {
   }
 };
 
-/// The smallest round step that is no less than a distance above 0.
+/// The smallest round step of at least `least`, which is positive.
 RoundStep round_step(double least) {
   RoundStep step;
   while (step.times(1) < least) ++step.exponent;

@@ -13,10 +13,10 @@ class Axis {
     std::string label;
   };
 
-  /// Puts `low` at the pixel `begin` and `high`, which is larger, at `end`; has at most about so many ticks,
-  /// and none closer than least_step.
+  /// Puts `low` at the pixel `begin` and `high`, which is larger, at `end`; has about `most_ticks` ticks at most, at
+  /// least `least_step` (in values) apart.
   Axis(double low, double high, int begin, int end, int most_ticks, double least_step = 0.0);
-  /// An axis of names, one beside the other, in the middle of equal parts; name number i has the value i.
+  /// An axis of names, each in the middle of an equal part of the axis; name i has the value i.
   Axis(const std::vector<std::string>& names, int begin, int end);
 
   double place(double value) const { return begin_ + (value - low_) / (high_ - low_) * (end_ - begin_); }

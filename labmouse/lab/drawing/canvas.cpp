@@ -11,10 +11,10 @@
 namespace labmouse::drawing {
 namespace {
 
-// Of the 256 colours of terminals: blues of growing lightness, all dark enough for white text.
+// From the 256 terminal colours: blues of growing lightness, all dark enough for white text.
 constexpr std::array<int, Heat::levels + 1> heat_colours = {0, 17, 18, 19, 25, 26, 32};
 
-/// The ANSI code of an ink. Plain text on heat is white, since the ground behind it is dark on every terminal.
+/// The ANSI code of an ink. Plain text on heat is white, because heat colours are dark.
 std::string_view code_of(Ink ink, bool on_heat) {
   switch (ink) {
     case Ink::plain:
@@ -77,7 +77,7 @@ std::string Canvas::text(bool colours) const {
 std::string Canvas::style_of(const Glyph& glyph) {
   if (glyph.paint > 0) return fmt::format("{};48;5;{}", is_light(glyph.paint) ? "30" : "97", glyph.paint);
   const bool on_heat = glyph.heat > 0;
-  // Blanks have no ink, so that runs of them do not switch colours.
+  // Blanks have no ink, so that the colour does not change at them.
   std::string style{code_of(glyph.character == U' ' ? Ink::plain : glyph.ink, on_heat)};
   if (on_heat) style += fmt::format(";48;5;{}", heat_colours[static_cast<std::size_t>(glyph.heat)]);
   return style;

@@ -1,4 +1,4 @@
-// Characters with inks: the paper of text drawings.
+// Character grid with colours, on which text drawings are made.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@ namespace labmouse::drawing {
 
 enum class Ink { plain, dim, start, goal, route, mouse, to_goal, onwards, wrong };
 
-/// A grid of characters, row 0 at the top, blank at first. All positions handed to it must lie on it.
+/// A grid of characters, blank at first; row 0 is at the top. All positions must lie on it.
 class Canvas {
  public:
   Canvas(int columns, int rows);
 
   void put(int column, int row, std::u32string_view text, Ink ink = Ink::plain);
   bool blank(int column, int row) const { return at(column, row).character == U' '; }
-  /// The level of heat (0 for none) behind a stretch of a row.
+  /// Sets the heat level (0 for none), a background colour, of a stretch of a row.
   void warm(int column, int row, int columns, int level);
 
-  /// One of the 256 colours of terminals (0 for none) behind a stretch of a row; it hides heat.
+  /// Sets the background of a stretch of a row to one of the 256 terminal colours (0 for none); it replaces heat.
   void paint(int column, int row, int columns, int colour);
 
-  /// The rows without trailing blanks, each ended by a line feed; inks and heat as ANSI codes only with `colours`.
+  /// The rows without trailing blanks, each ended by a line feed; with ANSI colour codes only if `colours`.
   std::string text(bool colours) const;
 
  private:

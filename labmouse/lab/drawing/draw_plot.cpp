@@ -1,4 +1,4 @@
-// Plots for documents: one SVG file that needs nothing else.
+// Plots as self-contained SVG files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,11 +18,11 @@ namespace {
 
 using namespace drawing;
 
-// Pixels: the area of the points and what stands around it.
+// Pixels: the plot area and the space around it.
 constexpr int left = 76, top = 56, least_width = 560, height = 320, margin = 24;
 constexpr int bottom = top + height;
 
-/// The points in the order of their numbers, or as they stand where one has none.
+/// The points sorted by their numbers, or in the given order if one has no number.
 struct Row {
   std::vector<const PlotPoint*> points;
   std::vector<double> values;  ///< on the axis, of each point
@@ -46,7 +46,7 @@ Row row_of(const Plot& plot) {
   return row;
 }
 
-/// Names stand side by side, so many of them make a wide picture.
+/// Right edge of the plot. Names stand side by side, so many names need a wide picture.
 int right_of(const Row& row) {
   if (row.numbers) return left + least_width;
   std::size_t longest = 0;
@@ -67,7 +67,7 @@ Axis x_axis(const Row& row, int right) {
   return {low - room, high + room, left, right, 10, whole ? 1.0 : 0.0};
 }
 
-/// Room for all means and intervals; not below 0 where none of them is.
+/// Covers all means and intervals; begins at 0 or above if all of them do.
 Axis y_axis(const Row& row) {
   std::vector<double> ends;
   for (const PlotPoint* point : row.points) {
@@ -80,7 +80,7 @@ Axis y_axis(const Row& row) {
   return {*low >= 0.0 ? std::max(0.0, *low - room) : *low - room, *high + room, bottom, top, 10};
 }
 
-/// A line from mean to mean; between names there is nothing, so it says nothing.
+/// A line from mean to mean; none between names, because there are no values in between.
 std::string means_svg(const Row& row, const Axis& x, const Axis& y) {
   if (!row.numbers || row.points.size() < 2) return "";
   std::string data;

@@ -1,5 +1,4 @@
-// Mazes for documents: one SVG file that needs nothing else. The layers come from the folder drawing; here they are put
-// on one sheet with title, description and legend.
+// Mazes as self-contained SVG files: puts the layers on one sheet with title, description and legend.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ Scene scene_of(const Maze& maze, const DrawingLayers& layers) {
 
 int width_of(const Scene& scene) { return std::max(scene.frame.right() + sheet_margin, least_sheet_width); }
 
-/// What the picture shows, in words, for those who cannot see it.
+/// Describes the picture in words, for screen readers.
 std::string description_of(const Scene& scene) {
   const Maze& maze = scene.maze;
   std::string text =

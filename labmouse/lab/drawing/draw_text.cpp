@@ -24,8 +24,8 @@ using namespace drawing;
 
 constexpr std::size_t cell_columns = 3;
 
-/// The text in the middle of a cell's three columns. Where it is longer, a mark says that something is missing:
-/// a number must not look like another one.
+/// The text in the middle of a cell's three columns. A longer text ends in `~`, so that a cut number does not look like
+/// another number.
 std::u32string centred(std::u32string text) {
   if (text.size() > cell_columns) return text.substr(0, cell_columns - 1) + U"~";
   if (text.size() < cell_columns) text.insert(0, 1, U' ');
@@ -130,7 +130,7 @@ class TextDrawing {
     return places;
   }
 
-  /// What the signs mean that only some drawings have, and the shares of the cells: a line each.
+  /// Explains the signs of optional layers, and gives the shares of the explored cells: one line each.
   std::string key() const {
     std::string lines;
     if (const auto& search_run = layers_.search_run) {
@@ -168,7 +168,7 @@ class TextDrawing {
     write(pose.cell, std::string(1, shapes[static_cast<std::size_t>(pose.heading)]), Ink::mouse);
   }
 
-  /// The letter of a start or goal cell: in the middle, else in front of what is there, if that leaves room.
+  /// The letter of a start or goal cell: in the middle, else left of what is there if that place is blank.
   void draw_mark(Cell cell, std::u32string_view letter, Ink ink) {
     const int front = column(cell) - 1;
     if (canvas_.blank(front + 1, row(cell))) return canvas_.put(front + 1, row(cell), letter, ink);

@@ -20,30 +20,30 @@ struct SearchLegs {
   std::vector<Pose> onwards;
 };
 
-/// What to draw over the walls. Texts may come from anywhere: both drawings make them harmless.
+/// What to draw over the walls. Texts may come from untrusted sources: both drawings escape them.
 struct DrawingLayers {
   bool coordinates = false;
   /// A text for each cell (a distance, a count), empty for none.
   std::function<std::string(Cell)> label;
   /// What the labels are, with their unit, for the legend of the SVG: "steps to the goal".
   std::string label_meaning;
-  /// A walk as poses from its first to its last, one a step: drawn as a line with a numbered dot at the end of each
-  /// step. Where no open straight way leads to the next pose (the mouse was carried to the start), the line breaks.
+  /// The poses of a walk, one per step: drawn as a line with a numbered dot at the end of each step. The line is
+  /// interrupted where no open straight way leads to the next pose (the mouse was carried to the start).
   std::vector<Pose> route;
   /// How often each cell was visited: drawn as heat (in text only with colours).
   std::function<int(Cell)> visits;
-  /// A colour behind each cell, by its number among the 256 of terminals; 0 for none (in text only, and with colours).
+  /// The background of each cell as one of the 256 terminal colours; 0 for none (only in text with colours).
   std::function<int(Cell)> paint;
-  /// Belief instead of truth: walls that the mouse does not know are drawn faintly, open or not.
+  /// Walls that the mouse does not know: drawn faintly, open or not.
   std::optional<WallSet> unknown;
-  /// Walls that the mouse takes for open and that are closed: drawn in a colour of their own.
+  /// Closed walls that the mouse assumes open: drawn in a colour of their own.
   std::optional<WallSet> wrong;
   /// The search run as two lines beside each other, in two colours.
   std::optional<SearchLegs> search_run;
   /// The cells that a search run visited and those that it discovered, shaded in two tones (in text only the shares).
   std::optional<ExploredCells> explored;
-  /// The candidates of a choice: dashes along the walls with the costs of their runs in steps, the chosen one stronger,
-  /// those that were not worth the way weaker (not in text).
+  /// The walls that the mouse considered to explore next: dashed lines with the costs of their runs in steps. The
+  /// chosen one is drawn stronger, those not worth the way weaker (not in text).
   std::optional<StepReasons> candidates;
   /// Where the mouse stands now.
   std::optional<Pose> mouse;
@@ -56,11 +56,11 @@ std::string draw_svg(const Maze& maze, const DrawingLayers& layers);
 /// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, wrong guesses `###` and `#`, the route
 /// as dots with the number of each step where it ends, the search run as `+` to the goal, `x` from there on and `*`
 /// where both went, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels end in `~`. Below stand
-/// the meanings of the signs for wrong guesses and the search run, and the shares of the explored cells. ASCII but for
-/// what labels and title bring; with ANSI colours only where asked for.
+/// the meanings of the signs for wrong guesses and the search run, and the shares of the explored cells. Only labels
+/// and title may be other than ASCII. ANSI colours only if `colours`.
 std::string draw_text(const Maze& maze, const DrawingLayers& layers, bool colours);
 
-/// draw_text with or without colours, for what may be shown where there is no terminal, too.
+/// draw_text with the colours already chosen, for callers that do not know whether there is a terminal.
 using TextDrawer = std::function<std::string(const Maze&, const DrawingLayers&)>;
 TextDrawer text_drawer(bool colours);
 

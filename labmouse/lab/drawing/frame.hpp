@@ -1,4 +1,4 @@
-// Where things are in an SVG picture: integers, y downwards, the maze's north at the top.
+// Coordinates of an SVG picture in pixels: integers, y downwards, the maze's north at the top.
 #pragma once
 
 #include "labmouse/grid/cell.hpp"
@@ -19,7 +19,7 @@ struct Frame {
   /// Walls are a tenth of a cell thick.
   static constexpr int wall = cell / 10;
 
-  /// What a coloured square leaves to be seen of the one below it, on each side.
+  /// Width of the visible border of a coloured square under another one.
   static constexpr int rim = cell / 8;
 
   Size size;

@@ -1,4 +1,4 @@
-// Visits as heat: counts on a scale of a few levels.
+// Visits to cells as a heat map: counts on a scale of a few levels.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace labmouse::drawing {
 
-/// How often the cells of a maze were visited, each asked for once.
+/// How often the cells of a maze were visited; calls `visits` once for each cell.
 class Heat {
  public:
   static constexpr int levels = 6;

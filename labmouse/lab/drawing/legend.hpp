@@ -10,7 +10,7 @@ namespace labmouse::drawing {
 
 class Legend {
  public:
-  /// Begins with the left end of its first row there (at half its height) and breaks rows before they pass `right`.
+  /// @param begin Left end of the first row, at half its height. @param right Rows break before this x.
   Legend(Point begin, int right) : begin_(begin), pen_(begin), right_(right) {}
 
   /// Adds an entry. The sample is SVG around (0,0), its left middle.

@@ -1,9 +1,9 @@
 // The few colours of SVG pictures.
 //
 // Each element carries its colour on light ground as an attribute, which every renderer understands, and a class; a
-// style sheet that only counts where dark ground is preferred overrides the attributes by these classes.
+// style sheet for dark mode overrides the attributes by these classes.
 // Hues after Okabe and Ito, "Color Universal Design" (2008): blue, green, amber and vermilion, which colour-blind eyes
-// tell apart, and a dark purple; the heat is one blue that grows away from the ground, explored cells are warm greys.
+// tell apart, and a dark purple; heat is a blue with growing contrast to the background, explored cells are warm greys.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ inline constexpr Tone wrong = {"wrong", "#b8418c", "#f08fc8"};
 inline constexpr Tone candidate = {"candidate", "#a86a00", "#f0b648"};
 inline constexpr Tone discovered = {"discovered", "#f1ede7", "#2e2a23"};
 inline constexpr Tone visited = {"visited", "#d8cfc2", "#50483c"};
-/// From one visit to the most.
+/// By heat level, from one visit to the most.
 inline constexpr std::array<Tone, Heat::levels> heat_tones = {{
     {"heat1", "#e6f0f9", "#15293b"},
     {"heat2", "#d0e3f3", "#17344f"},

@@ -1,4 +1,4 @@
-// A measured mean against a value, as a picture.
+// A plot of measured means against a parameter value.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,21 @@
 namespace labmouse {
 
 struct PlotPoint {
-  /// A number such as 0.25; where one point's is none, all points stand side by side under their texts.
+  /// A number such as 0.25. If any point's `x` is not a number, all points stand side by side, labelled by their texts.
   std::string x;
   double mean = 0.0;
   std::optional<Interval> interval;
   bool hollow = false;  ///< drawn as a ring
-  std::string words;    ///< shown where a pointer rests on it
+  std::string words;    ///< tooltip
 };
 
-/// What to draw. Texts may come from anywhere: the drawing makes them harmless.
+/// What to draw. Texts may come from untrusted sources: the drawing escapes them.
 struct Plot {
   std::string title;
   std::string description;
   std::string x_label, y_label;  ///< with units
   std::vector<PlotPoint> points;
-  /// For the legend: what a dot, a whisker and a ring say. What is not drawn is not in the legend.
+  /// For the legend: what a dot, a whisker and a ring mean. The legend lists only what is drawn.
   std::string mean_words, interval_words, hollow_words;
 };
 

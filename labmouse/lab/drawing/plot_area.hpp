@@ -9,7 +9,7 @@
 
 namespace labmouse::drawing {
 
-/// Pixels; ticks and labels stand outside: 76 on the left and 48 below hold them.
+/// Bounds in pixels. Ticks and labels are outside and need 76 pixels on the left and 48 below.
 struct PlotArea {
   int left = 0;
   int top = 0;
@@ -17,10 +17,10 @@ struct PlotArea {
   int bottom = 0;
 };
 
-/// Pixels, about the mean of the wider sans-serif faces.
+/// Mean width of a letter in pixels, in the wider sans-serif fonts.
 inline constexpr int letter_width = 7;
 
-/// A straight line, and words that begin, have their middle or end there (`start`, `middle`, `end`).
+/// A straight line; and a text at a point, by `anchor` (`start`, `middle`, `end`).
 std::string line_svg(double x1, double y1, double x2, double y2, const Tone& tone, int width);
 std::string text_svg(double x, double y, std::string_view anchor, const Tone& tone, std::string_view words);
 

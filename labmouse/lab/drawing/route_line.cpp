@@ -10,7 +10,7 @@ Point towards(Point from, Heading heading, int distance) {
   return from.moved(unit.x * distance, -unit.y * distance);
 }
 
-/// One stretch between two carries.
+/// A part of the walk during which the mouse is not carried.
 class Stroke {
  public:
   Stroke(const Frame& frame, std::span<const Leg> legs, int lane) : frame_(frame), legs_(legs), lane_(lane) {}
@@ -34,7 +34,7 @@ class Stroke {
   }
 
  private:
-  /// The direction of the last movement up to the end of a step, and of the first one behind it.
+  /// The direction of the last movement up to the end of a step, and of the first one after it.
   std::optional<Heading> before(std::size_t step) const {
     while (step > 0 && !legs_[step - 1].direction) --step;
     return step > 0 ? legs_[step - 1].direction : std::nullopt;
@@ -44,7 +44,7 @@ class Stroke {
     return step < legs_.size() ? legs_[step].direction : std::nullopt;
   }
 
-  /// Where a line that comes in and goes out in these directions passes a cell: right of both.
+  /// The point at which a line that enters and leaves a cell in these directions passes it: on the right of both.
   Point spot(Cell cell, std::optional<Heading> in, std::optional<Heading> out) const {
     Point point = frame_.centre(cell);
     if (in) point = towards(point, right_of(*in), lane_);

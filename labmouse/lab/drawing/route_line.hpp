@@ -9,14 +9,14 @@
 namespace labmouse::drawing {
 
 struct RouteLine {
-  /// Polylines; a new one begins where the mouse was carried.
+  /// Polylines; a new one begins after the mouse was carried.
   std::vector<std::vector<Point>> strokes;
   /// Where each step ends, in order.
   std::vector<Point> stops;
 };
 
-/// The line through the legs. It keeps `lane` to the right of the way, as traffic does, so that going and coming back
-/// do not cover each other; 0 draws it in the middle.
+/// The line through the legs. It is `lane` pixels right of the way, as traffic is, so that ways there and back do not
+/// overlap; 0 draws it in the middle.
 RouteLine route_line(const Frame& frame, const std::vector<Leg>& legs, int lane);
 
 }  // namespace labmouse::drawing

@@ -1,4 +1,4 @@
-// What the layers of an SVG picture are drawn from, and the layers.
+// The layers of an SVG picture, and the input from which they are drawn.
 #pragma once
 
 #include <string>
@@ -20,27 +20,27 @@ struct Scene {
   Heat heat;
   std::vector<Leg> legs;
 
-  /// How many rims the plates of start and goal leave for the colours below them.
+  /// How many rims (Frame::rim) the squares of start and goal are inset, so that the colours below them are visible.
   int rims() const { return (layers.explored ? 1 : 0) + (heat.peak() > 0 ? 1 : 0); }
-  /// Whether lines pass the middles of the cells, so that labels move to a corner.
+  /// Whether lines pass through the middles of cells; labels then move to a corner.
   bool lined() const { return !legs.empty() || layers.search_run; }
-  /// Whether the middles of the cells belong to lines or to labels, so that letters move to a corner.
+  /// Whether lines or labels use the middles of cells; the letters S and G then move to a corner.
   bool crowded() const { return lined() || layers.label != nullptr; }
 };
 
-// From bottom to top. Each returns SVG elements, or nothing where the scene has nothing for it.
+// From bottom to top. Each returns SVG elements; empty if the scene has no such layer.
 
 /// Explored cells, heat, start and goals.
 std::string floor_svg(const Scene& scene);
 /// Posts, unknown walls, walls and wrong guesses, the latter two as one path each with one segment a wall.
 std::string walls_svg(const Scene& scene);
-/// The two legs of the search run as lines; the second one broken, so that not only its colour tells it.
+/// The two legs of the search run as lines; the second one dashed, so that it differs not only in colour.
 std::string search_run_svg(const Scene& scene);
 /// The letters S and G, and the labels.
 std::string labels_svg(const Scene& scene);
 /// The numbers of columns and rows, outside of the maze.
 std::string coordinates_svg(const Scene& scene);
-/// The walls among which the mouse chose, with the costs of their runs.
+/// The candidate walls of the choice, with the costs of their runs.
 std::string candidates_svg(const Scene& scene);
 /// The walk, and a numbered dot at the end of each step.
 std::string route_svg(const Scene& scene);
@@ -52,7 +52,7 @@ Legend legend_of(const Scene& scene, Point begin, int right);
 
 /// The data of a path along a wall.
 std::string segment(const Frame& frame, Wall wall);
-/// A line along the wall of a candidate, which was chosen, or worth its way, or neither.
+/// A line along the wall of a candidate; `worth` says whether it was worth the way.
 std::string candidate_svg(const std::string& path, bool chosen, bool worth);
 /// The data of a path through points.
 std::string path_through(const std::vector<Point>& points);

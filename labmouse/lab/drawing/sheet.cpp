@@ -25,7 +25,7 @@ std::string fitted(std::string_view words, int letters) {
 
 namespace {
 
-/// A title that is too long is cut before its last colon: what stands behind it, as an outcome, matters most.
+/// Cuts a title that is too long before its last colon: the outcome after it matters most.
 std::string fitted_title(std::string_view words, int letters) {
   constexpr std::u32string_view before_outcome = U": ";
   const std::u32string text = printable(words);

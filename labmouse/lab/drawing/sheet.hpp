@@ -1,4 +1,4 @@
-// The sheet of an SVG picture: title, description, ground and colours, without which no picture goes out.
+// The frame that every SVG picture has: title, description, background and colours.
 #pragma once
 
 #include <string>
@@ -10,27 +10,27 @@
 
 namespace labmouse::drawing {
 
-/// Pixels, of a sheet with one maze; small mazes have titles and legends, too.
+/// In pixels, of a sheet with one maze. The least width leaves room for title and legend of small mazes.
 inline constexpr int sheet_margin = 20, least_sheet_width = 300;
 
 struct Sheet {
   int width = 0;
   int height = 0;
-  /// What a reader of screens says: the title, and what the picture shows in words.
+  /// Texts for screen readers: the title, and a description of the picture.
   std::string title;
   std::string description;
   /// Tones of the picture beyond those that every sheet has.
   std::vector<Tone> tones = {};
 
-  /// The whole file with that SVG on the sheet.
+  /// The complete SVG file with these elements on the sheet.
   std::string with(std::string_view svg) const;
 };
 
-/// The words, printable; where they have more than so many letters (at least 1), cut and ended by an ellipsis.
+/// The words, printable; if longer than `letters` (at least 1), cut and ended by an ellipsis.
 std::string fitted(std::string_view words, int letters);
 
-/// A heading from there on to the right, cut where it would pass `right`, before its last colon if possible, so that an
-/// outcome behind it stays; nothing for an empty one.
+/// A heading from `begin` to at most `right`; empty if `words` is. A long one is cut before its last colon if possible,
+/// to keep the outcome after it.
 std::string heading_svg(Point begin, int right, std::string_view words);
 
 }  // namespace labmouse::drawing

@@ -1,4 +1,4 @@
-// The layer of an SVG picture that shows among which walls the mouse chose.
+// The layer of an SVG picture that shows the candidates of a choice.
 #include <fmt/format.h>
 
 #include "labmouse/lab/drawing/palette.hpp"
@@ -8,7 +8,7 @@
 namespace labmouse::drawing {
 namespace {
 
-/// The wall of a candidate, or for a goal a frame in its cell.
+/// Path data of a candidate: its wall, or for a goal a frame in its cell.
 std::string path_of(const Frame& frame, const Candidate& candidate) {
   if (!candidate.goal) return segment(frame, candidate.wall);
   const Point corner = frame.corner(candidate.seen_from).moved(Frame::rim, Frame::rim);
@@ -16,7 +16,7 @@ std::string path_of(const Frame& frame, const Candidate& candidate) {
   return fmt::format("M{} {}h{}v{}h-{}z", corner.x, corner.y, side, side, side);
 }
 
-/// Where its number stands: in the middle of the wall, or of the goal's lower edge.
+/// Place of the candidate's number: the middle of the wall, or of the goal's lower edge.
 Point middle_of(const Frame& frame, const Candidate& candidate) {
   constexpr int half = Frame::cell / 2;
   if (candidate.goal) return frame.centre(candidate.seen_from).moved(0, half - Frame::rim);

@@ -7,7 +7,7 @@
 namespace labmouse::drawing {
 namespace {
 
-// Right of the middle, where the dots of a route are, and beside each other.
+// Pixels right of the middle, so that the two lines are beside each other and clear of the dots of a route.
 constexpr int to_goal_lane = 9;
 constexpr int onwards_lane = 13;
 

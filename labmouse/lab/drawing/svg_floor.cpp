@@ -1,4 +1,5 @@
-// The layers of an SVG picture that colour the floor. Where one lies on another, it leaves a rim of it to be seen.
+// The layers of an SVG picture that colour the floor. The upper of two layers is inset, so that a rim of the lower one
+// is visible.
 #include <fmt/format.h>
 
 #include <array>
@@ -8,7 +9,7 @@
 namespace labmouse::drawing {
 namespace {
 
-/// The path data of a cell's square without so many rims.
+/// Path data of a cell's square, inset by `rims` rims.
 std::string square(const Frame& frame, Cell cell, int rims) {
   const Point at = frame.corner(cell).moved(rims * Frame::rim, rims * Frame::rim);
   return fmt::format("M{0} {1}h{2}v{2}h-{2}z", at.x, at.y, Frame::cell - 2 * rims * Frame::rim);

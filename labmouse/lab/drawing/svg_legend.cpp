@@ -1,4 +1,4 @@
-// What the legend of an SVG picture says: one sample with words for each layer that is there.
+// The legend of an SVG picture: a sample with words for each layer present.
 #include <fmt/format.h>
 
 #include "labmouse/lab/drawing/scene.hpp"
@@ -32,7 +32,7 @@ void add_heat(Legend& legend, const Heat& heat) {
              heat.peak() == 1 ? "1 visit to a cell" : fmt::format("1 to {} visits to a cell", heat.peak()));
 }
 
-/// Both tones of the discovered cells, in which those visited are counted.
+/// Both tones of the discovered cells, which include the visited ones.
 std::string discovered_swatch() {
   return fmt::format(
       "<rect y=\"-9\" width=\"18\" height=\"18\" rx=\"2\" {}/><rect x=\"18\" y=\"-9\" width=\"18\" "

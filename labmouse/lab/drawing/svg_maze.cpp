@@ -18,13 +18,13 @@ std::string posts(const Frame& frame) {
   return path;
 }
 
-/// The attributes of letters and labels: with a rim of paper where lines run below them.
+/// The attributes of letters and labels, with an outline in the background colour if lines run below them.
 std::string writing(const Scene& scene) {
   if (!scene.layers.search_run) return fill(ink);
   return fill_and_stroke(ink, paper) + " stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
 }
 
-/// The first characters of a label, and a mark where more would follow: the cell must hold it.
+/// The label, cut and ended by an ellipsis if it would not fit into the cell.
 std::string shortened(const std::string& label) {
   constexpr std::size_t most = 6;
   const std::u32string all = printable(label);
@@ -48,7 +48,7 @@ std::string letters(const Scene& scene) {
   return all + "</g>\n";
 }
 
-/// The numbers 0 to count - 1, or every second or fourth of them, where they would stand too close.
+/// The numbers 0 to count - 1, in steps of `every`.
 template <class Place>
 std::string numbers(int count, int every, Place place) {
   std::string all;
@@ -93,7 +93,7 @@ std::string walls_svg(const Scene& scene) {
 
 std::string labels_svg(const Scene& scene) {
   if (!scene.layers.label) return letters(scene);
-  // Lines take the middles; then labels stand in the corner that they leave free.
+  // With lines through the middles, labels stand in a corner that the lines leave free.
   const bool corner = scene.lined();
   std::string all = fmt::format("<g {} text-anchor=\"{}\" font-size=\"{}\">", writing(scene), corner ? "end" : "middle",
                                 corner ? 10 : 12);

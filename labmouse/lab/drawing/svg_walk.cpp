@@ -12,7 +12,7 @@ namespace {
 
 constexpr int lane_width = 6;
 
-/// Dots that would cover each other (turns on the spot, further visits) fan out like cards, four to a fan.
+/// Shifts dots that would cover each other (turns in place, further visits), up to four of them.
 Point fanned(const std::vector<Point>& stops, std::size_t step) {
   const Point stop = stops[step];
   const auto end = stops.begin() + static_cast<std::ptrdiff_t>(step);

@@ -1,4 +1,4 @@
-// Every wall of a picture once, and how it looks.
+// Appearance of the walls of a picture, and a loop over them.
 #pragma once
 
 #include "labmouse/lab/drawing/drawing.hpp"
@@ -16,7 +16,7 @@ inline WallLook look_of(const Maze& maze, const DrawingLayers& layers, Wall wall
   return maze.open_walls().contains(wall) ? WallLook::open : WallLook::closed;
 }
 
-/// Calls visit(Wall) for each wall of a maze of that size, the border included, row by row.
+/// Calls visit(Wall) once for each wall of a maze of that size, the border included, row by row.
 template <class Visit>
 void for_each_wall(Size size, Visit visit) {
   for (int y = -1; y < size.height; ++y) {

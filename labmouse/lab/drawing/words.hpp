@@ -1,4 +1,4 @@
-// What pictures say of their layers, in words: for legends and for the lines under text drawings.
+// Texts that describe layers: for legends, and for the lines below text drawings.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace labmouse::drawing {
 
 /// "17 steps, 45 cells".
 std::string route_words(const std::vector<Leg>& legs);
-/// "12 steps to the goal", and "9 steps from there on"; without the reset, which goes nowhere.
+/// "12 steps to the goal", and "9 steps from there on"; the reset does not count.
 std::string to_goal_words(const SearchLegs& search_run);
 std::string onwards_words(const SearchLegs& search_run);
 /// "66 of 144 cells visited (45.8 %)", and the same for those discovered.
@@ -21,7 +21,7 @@ std::string discovered_words(const ExploredCells& explored);
 std::string wrong_words(const WallSet& walls);
 /// "14 candidates of step 12, with their runs in steps".
 std::string candidates_words(const StepReasons& choice);
-/// "chosen: a run of 17.4 steps" (or what is left of it from the wall on), or that none was.
+/// "chosen: 17.4" (the cost of its run in steps), or "none chosen".
 std::string chosen_words(const Reasons& reasons);
 /// A candidate's run as a number of steps, "17.4".
 std::string through_words(const Candidate& candidate, const Reasons& reasons);

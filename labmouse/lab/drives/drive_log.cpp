@@ -17,14 +17,14 @@ constexpr std::string_view names =
     "left,"
     "ir_left_ahead,range,millivolts,true_way,true_wall_right,true_wall_left,true_wall_ahead,true_x,true_y,true_angle\n";
 
-/// Whether a mouse points along or across walls, to a degree.
+/// Whether the robot points along or across walls, within 1 degree.
 bool is_in_line(const Direction& ahead) {
   constexpr double sine_of_degree = 0.017452406437283513;
   return std::min(std::abs(ahead.sine), std::abs(ahead.cosine)) < sine_of_degree;
 }
 
-/// How far a beam goes to the wall on the side of the cell that it meets first; nothing where no wall stands there, or
-/// where what is behind one of its posts could be seen, too.
+/// Length of a beam to the first side of the cell that it meets; nullopt where that side has no wall, or where the
+/// beam's spot reaches beyond the wall's end posts.
 std::optional<double> way_to_wall(const Field& field, const Infrared& infrared, const Beam& beam,
                                   const BodyMotion& motion) {
   const Direction& ahead = motion.ahead;
@@ -49,7 +49,7 @@ std::optional<double> way_to_wall(const Field& field, const Infrared& infrared, 
   return way;
 }
 
-/// That way as if the mouse stood in line with the wall: from the middle of its axle to the wall, at a right angle.
+/// The distance at a right angle from the axle's middle to the wall, as if the robot were in line with the wall.
 std::optional<double> wall_of(const Field& field, const Infrared& infrared, BeamPlace place, const BodyMotion& motion) {
   const Beam& beam = infrared.beams[static_cast<std::size_t>(place)];
   if (!is_in_line(motion.ahead)) return std::nullopt;

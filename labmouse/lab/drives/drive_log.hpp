@@ -1,4 +1,4 @@
-// A drive of the physical world as the log that its mouse would have written, and what a ruler would have said.
+// Writes a drive of the physical world as a log: the data a real robot could write, and the true positions.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace labmouse {
 
-/// CSV with a line for each tick, described in docs/how-to/robot-from-a-log.md: raw integers as the hardware gives them
-/// and the duties that the program then set; behind those what no mouse knows: the way that it went, how far from it
-/// the walls are that its sensors see, and where it is. A wall's field is empty where the mouse does not point along or
-/// across it to a degree, or a sensor sees more than it alone.
+/// CSV with a line for each tick, described in docs/how-to/robot-from-a-log.md: raw integers of the sensors and the PWM
+/// duties that the program then set. The last columns are the truth: path length, distances in mm to the walls that the
+/// sensors see, and pose. A wall distance is empty where the robot is more than 1 degree off the wall's direction or
+/// its normal, or where the sensor does not see only that wall.
 std::string log_text(std::span<const LoggedTick> ticks, const Field& field, const Hardware& hardware);
 
 }  // namespace labmouse

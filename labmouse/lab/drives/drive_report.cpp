@@ -14,7 +14,7 @@ double deviation(double squares, std::int64_t ticks) {
   return ticks == 0 ? 0.0 : std::sqrt(squares / static_cast<double>(ticks));
 }
 
-/// Of sorted numbers; 0 without any.
+/// Quantile of sorted numbers; 0 if there are none.
 double quantile(const std::vector<double>& numbers, double share) {
   if (numbers.empty()) return 0.0;
   const auto index = static_cast<std::size_t>(share * static_cast<double>(numbers.size()));

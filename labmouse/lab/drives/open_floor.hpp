@@ -1,4 +1,4 @@
-// A robot on an open floor, without noise: what it does under given duties, or after given speeds.
+// Simulates a robot without noise on an open floor, with given PWM duties or target speeds.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,18 @@ namespace labmouse {
 
 class OpenFloor {
  public:
-  /// At rest. The right motor is stronger than the left one by that share; both are as strong as the hardware's in the
-  /// mean. The hardware must outlive it. Cells are `cell` mm wide.
+  /// Begins at rest.
+  /// @param hardware Must outlive this object. @param cell Width of a cell in mm.
+  /// @param stronger How much stronger the right motor is than the left one, as a share of their mean, the hardware's
+  /// value.
   OpenFloor(const Hardware& hardware, double cell, double stronger);
 
-  /// One tick under these duties.
+  /// Simulates one tick with these duties.
   void push(const Drive& drive);
-  /// One tick under the controller's duties for these speeds.
+  /// Simulates one tick with the duties of the controller for these speeds.
   void follow(const Command& command);
 
-  /// By tick, from the start on: mm along its path, and rad to the left.
+  /// After each tick, from the start on: path length in mm, and angle in rad to the left.
   const std::vector<double>& ways() const { return ways_; }
   const std::vector<double>& angles() const { return angles_; }
 

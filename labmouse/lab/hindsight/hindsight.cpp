@@ -25,7 +25,7 @@ bool ends_in_goal(const RunRecord& record, std::size_t i, const Maze& maze) {
   return maze.is_goal(i + 1 < record.steps.size() ? record.steps[i + 1].pose.cell : record.end.cell);
 }
 
-/// -1 to 1, in millionths.
+/// A uniform random number from -1 to 1, a multiple of 1e-6.
 double throw_between(Dice& dice) { return (dice.below(2'000'001) - 1'000'000) / 1e6; }
 
 Setting shifted(const Parameter& parameter, double value, Dice& dice) {
@@ -34,18 +34,18 @@ Setting shifted(const Parameter& parameter, double value, Dice& dice) {
   return {std::string(parameter.name), written_value(range, value + most * throw_between(dice))};
 }
 
-/// The parameters of a mouse; none for the oracle.
+/// The parameters of a mouse; none if it is not a built-in mouse.
 std::span<const Parameter> parameters_of(const Contestant& mouse) {
   const BuiltinMouse* entry = entry_of(mouse);
   return entry == nullptr ? std::span<const Parameter>() : entry->parameters;
 }
 
-/// What a maze's contests say: the mouse's own ones apart from those of the others.
+/// Collects the results of a maze, the mouse's own apart from those of the others.
 class Collector {
  public:
   Collector(const Hindsight& hindsight, const Maze& maze) : hindsight_(hindsight), maze_(maze) {}
 
-  /// For a contest as soon as it is done, because its record is gone afterwards.
+  /// To be called when a contest is done, because its record is deleted afterwards.
   void note_stop(const Race& race, const ContestResult& contest, const RunRecord& record) {
     if (!is_own(race, contest)) return;
     stops_.resize(std::max(stops_.size(), static_cast<std::size_t>(contest.run) + 1));
@@ -95,7 +95,7 @@ bool has_numbers(const Contestant& mouse) {
   return std::any_of(parameters.begin(), parameters.end(), is_number);
 }
 
-/// Looks back maze by maze, so that one that is stopped under way leaves whole ones.
+/// Runs maze by maze, so that results of complete mazes remain if it is stopped.
 void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, const HindsightHooks& hooks,
               Hindsight& hindsight) {
   const std::vector<Contestant> mice = all_mice(mouse, hindsight.order);
@@ -121,7 +121,7 @@ void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, cons
     if (hindsight.stopped = race.stopped; hindsight.stopped) return;
     hindsight.mazes.push_back(collector.result(race));
     hindsight.never_started = never_started_lines(race);
-    // A program that does not start at all is found in the first maze.
+    // Stops at once, in the first maze, for a program that does not start at all.
     if (!hindsight.never_started.empty()) return;
   }
 }
@@ -138,7 +138,7 @@ double best_stop(const RunRecord& record, const Maze& maze, const Rules& rules) 
     if (!known.learn(step.pose, step.sighting)) break;
     if (entered) {
       to_goal.fill(known.open(), maze.goals());
-      // This step as the reset. Where the start is a goal, one step has to end there.
+      // Replaces this step by the reset. Where the start is a goal, the speed run still needs one step.
       const int search_run = static_cast<int>(i) + 1, speed = std::max(1, to_goal.at(maze.start()));
       if (search_run + speed <= rules.budget) best = std::min(best, score_of(search_run, speed, rules));
     }
@@ -151,7 +151,7 @@ std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint6
   std::vector<Contestant> variants;
   if (!has_numbers(mouse)) return variants;
   for (int number = 0; number < count; ++number) {
-    // A seed for each, so that more variants begin with the same ones.
+    // Each variant has its own seed, so that a larger `count` only appends variants.
     Dice dice(seed_for(seed, "perturbed", static_cast<std::uint64_t>(number)));
     std::vector<Setting> values;
     for (const Parameter& parameter : parameters_of(mouse))

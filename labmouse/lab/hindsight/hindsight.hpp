@@ -1,5 +1,6 @@
-// References for a mouse's score between it and the bound: what it could have had, had it known afterwards what it
-// knew. They are no bounds: another mouse may score less. docs/explanation/statistics-and-bounds.md describes them.
+// Reference values between a mouse's score and the bound: what it could have scored, had it known at the start what it
+// knew at the end. They are not bounds: another mouse may score less. docs/explanation/statistics-and-bounds.md
+// describes them.
 #pragma once
 
 #include <atomic>
@@ -16,27 +17,28 @@
 
 namespace labmouse {
 
-/// The lowest score that a walk was good for: the minimum, over its steps after a goal was entered, of the score had
-/// the mouse reset there and run the shortest route over the walls known open at that moment. What it would have seen
-/// in that run counts for nothing; its own end counts with what it did score, so the result is not above its score.
-/// Stops that the budget does not allow are left out, and a contest without any counts the rules' failure score.
+/// The lowest score that this search run allowed: the minimum over its steps after a goal was entered. For each, the
+/// mouse resets there and runs the shortest route over the walls then known to be open. Walls seen during that run are
+/// ignored. The score of the record is a candidate, too, so the result is never above it. Resets beyond the step budget
+/// are left out. A contest without a score and without such a reset gives the failure score.
 double best_stop(const RunRecord& record, const Maze& maze, const Rules& rules);
 
-/// `count` times the mouse with each of its whole and real parameters shifted by up to a quarter of its value, at least
-/// by up to a hundredth of its declared range, evenly and within that range; flags, choices and lists stay. Variants
-/// that come out equal, also to the mouse itself, stand once or not at all. Empty for a mouse without such parameters.
+/// Variants of the mouse: up to `count`, with each number among its parameters shifted at random, except those for the
+/// world of seconds. The shift is uniform, up to a quarter of the value or a hundredth of the range, whichever is more,
+/// within the range. Other parameters stay. Duplicates, and variants equal to the mouse, are left out. Empty for a
+/// mouse without such parameters.
 std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint64_t seed);
 
 struct HindsightOrder {
   Rules rules;
-  /// Its world is always that of steps, under these rules.
+  /// Its world is ignored: it is always that of steps with `rules`.
   RaceOrder race;
-  /// Perturbed variants or, for a mouse that is stochastic, further seeds; 0 for none.
+  /// Number of perturbed variants or, for a stochastic mouse, of further seeds.
   int others = 64;
 };
 
-/// One maze with a route. Means over the runs for a mouse that is stochastic; a failed contest counts the failure
-/// score.
+/// Results in one maze with a route. For a stochastic mouse they are means over the runs; a failed contest counts as
+/// the failure score.
 struct MazeHindsight {
   std::string maze;
   Bound bound;
@@ -45,33 +47,33 @@ struct MazeHindsight {
   /// The lowest score among the mouse's own contests and those of the others.
   std::optional<double> best_other;
   std::string best_mouse;       ///< the SPEC that scored it; empty where there are no others
-  std::uint64_t best_seed = 0;  ///< with this seed
+  std::uint64_t best_seed = 0;  ///< the seed with which it scored that
 };
 
 struct Hindsight {
   HindsightOrder order;
   std::string mouse;           ///< its SPEC
-  bool is_stochastic = false;  ///< then the others are further seeds
-  bool has_others = false;     ///< dice or numbers to perturb, and asked for
+  bool is_stochastic = false;  ///< the others are then further seeds
+  bool has_others = false;     ///< whether others were requested, and the mouse is stochastic or has numeric parameters
   std::vector<MazeHindsight> mazes;
   std::vector<std::string> routeless;  ///< mazes whose goal cannot be reached
-  bool stopped = false;                ///< before all mazes were done; the one under way is left out
-  std::string error;                   ///< why the mouse was refused; then nothing was raced
-  std::string never_started;           ///< a line where its program did not start in the last maze, which ended it
+  bool stopped = false;                ///< whether it was stopped early; the maze in progress is left out
+  std::string error;                   ///< why the mouse was refused, so that there are no contests
+  std::string never_started;  ///< message if its program did not start in the last maze; the rest was then not run
 };
 
-/// What it tells while it goes on.
+/// Progress and interruption.
 struct HindsightHooks {
-  /// Called after each contest with the number of all, from any thread but never from two at once.
+  /// Called after each contest with the total number of contests, from any thread but never from two at once.
   std::function<void(std::size_t all)> finished;
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Races the mouse and the others in each maze. The mouse's own contests have the seeds that they have in a race.
+/// Races the mouse and the others in each maze. The mouse's own contests have the same seeds as in a race.
 Hindsight look_back(std::string_view spec, const std::vector<NamedMaze>& mazes, const HindsightOrder& order,
                     const HindsightHooks& hooks = {});
 
-/// Means over the mazes; all of them 0 where there is none.
+/// Means over the mazes; 0 without mazes.
 struct HindsightMeans {
   double bound = 0.0, score = 0.0, best_stop = 0.0;
   std::optional<double> best_other;
@@ -81,7 +83,7 @@ HindsightMeans means_of(const Hindsight& hindsight);
 /// A table for a terminal, with notes below.
 std::string table_of(const Hindsight& hindsight, bool colours);
 
-/// The same for programs.
+/// The same as JSON.
 std::string json_of(const Hindsight& hindsight);
 
 }  // namespace labmouse

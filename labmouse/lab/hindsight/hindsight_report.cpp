@@ -34,7 +34,7 @@ std::string others_text(const Hindsight& hindsight) {
       best_of(hindsight), hindsight.order.others);
 }
 
-/// Whether a failure is cheaper than the best that is possible in some maze.
+/// Whether in some maze the failure score is below the bound.
 bool has_high_bound(const Hindsight& hindsight) {
   return std::any_of(hindsight.mazes.begin(), hindsight.mazes.end(), [&](const MazeHindsight& maze) {
     return *maze.bound.score > hindsight.order.rules.failure_score;
@@ -123,7 +123,7 @@ std::string json_of(const Hindsight& hindsight) {
   json["mazes"] = Json::array();
   for (const MazeHindsight& maze : hindsight.mazes) json["mazes"].push_back(maze_json(maze));
   json["routeless"] = hindsight.routeless;
-  // Names come from the file system and may be no UTF-8: what is none is replaced.
+  // Names come from the file system and may be invalid UTF-8; invalid bytes are replaced.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,4 +1,4 @@
-// What a learner is shown of its own belief: sixteen bits a cell.
+// Observation planes for learning: what a mouse knows of each cell, in sixteen bits.
 //
 //      bit  0.. 3   the wall to the north, east, south, west is known to be open
 //      bit  4.. 7   ... is known to be closed; a wall with neither bit has not been seen
@@ -8,8 +8,8 @@
 //      bit 14       this is the speed run (in every cell of the maze)
 //      bit 15       a goal was entered, so a reset begins the speed run (in every cell of the maze)
 //
-// A wall is known from both of its cells. Cells beyond the maze, where a batch holds mazes of several sizes, have no
-// bit. The bits are kept as words (a cell is one word) or as planes (a cell is sixteen bytes of 0 or 1, bit 0 first).
+// A wall is known from both of its cells. In a batch of mazes of several sizes, cells outside of a smaller maze have
+// all bits 0. A cell is stored as one word, or as sixteen bytes of 0 or 1, bit 0 first.
 #pragma once
 
 #include <array>
@@ -56,7 +56,7 @@ struct BeliefBytes {
   }
 
  private:
-  // Eight bits as eight bytes, bit 0 first in memory.
+  // Expands eight bits to eight bytes, bit 0 first in memory.
   static constexpr std::array<std::uint64_t, 256> spread = [] {
     std::array<std::uint64_t, 256> table{};
     for (unsigned bits = 0; bits < 256; ++bits)

@@ -1,15 +1,15 @@
-// What a learner chooses from in a step: every action of the world of steps by its number.
+// The discrete action space for learning: every action of the world of steps by its number.
 //
 //      number = 7 * turn + movement + 3       turn: 0 left, 1 none, 2 right; movement: -3 to 3 cells
 //      21     = reset
 //
-// There is no forfeit. Every choice may be made at any time and is performed as the rules of the world say. The valid
-// ones are those that a reading does not show to be of no use: not valid are
-//  - a movement that a wall in sight would cut,
-//  - standing still without a turn,
-//  - a reset that would only cost its step (before a goal was entered, and in the speed run).
-// Straight back (no turn, negative movement) is always valid: a mouse does not see behind itself, and what is valid
-// must not tell it more than it sees.
+// There is no forfeit. Every choice is allowed at any time and follows the rules of the world. The mask of
+// valid choices leaves out those that are useless by the current reading:
+// - a movement that a visible wall would cut short,
+// - standing still without a turn,
+// - a reset that would only cost its step (before a goal was entered, and in the speed run).
+// Straight back (no turn, negative movement) is always valid: a mouse does not see behind itself, and the mask must not
+// reveal more than its sensors.
 #pragma once
 
 #include <array>
@@ -31,18 +31,18 @@ constexpr Action action_of(int choice) {
   return Action::step(90 * (choice / choices_a_turn - 1), choice % choices_a_turn - longest_choice);
 }
 
-/// Which choices are valid: all that it depends on is in the number of the case.
+/// The valid choices of a case (see choice_case).
 struct ValidChoices {
-  /// 1 where the choice is valid, by its number.
+  /// By choice: 1 if it is valid.
   std::array<std::int8_t, choice_count> mask{};
-  /// The valid ones in order; only the first `count` count.
+  /// The valid choices in order, in the first `count` elements.
   std::array<std::uint8_t, choice_count> list{};
   int count = 0;
 };
 
 inline constexpr int choice_cases = 2 * 4 * 4 * 4;
 
-/// The case of a reading: each number of it counts up to three.
+/// The number of the case of a reading, in which each distance is clamped to three cells.
 constexpr int choice_case(Sighting seen, bool reset_counts) {
   const auto up_to_three = [](int cells) { return cells < longest_choice ? cells : longest_choice; };
   return (((reset_counts ? 1 : 0) * 4 + up_to_three(seen.left)) * 4 + up_to_three(seen.ahead)) * 4 +

@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-// What a choice does, by its number; directions are quarter turns from the heading before the step.
+// Effect of each choice. Turn and direction are in quarter turns clockwise from the heading before the step.
 struct Move {
   std::uint8_t turn = 0;
   std::uint8_t direction = 0;
@@ -29,7 +29,7 @@ constexpr auto moves = [] {
   return table;
 }();
 
-// Contests ahead of the present one whose memory is fetched: enough to hide the way to the memory.
+// Memory is prefetched so many contests ahead, enough to hide the latency.
 constexpr std::size_t fetched_ahead = 6;
 
 Size largest_of(std::span<const Maze> mazes) {
@@ -114,7 +114,7 @@ std::uint64_t ContestBatch::next_maze(std::size_t contest) {
   Contest& next = contests_[contest];
   const std::uint64_t turn = contest + next.played++ * contests_.size();
   if (order_ == MazeOrder::in_turn) return maze_count_ == 0 ? turn : turn % maze_count_;
-  // 63 bits, so that every language can hold the number.
+  // 63 bits, so that the number fits into a signed 64-bit integer.
   const std::uint64_t drawn = next.dice.bits() >> 1U;
   return maze_count_ == 0 ? drawn : drawn % maze_count_;
 }
@@ -215,10 +215,10 @@ void ContestBatch::move(Contest& contest, int choice) const {
   contest.y = static_cast<std::uint8_t>(contest.y + steps_north[contest.direction] * cells);
 }
 
-// What the step was worth, and whether it was the last.
+// Sets the reward of the step, and ends the contest if it was the last.
 void ContestBatch::settle(std::size_t contest, int choice, bool in_speed_run) {
   Contest& settled = contests_[contest];
-  // A reset may leave it in a goal, where the start is one: but no step ended there.
+  // After a reset the mouse may be in a goal, if the start is one; but no step ended there.
   const bool at_goal = choice != reset_choice && is_goal(corridors(settled));
   ContestState state = ContestState::running;
   if (at_goal && in_speed_run)
@@ -299,7 +299,7 @@ void ContestBatch::begin_belief(const Contest& contest, typename Form::Unit* cel
 template <class Form>
 void ContestBatch::change_belief(const Contest& contest, const Contest& before, typename Form::Unit* cells) const {
   Form::remove(cells + place(before) * Form::units_a_cell, pose_bit(static_cast<Heading>(before.heading)));
-  // Backwards from where it now stands, over the cells that it came through.
+  // Backwards from its present cell over the cells that it passed.
   const std::ptrdiff_t a_cell = (steps_east[contest.direction] + steps_north[contest.direction] * size_.width) *
                                 static_cast<std::ptrdiff_t>(Form::units_a_cell);
   auto* const here = cells + place(contest) * Form::units_a_cell;
@@ -317,7 +317,8 @@ void ContestBatch::add_everywhere(const Contest& contest, BeliefBits bits, typen
       Form::add(cells + static_cast<std::size_t>(y * size_.width + x) * Form::units_a_cell, bits);
 }
 
-// As Knowledge::learn: each open wall of a corridor and the closed one at its end, from both of their cells.
+// Marks what is seen, as Knowledge::learn does: each open wall of a corridor and the closed one at its end, in both of
+// its cells.
 template <class Form>
 void ContestBatch::see(const Contest& contest, typename Form::Unit* cells) const {
   const Facts& facts = facts_[contest.slot];

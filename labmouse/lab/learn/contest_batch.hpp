@@ -1,16 +1,16 @@
-// Many contests of the world of steps, stepped together, for strategies that learn by playing.
+// Vectorized contests of the world of steps, for reinforcement learning.
 //
-// Each contest is that of contest/simulator, step for step: the same rules, readings, outcomes and scores. Choices go
-// in by their numbers (choices.hpp); what a learner observes comes out, into memory of the caller. A step takes no
-// memory of its own, except that a contest in a maze that is made for it takes what the generator does.
+// Each contest equals that of contest/simulator, step by step: the same rules, readings, outcomes and scores. Actions
+// are the numbers of choices.hpp; observations are written to memory of the caller. A step allocates nothing, except
+// where it generates the maze of a new contest.
 //
-// Rewards: -1 / search_factor for each step of the search run (the reset's is one), -1 for each of the speed run.
-// The last reward of a contest makes their sum, added in order as doubles, minus the score to the last bit, or minus
-// failure_score where the contest failed; that of a finished contest is -1 but for 1e-9. A contest fails when its steps
-// are used up, which belongs to the rules: so it ends, and is never cut off.
+// Rewards: -1 / search_factor for each step of the search run (including the reset), -1 for each of the speed run. The
+// last reward is chosen so that their sum, added in order as doubles, is exactly minus the score, or minus
+// failure_score if the contest failed. If it finished, that reward is -1 within 1e-9. A contest fails when the step
+// budget is used up. That is a rule of the game, so it is a termination, never a truncation.
 //
-// Contests restart by themselves: the step after the last of a contest ignores the choice, begins the next contest,
-// pays 0 and shows its first observation (Gymnasium calls it AutoresetMode.NEXT_STEP).
+// Contests restart by themselves: the step after the last of a contest ignores the choice and begins the next contest,
+// with reward 0 and its first observation (Gymnasium's AutoresetMode.NEXT_STEP).
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ enum class RowColumn : std::uint8_t {
   heading,       ///< 0 north, 1 east, 2 south, 3 west
   speed_run,     ///< 1 in the speed run, 0 in the search run
   goal_entered,  ///< 1 once a step of the search run ended in a goal
-  steps_left,    ///< steps that are left over both runs
+  steps_left,    ///< remaining steps of the budget for both runs
   blocked,       ///< 1 where a wall ended the last movement early
   width,         ///< of the maze
   height,
@@ -48,11 +48,11 @@ enum class RowColumn : std::uint8_t {
 };
 inline constexpr int row_columns = 16;
 
-/// How a contest of a batch stands. From `finished` on it has ended; the names are those of Outcome.
+/// The state of a contest. From `finished` on it has ended; the names are those of Outcome.
 enum class ContestState : std::uint8_t { running, finished, out_of_steps, never_reset, speed_run_unfinished };
 
-/// Where a batch of n contests writes. What is empty is not written; at most one of words and bytes has memory. The
-/// belief is kept nowhere else, and the rows are changed in place: nobody but the batch may write there.
+/// Memory for the output of a batch of n contests. Empty spans are not written; at most one of words and bytes may be
+/// nonempty. The batch updates rows and planes in place and has no copy, so nobody else may write there.
 struct BatchMemory {
   std::span<std::int16_t> rows;          ///< n x row_columns
   std::span<std::uint16_t> words;        ///< n x height x width: belief.hpp
@@ -62,44 +62,45 @@ struct BatchMemory {
   std::span<double> returns;             ///< n, required: sum of the rewards of the contest so far
   std::span<std::uint8_t> ended;         ///< n, required: 1 where the last step ended the contest
   std::span<std::uint8_t> states;        ///< n: ContestState
-  std::span<std::int64_t> maze_numbers;  ///< n: which maze of the list or of the family
+  std::span<std::int64_t> maze_numbers;  ///< n: number of the maze in the list or the family
 };
 
-/// Which maze a contest gets: one drawn by its own dice, or in turn: of n contests the i-th plays mazes i, i + n, i +
-/// 2n, ..., and begins again after the last.
+/// Which mazes a contest gets: drawn by its own random generator; or in turn, so that contest i of n plays the mazes
+/// i, i + n, i + 2n, ..., modulo their number.
 enum class MazeOrder : std::uint8_t { drawn, in_turn };
 
 class ContestBatch {
  public:
-  /// `count` contests (1 or more) in mazes of a list (not empty) or of a family that is not refused. The stride of the
-  /// rules must be longest_choice, the budget 1 to 32767.
+  /// `count` contests (1 or more) in mazes of a list (not empty) or of a family that refuses() accepts. `rules.stride`
+  /// must be longest_choice, `rules.budget` 1 to 32767.
   ContestBatch(int count, std::span<const Maze> mazes, MazeOrder order, const Rules& rules = {});
   ContestBatch(int count, const MazeFamily& family, MazeOrder order, const Rules& rules = {});
 
   int count() const { return static_cast<int>(contests_.size()); }
-  /// The largest width and height of its mazes: those of the planes.
+  /// The largest width and the largest height of its mazes, which the planes have.
   Size size() const { return size_; }
-  /// What a batch itself holds for each contest, in bytes; mazes of a list are held once for all.
+  /// Memory of the batch per contest, in bytes, without the mazes of a list, which all contests share.
   std::size_t bytes_a_contest() const;
 
-  /// Where to write from now on; the memory must outlive the batch. To be followed by start().
+  /// Sets the output memory, which must outlive the batch. Call start() afterwards.
   void bind(const BatchMemory& memory);
 
-  /// From which seed a contest draws its mazes. Equal seeds give equal contests, whatever the others are.
+  /// Sets the seed by which a contest draws its mazes. Equal seeds give equal contests, independent of the other
+  /// contests.
   void seed(int contest, std::uint64_t seed);
 
-  /// Asked before each maze that has to be made, which takes longer than all else. Where it is true the contest stays
-  /// ended, and begins with a later step.
+  /// Called before each generation of a maze, the slowest operation. If it returns true, the contest stays ended and
+  /// begins with a later step.
   using Stop = std::function<bool()>;
 
-  /// Begins a new contest everywhere, or where `which` is not 0; their rewards are 0.
+  /// Begins new contests: all, or those for which `which` is not 0. Their rewards are 0.
   void start(const Stop& stop = {});
   void start(std::span<const std::uint8_t> which, const Stop& stop = {});
 
-  /// One step of every contest. False, and nothing was done, where a choice is out of range.
+  /// One step of every contest. Returns false, without any change, if a choice is out of range.
   [[nodiscard]] bool step(std::span<const std::int64_t> choices, const Stop& stop = {});
 
-  /// Draws a valid choice for each contest, each as likely as the others (to 2^-32).
+  /// Draws a valid choice for each contest, uniformly (within 2^-32).
   void draw_valid_choices(Dice& dice, std::span<std::int64_t> choices) const;
 
  private:
@@ -115,7 +116,7 @@ class ContestBatch {
     std::uint8_t choice_case = 0;
     bool ended = false;
   };
-  /// What a mouse knows of a maze before the contest.
+  /// Properties of a maze that its mouse knows before the contest.
   struct Facts {
     std::int16_t width, height, start_x, start_y, start_heading;
     std::int16_t goal_west, goal_south, goal_east, goal_north;
@@ -161,8 +162,8 @@ class ContestBatch {
   BatchMemory memory_;
 };
 
-/// What a step of the search run pays: -1 / search_factor, rounded to a multiple of 2^-40. So no sum of a contest
-/// is rounded, and the last reward can make it the score to the last bit.
+/// Reward of a step of the search run: -1 / search_factor, rounded to a multiple of 2^-40. So sums of rewards are
+/// exact, and the last reward can make the sum exactly minus the score.
 double search_reward(const Rules& rules);
 
 }  // namespace labmouse

@@ -10,8 +10,7 @@ void write_corridors(const Maze& maze, int pitch, std::span<Corridors> table) {
   assert(pitch >= size.width && table.size() >= static_cast<std::size_t>(pitch * size.height));
   std::fill(table.begin(), table.end(), 0U);
   const auto at = [&](Cell cell) -> Corridors& { return table[static_cast<std::size_t>(cell.y * pitch + cell.x)]; };
-  // A corridor is one longer than that of the next cell, so the cells are taken in the order in which the next one is
-  // known.
+  // A corridor is one cell longer than that of the next cell, so the next cell has to be processed first.
   const auto extend = [&](Cell cell, Heading heading) {
     if (!maze.is_open(cell, heading)) return;
     const auto cells = static_cast<unsigned>(corridor(at(neighbour(cell, heading)), heading)) + 1;

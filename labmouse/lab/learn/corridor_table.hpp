@@ -1,4 +1,4 @@
-// All readings of a maze, computed before: one word a cell, so that a step of a learner is a look into a table.
+// Precomputed readings of a maze, one word per cell, so that a step of a learner is a table look-up.
 //
 //      bits  0.. 5   cells open to the north         bit 7   the cell is a goal
 //      bits  8..13   ... to the east
@@ -26,8 +26,8 @@ constexpr Sighting sighting_of(Corridors cell, Heading heading) {
   return {corridor(cell, left_of(heading)), corridor(cell, heading), corridor(cell, right_of(heading))};
 }
 
-/// Writes the table of a maze: the word of cell (x,y) at y * pitch + x. Rows are `pitch` words apart, at least the
-/// maze's width; the table has at least pitch * height of them. Others become 0.
+/// Writes the table of a maze: the word of cell (x,y) at y * pitch + x. `pitch` is at least the maze's width, and the
+/// table has at least pitch * height words. All other words become 0.
 void write_corridors(const Maze& maze, int pitch, std::span<Corridors> table);
 
 }  // namespace labmouse

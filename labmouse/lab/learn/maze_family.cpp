@@ -7,7 +7,7 @@
 namespace labmouse {
 namespace {
 
-// A size with so few mazes that none of these is in the split is refused.
+// A family is refused if none of so many generated mazes is in the split.
 constexpr int attempts_before_refusal = 4096;
 
 std::uint64_t content_of(const Maze& maze) {
@@ -53,7 +53,7 @@ std::string_view refuses(const MazeFamily& family) {
 }
 
 Maze maze_of(const MazeFamily& family, std::uint64_t number) {
-  // Ends with certainty: refuses() has found one, and each attempt is as likely as any to find it again.
+  // This ends with probability 1: refuses() has found such a maze, so each attempt has a positive chance.
   for (Dice dice = dice_of(number);;)
     if (const Maze maze = next_maze(family, dice); split_of(maze) == family.split) return maze;
 }

@@ -1,8 +1,8 @@
-// Endless numbered mazes, made when they are asked for, in three splits that share no maze.
+// Numbered mazes, generated on request, in three disjoint splits for training, validation and test.
 //
-// A maze belongs to a split by its content, not by its seed: a hash of its walls, start and goals says which, and a
-// maze of another split is passed over. So what a learner trained on is never in its test, even where mazes are so
-// small that chance makes the same one twice.
+// A maze belongs to a split by its content, not by its seed: a hash of its size, walls, start and goals decides, and a
+// maze of another split is skipped. So no training maze is in the test set, even for sizes so small that the generator
+// repeats mazes.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace labmouse {
 
-/// Six mazes of eight are for training, one is for choosing among what was trained, one is for the last test.
+/// Six of eight mazes are for training, one for validation (choice among trained models), one for the final test.
 enum class Split : std::uint8_t { train, validation, test };
 
 inline constexpr std::array all_splits = {Split::train, Split::validation, Split::test};
@@ -23,7 +23,7 @@ constexpr std::string_view name_of(Split split) {
   return names[static_cast<unsigned>(split)];
 }
 
-/// The split of a maze. Nothing but size, walls, start and goals decides it.
+/// The split of a maze. It depends on size, walls, start and goals only.
 Split split_of(const Maze& maze);
 
 struct MazeFamily {
@@ -31,15 +31,15 @@ struct MazeFamily {
   Size size{16, 16};
   int loops = 0;  ///< as in GeneratorOrder
   Split split = Split::train;
-  /// Mazes have the numbers 0 to count - 1; 0: any 64-bit number.
+  /// Mazes have the numbers 0 to count - 1. With count 0, any 64-bit number is a maze.
   std::uint64_t count = 0;
 };
 
-/// Why there is no such family (a line for the user), or empty: the generator refuses, or so small a size has no maze
-/// in the split.
+/// Why there is no such family (a message for the user), or empty. Either the generator refuses it, or no maze of so
+/// small a size is in the split.
 std::string_view refuses(const MazeFamily& family);
 
-/// The maze of that number; only of families that are not refused. Equal numbers give equal mazes for ever.
+/// The maze of that number, in a family that refuses() accepts. Equal numbers give equal mazes in all versions.
 Maze maze_of(const MazeFamily& family, std::uint64_t number);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// The mazes that the program carries with it: those of the folder mazes/.
+// The mazes of the folder mazes/, which are compiled into the program.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ struct BuiltinMaze {
   std::string_view text;
 };
 
-/// All of them, sorted by name.
+/// All built-in mazes, sorted by name.
 std::span<const BuiltinMaze> builtin_mazes();
 
 }  // namespace labmouse

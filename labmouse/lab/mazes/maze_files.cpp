@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Takes the maze of a file into the collection, or notes in `failures` what is wrong with it.
+/// Adds the maze of a file to the collection, or its problems to `failures`.
 void add_file(const std::string& path, const FileContent& file, MazeCollection& collection,
               std::vector<SkippedFile>& failures) {
   if (!file.error.empty()) {
@@ -41,8 +41,8 @@ std::vector<fs::directory_entry> entries_of(const std::string& folder, std::erro
   return entries;
 }
 
-/// Adds every file below a folder; links to folders are not followed, so there is no way round in circles. What cannot
-/// be read is skipped, but the folder itself, where that cannot be read, is noted in `failures`.
+/// Adds every file below a folder. Links to folders are not followed, to avoid cycles. Unreadable files are skipped; an
+/// unreadable folder itself goes to `failures`.
 void add_folder(const std::string& folder, MazeCollection& collection, std::vector<SkippedFile>& failures) {
   std::error_code error;
   for (const fs::directory_entry& entry : entries_of(folder, error)) {
@@ -57,7 +57,7 @@ void add_folder(const std::string& folder, MazeCollection& collection, std::vect
   if (error) failures.push_back({folder, {{no_place, no_place, "cannot read the folder: " + error.message()}}});
 }
 
-/// Adds what a pattern matches; false where it matches nothing.
+/// Adds what a pattern matches; returns false if it matches nothing.
 bool add_matches(const std::string& pattern, MazeCollection& collection) {
   const std::vector<std::string> paths = paths_like(pattern);
   for (const std::string& path : paths) {
@@ -97,7 +97,7 @@ void add_path(const std::string& path, MazeCollection& collection) {
   if (!add_builtin(path, collection)) collection.errors.push_back({path, {{no_place, no_place, no_such_maze(path)}}});
 }
 
-/// Sorts by a name and keeps one of each, so that neither order nor repetition of arguments matters.
+/// Sorts by name and removes duplicates, so that neither order nor repetition of arguments matters.
 template <class Named, class Name>
 void sort_by(std::vector<Named>& list, Name name) {
   std::stable_sort(list.begin(), list.end(), [&](const Named& a, const Named& b) { return name(a) < name(b); });
@@ -109,7 +109,7 @@ void sort_by(std::vector<Named>& list, Name name) {
 
 std::string describe(const std::string& path, const Problem& problem) {
   const std::string place = problem.line <= 0 ? "" : fmt::format(":{}:{}", problem.line, problem.column);
-  // Paths and contents are foreign: neither may break the line or steer a terminal.
+  // Paths and contents are untrusted: escape line breaks and terminal control codes.
   return shown(fmt::format("{}{}: error: {}", path, place, problem.reason));
 }
 

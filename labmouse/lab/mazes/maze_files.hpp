@@ -1,4 +1,4 @@
-// Mazes from files, folders, patterns, and those that the program brings.
+// Loads mazes from files, folders and patterns, and built-in ones.
 #pragma once
 
 #include <optional>
@@ -10,40 +10,39 @@
 
 namespace labmouse {
 
-/// A maze under the name by which results call it: its path as given, or the built-in one's name.
+/// A maze and its name in results: its path as given, or the name of the built-in maze.
 struct NamedMaze {
   std::string name;
   Maze maze;
 };
 
-/// Line and column of a problem that is not in a file's content: there is no such file, say.
+/// Line and column of a problem that has no place in the file, for example a missing file.
 inline constexpr int no_place = -1;
 
-/// A file that is no maze, and why.
+/// A file that is not a maze, and the reasons.
 struct SkippedFile {
   std::string path;
   std::vector<Problem> problems;
 };
 
 struct MazeCollection {
-  /// Sorted by name; a name that was given twice stands once.
+  /// Sorted by name, without duplicates.
   std::vector<NamedMaze> mazes;
   /// Unreadable files found in folders and by patterns.
   std::vector<SkippedFile> skipped;
-  /// Unreadable files that were named directly, and paths that lead to nothing.
+  /// Unreadable files that were named directly, and paths that do not exist.
   std::vector<SkippedFile> errors;
 };
 
-/// `FILE:LINE:COLUMN: error: REASON`; `FILE: error: REASON` where it is the content as a whole, or a file that was not
-/// read.
+/// `FILE:LINE:COLUMN: error: REASON`; `FILE: error: REASON` if the problem has no place.
 std::string describe(const std::string& path, const Problem& problem);
 
-/// Reads each path: a file, a folder (with all that is in it, but nothing hidden), a pattern with `*` and `?`, or the
-/// name of a built-in maze where no such file is; `-` is standard input.
+/// Reads each path: a file, a folder (recursively, without hidden files), a pattern with `*`, `?` or `[...]`, or the
+/// name of a built-in maze if there is no such file; `-` is standard input.
 MazeCollection load_mazes(std::span<const std::string> paths);
 
-/// The maze of that name as results give it: a file's, or a built-in one where there is no such file. Nothing where the
-/// name leads to none, or to a folder.
+/// The maze of a name in results: of a file, or built-in if there is no such file. Empty if there is neither, or for a
+/// folder.
 std::optional<Maze> maze_named(const std::string& name);
 
 /// All built-in mazes.

@@ -44,7 +44,7 @@ std::string cell_text(Cell cell) {
   return {digits[static_cast<std::size_t>(cell.x)], digits[static_cast<std::size_t>(cell.y)]};
 }
 
-/// The cell of two digits; outside of every maze where they are none.
+/// The cell of two digits; (-1,-1) if they are not digits.
 Cell read_cell(std::string_view text) {
   const auto x = digits.find(text[0]), y = digits.find(text[1]);
   if (x == std::string_view::npos || y == std::string_view::npos) return {-1, -1};
@@ -58,7 +58,7 @@ std::string goals_text(const Maze& maze) {
   return text;
 }
 
-/// The goals; empty where the text has none, or one outside.
+/// The goals; empty if the text has none, or one outside of the maze.
 CellSet read_goals(std::string_view text, Size size) {
   if (text == centre) return centre_of(size);
   CellSet goals;
@@ -83,7 +83,7 @@ std::string walls_text(const Maze& maze) {
   return text;
 }
 
-/// Opens the walls that the text has open; false where it is too short or too long, or has another character.
+/// Opens the walls that are open in the text; returns false for a wrong length or an invalid character.
 bool read_walls(std::string_view text, MazeDraft& draft) {
   const WallSet walls = WallSet::all(draft.size());
   if (text.size() != (static_cast<std::size_t>(walls.count()) + 5) / 6) return false;
@@ -102,7 +102,8 @@ bool plain(char letter) {
          letter == '-';
 }
 
-/// The end of a name that is too long, from where a character begins (in UTF-8 the others start with the bits 10).
+/// The end of a name that is too long, from the beginning of a UTF-8 character (continuation bytes begin with the bits
+/// 10).
 std::string_view short_name(std::string_view name) {
   if (name.size() <= longest_link_name) return name;
   name.remove_prefix(name.size() - longest_link_name);
@@ -139,7 +140,7 @@ std::optional<std::string> read_name(std::string_view text) {
   return name;
 }
 
-/// The size of `16x16`; not valid where it is none.
+/// The size of a text such as `16x16`; an invalid size for other texts.
 Size read_size(std::string_view text) {
   const auto width = take_whole<int>(text);
   if (!width || !text.starts_with('x')) return {};
@@ -147,7 +148,7 @@ Size read_size(std::string_view text) {
   return height ? Size{*width, *height} : Size{};
 }
 
-/// The parts between the points, as many as a link has; the last one takes what is left.
+/// Splits a link at its dots into at most `parts` parts; the last one is the whole remainder.
 std::array<std::string_view, parts> parts_of(std::string_view link, std::size_t& count) {
   std::array<std::string_view, parts> found;
   for (count = 0; count < parts; ++count) {
@@ -159,7 +160,7 @@ std::array<std::string_view, parts> parts_of(std::string_view link, std::size_t&
   return found;
 }
 
-/// What is wrong with a link before its parts are read, or nothing.
+/// Checks version, number of parts and checksum; returns the error, or an empty text.
 std::string wrong_form(std::string_view link) {
   if (link.empty()) return "the link is empty";
   std::size_t count = 0;
@@ -210,7 +211,7 @@ ReadLinkResult read_link(std::string_view link) {
   if (std::string error = wrong_form(link); !error.empty()) return {std::nullopt, std::move(error)};
   std::size_t count = 0;
   auto maze = maze_of(parts_of(link, count));
-  // Each maze has one link: what is written otherwise is none, although its checksum is right.
+  // Each maze has exactly one link: refuse other spellings, even with the right checksum.
   if (!maze || link_of(*maze) != link) return {std::nullopt, "the link does not hold a valid maze"};
   return {std::move(maze), ""};
 }

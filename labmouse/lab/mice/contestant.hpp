@@ -29,132 +29,130 @@ namespace labmouse {
 /// What runs an external mouse's program.
 struct Interpreter {
   std::string path;
-  std::string version;  ///< of a Python: "3.11.2"; empty for others
+  std::string version;  ///< of Python: "3.11.2"; empty for others
 
   friend bool operator==(const Interpreter&, const Interpreter&) = default;
 };
 
-/// A mouse that is asked for each decision.
+/// A mouse that decides step by step when asked.
 struct Decider {
-  /// Its strategy for a contest in that maze, with that briefing in steps; empty where it does not race in steps.
+  /// Makes its strategy for a contest in a maze, with a briefing in steps; empty if it does not race in steps.
   std::function<std::unique_ptr<Strategy>(const Maze&, const Briefing&)> make = {};
-  /// The same in seconds; empty where it does not race in seconds.
+  /// The same in seconds; empty if it does not race in seconds.
   std::function<std::unique_ptr<DrivingStrategy>(const Maze&, const Briefing&)> drive = {};
 };
 
-/// A contest in steps that was run before the race.
+/// A contest in steps whose record existed before the race.
 struct PlayedContest {
   RunRecord record;
   bool started = true;        ///< as in StrategyReport
-  double microseconds = 0.0;  ///< that its decisions took
+  double microseconds = 0.0;  ///< total time of its decisions
 };
 
-/// A mouse whose contests were run before the race: those in steps, by the name of the maze and the seed.
+/// A mouse whose contests in steps were run before the race, by name of the maze and seed.
 using PlayedContests = std::map<std::pair<std::string, std::uint64_t>, PlayedContest>;
 
-/// A program that drives a mouse in the physical world itself: what starts it.
+/// Starts a program that is the controller of a mouse in the physical world.
 using ControllerProgram = std::function<std::unique_ptr<ControllerCode>(const ControllerBriefing&)>;
 
 /// A program that talks to mms: how to start it.
 using MmsProgram = Launch;
 
-/// A mouse with its parameters, ready to be made once a contest.
+/// A mouse with its parameters; each contest makes a new strategy or process of it.
 struct Contestant {
-  /// The name that its user gave it; otherwise its SPEC in its shortest form: parameters that differ from their
+  /// The name that the user gave it, otherwise its SPEC in its shortest form: only parameters that differ from their
   /// defaults, in the order of the mouse's table.
   std::string name;
-  /// Its SPEC, where the name is another.
+  /// Its SPEC; empty if it equals the name.
   std::string spec;
-  /// What a mice file says of it: its author, a link.
+  /// Its note in a mice file, such as author or link.
   std::string note;
-  /// Of a capstone robot, and of others where a mice file names one.
+  /// Set for capstone robots, and for others if a mice file names one.
   std::optional<Interpreter> interpreter;
-  /// The file of the mice file that it stands in, maybe among mice of other worlds: where it cannot race, the others do
-  /// without it. Empty for all others.
+  /// The path of its mice file, or empty. A mice file may contain mice of several worlds; those that cannot race in a
+  /// world are left out there.
   std::string mice_file;
   Settings settings;
   bool uses_chance = false;
-  /// Contests in each maze; 0: as many as the race holds of a mouse that is stochastic, or one.
+  /// Contests in each maze. With 0 a stochastic mouse has as many as the race sets, others one.
   int runs = 0;
-  /// Takes part as a measure and not as a contestant (the oracle).
+  /// Whether it runs as a reference outside of the ranking (the oracle).
   bool reference = false;
   std::variant<Decider, PlayedContests, ControllerProgram, MmsProgram> kind;
-  /// A program that is not ours. It gets the same seed in all mazes of a run.
+  /// Whether it is an external program. It gets the same seed in all mazes of a run.
   bool external = false;
-  /// Of an external mouse whether it lives in a sandbox; nothing for all others.
+  /// For an external mouse, whether it runs in a sandbox; empty for others.
   std::optional<bool> sandboxed;
-  std::string why_no_sandbox;  ///< where the system has none
-  bool keeps_folder =
-      false;                ///< of an external mouse: it writes to its folder itself, and may remember earlier contests
-  bool reads_only = false;  ///< of an external mouse: its folder is read-only, because the system has no overlays
-  /// The files that an external mouse does not see, a list to add to; null for all others.
+  std::string why_no_sandbox;  ///< the reason, if the system has no sandboxes
+  bool keeps_folder = false;   ///< external mouse: it may write to its own folder, and so remember earlier contests
+  bool reads_only = false;     ///< external mouse: its folder is read-only, because the system has no overlays
+  /// Files hidden from an external mouse, a list to add to; null for others.
   std::shared_ptr<HiddenFiles> hidden;
-  /// What it is, as a text that is another one where it may play otherwise: for stores of contests. Empty for mice of
-  /// ours, whose names and parameters say it; of an external mouse it reads files.
+  /// Makes a text for stores of contests that changes whenever the mouse may behave differently. It reads the files of
+  /// an external mouse. Empty for built-in mice, which name and parameters identify.
   std::function<std::string()> identity;
-  /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place
-  /// of what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
-  /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance. Once
-  /// `stop`, which may be null, is true, it learns no more, and the mouse is not to be raced.
+  /// Only for a mouse that learns from whole mazes before it races: makes the same mouse, trained on these mazes in
+  /// place of its built-in prior. Cross-validation calls it with the mazes of all folds but one, sorted by name. It
+  /// must be stateless and deterministic, and keep uses_chance. When `stop`, which may be null, becomes true, it stops
+  /// learning, and the result must not race.
   std::function<Contestant(const std::vector<const Maze*>& training, const Rules&, const std::atomic<bool>* stop)>
       taught;
 
   /// Whether it races in steps.
   bool walks() const;
-  /// Whether it races in seconds, asked for each decision.
+  /// Whether it races in seconds as a Decider.
   bool drives() const;
-  /// Of a Decider that walks: its strategy for a contest in that maze, with that briefing in steps.
+  /// Its strategy for a contest in that maze, with that briefing in steps. Only for a Decider that walks.
   std::unique_ptr<Strategy> strategy(const Maze& maze, const Briefing& briefing) const;
-  /// The same in seconds, of one that drives.
+  /// The same in seconds. Only for a Decider that drives.
   std::unique_ptr<DrivingStrategy> driving_strategy(const Maze& maze, const Briefing& briefing) const;
 };
 
-/// The SPEC of a mouse, whatever it is called.
+/// The SPEC of a mouse, whether or not it has a name.
 inline const std::string& spec_of(const Contestant& mouse) { return mouse.spec.empty() ? mouse.name : mouse.spec; }
 
-/// What external mice without a sandbox could do to the machine that they ran on and to the race, and what those with
-/// one could remember, in lines; nothing where there is nothing to say.
+/// Warnings for the user: what external mice could do without a sandbox, and what they could remember with one. Empty
+/// if there is nothing to warn of.
 std::string freedom_note(const std::vector<Contestant>& mice);
 
-/// Gives a mouse another name, which it keeps when it learns.
+/// Gives a mouse another name, which its trained versions keep.
 void rename(Contestant& mouse, const std::string& name);
 
-/// Mice, or the reason why the text is no SPEC: exactly one of the two is there.
+/// Either mice, or the reason why the text is not a SPEC.
 struct SpecResult {
   std::vector<Contestant> contestants;
   std::string error;
-  /// Where a mice file is wrong all that is, a line each with its place; the error is the first of them.
+  /// All errors of a mice file, one line each with its place; `error` is the first of them.
   std::vector<std::string> problems = {};
 };
 
-/// Whether external mice live in sandboxes.
+/// Whether external mice run in sandboxes.
 enum class SandboxUse { where_possible, always, never };
 
-/// What is installed for the Pythons of external mice: found out once for all external mice of a race, since that
-/// starts each Python.
+/// Packages installed for the Pythons of external mice. Cached for a race, because the query starts each Python.
 struct InstalledPackages {
   std::mutex mutex;
-  std::map<std::vector<std::string>, std::string> known;  ///< by the program and what its environment has besides ours
+  std::map<std::vector<std::string>, std::string> known;  ///< by the mouse's variables and the path of Python
 };
 
 /// How external mice are started.
 struct ExternalOptions {
-  std::string python;          ///< for capstone robots; empty: the python3 of PATH
-  std::string label;           ///< stands for the content of their files in stores of contests; empty: what they hold
-  std::string directory;       ///< where commands run; empty: here
-  bool owns_directory = true;  ///< whether that, where it is named, is the folder of the mouse
-  /// What a mice file says of one external mouse: what is put before the words of its command and behind them, and
-  /// variables of its environment as NAME=VALUE.
+  std::string python;     ///< for capstone robots; empty: python3 in PATH
+  std::string label;      ///< version label that replaces the hash of their files in stores of contests; empty: hash
+  std::string directory;  ///< working directory of commands; empty: the current one
+  bool owns_directory = true;  ///< whether `directory`, if set, is the mouse's own folder
+  /// From a mice file, for one external mouse: the interpreter that runs its command, further arguments, and
+  /// environment variables as NAME=VALUE.
   std::string interpreter;
   std::vector<std::string> arguments, environment;
   ExternalLimits limits;
   SandboxUse sandbox = SandboxUse::where_possible;
-  bool keep_folder = false;  ///< as of Launch
-  /// What they do not see: a list that copies of these options share. The mazes of a race are added by the race.
+  bool keep_folder = false;  ///< see Launch::keeps_folder
+  /// Files hidden from them, a list shared by copies of these options. A race adds its mazes.
   std::shared_ptr<HiddenFiles> hidden = std::make_shared<HiddenFiles>();
-  std::shared_ptr<InstalledPackages> packages = std::make_shared<InstalledPackages>();  ///< as of the list before
+  std::shared_ptr<InstalledPackages> packages = std::make_shared<InstalledPackages>();  ///< shared by copies, too
   int runs = 1;                             ///< contests of each external mouse in each maze
-  const std::atomic<bool>* stop = nullptr;  ///< once true, external mice are ended; may be null
+  const std::atomic<bool>* stop = nullptr;  ///< if true, external mice are terminated; may be null
 };
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// Controllers in C that are linked in, by their table of functions.
+// Adapter for controllers written in C and linked into the program as a table of functions.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace labmouse {
 
-/// Such a controller for one contest. The table must outlive it; its functions may be called from several threads at
-/// once, each for contests of its own.
+/// Makes such a controller for one contest. The table must outlive it. Its functions must be thread-safe: several
+/// contests may run at once.
 std::unique_ptr<ControllerCode> controller_in_c(const struct labmouse_controller& table,
                                                 const ControllerBriefing& briefing);
 

@@ -1,4 +1,4 @@
-// The briefing of a controller that is a program, in the lines of its protocol.
+// The briefing of an external controller program, in the lines of its protocol.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace labmouse {
 
-/// From the greeting to `begin`: the maze's size, start and goals, the rules with times in ms, and what the robot is
-/// built of under the keys of robot files.
+/// All lines from the greeting to `begin`: the maze's size, start and goals, the rules with times in ms, and the
+/// robot's hardware under the keys of robot files.
 std::string controller_lines(const ControllerBriefing& briefing);
 
 }  // namespace labmouse

@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A longer word is a program, not a name: the bridge to capstone robots.
+/// A longer word is not a file name, but source code: the bridge to capstone robots.
 constexpr std::size_t longest_word = 200;
-/// What is behind that in a file is looked at for its hash alone.
+/// Only so many bytes of a file are searched for names of files; the rest only counts for the hash.
 constexpr std::size_t longest_text = std::size_t{16} << 20U;
-/// So many files and folders are looked at; a mouse does not have more of its own.
+/// Limit of files and folders to consider, more than a mouse has of its own.
 constexpr std::size_t most_entries = 5'000;
 
-/// FNV-1a, piece by piece.
+/// FNV-1a, incremental.
 class Hash {
  public:
   void add(std::string_view bytes) {
@@ -57,7 +57,7 @@ Content content_of(const fs::path& file) {
   return content;
 }
 
-/// The file that a word names; empty where it names none. What is looked for in PATH belongs to the system.
+/// The file that a word names; empty if there is none. Programs in PATH do not count: they belong to the system.
 fs::path file_of(const std::string& word, const std::string& directory) {
   std::error_code error;
   if (word.empty() || word.size() > longest_word) return {};
@@ -65,8 +65,8 @@ fs::path file_of(const std::string& word, const std::string& directory) {
   return fs::is_regular_file(path, error) ? path : fs::path();
 }
 
-/// The files that a program may use: those of its ending beside it; and those in its folder, and in folders there,
-/// whose names stand in a file that counts. A file without an ending has no kin, but may name others.
+/// The files that a program may use: files beside it with the same extension; and files in its folder or subfolders
+/// whose names occur in an included file. Without an extension, only names count.
 class UsedFiles {
  public:
   explicit UsedFiles(const fs::path& file)
@@ -76,7 +76,7 @@ class UsedFiles {
     for (bool more = true; more;) more = count_named();
   }
 
-  /// A line for each: its name, from the folder of the program on, and a hash of what it holds; the program's first.
+  /// A line for each file, the program first: its path relative to the program's folder, and a hash of its content.
   const std::string& lines() const { return lines_; }
 
  private:
@@ -99,7 +99,7 @@ class UsedFiles {
       if (waiting_.size() < most_entries) waiting_.push_back({path, 0});
   }
 
-  /// Counts what is of the same ending or named in what counts; whether there was anything.
+  /// Includes waiting files with the same extension or mentioned in included files; returns whether there were any.
   bool count_named() {
     std::vector<Waiting> before;
     before.swap(waiting_);
@@ -124,7 +124,7 @@ class UsedFiles {
 
   struct Waiting {
     fs::path path;
-    std::size_t read = 0;  ///< in so many texts it was looked for
+    std::size_t read = 0;  ///< number of texts already searched for its name
   };
 
   bool is_named(Waiting& each) const {
@@ -143,7 +143,7 @@ class UsedFiles {
 
 std::string line_of(const Launch& launch, std::size_t word, const std::string& label) {
   const std::string& text = launch.words[word];
-  // The first word without a slash is looked for in PATH.
+  // A first word without a slash is searched in PATH.
   const fs::path file = word == 0 && text.find('/') == std::string::npos ? fs::path() : file_of(text, launch.directory);
   if (file.empty()) return fmt::format("word {}\n", text.size() > longest_word ? hash_of(text) : text);
   if (!label.empty()) return fmt::format("file {}\n", file.filename().string());
@@ -167,12 +167,12 @@ std::string program_identity(const std::string& path) {
 
 std::string external_identity(std::string_view kind, const Launch& launch,
                               const std::optional<Interpreter>& interpreter, const std::string& label) {
-  // As in the first version, so that what stores have stays valid.
+  // The former word, so that existing stores stay valid.
   std::string text = fmt::format("guest {}\n", former_key(kind));
   if (!label.empty()) text += fmt::format("label {}\n", label);
   if (interpreter)
     text += fmt::format("interpreter {} {}\n", fs::path(interpreter->path).filename().string(), interpreter->version);
-  // The interpreter's own place is the first word then.
+  // The first word is then the path of the interpreter, which does not matter.
   for (std::size_t word = interpreter ? 1 : 0; word < launch.words.size(); ++word) text += line_of(launch, word, label);
   for (const std::string& variable : launch.environment) text += fmt::format("variable {}\n", variable);
   const ExternalLimits& limits = launch.limits;
@@ -180,7 +180,7 @@ std::string external_identity(std::string_view kind, const Launch& launch,
                       limits.silence.count(), limits.contest.count(), limits.processor_seconds, limits.memory,
                       limits.processes, limits.written);
   if (launch.sandbox && launch.keeps_folder) text += "keeps its folder\n";
-  // In the sandboxes of earlier versions, a mouse could read mazes and remember contests.
+  // This line differs from that of earlier versions, whose sandboxes allowed to read mazes and remember contests.
   return text + (launch.sandbox ? "sandbox with files of its own\n" : "sandbox no\n");
 }
 

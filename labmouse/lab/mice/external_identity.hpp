@@ -1,4 +1,4 @@
-// What an external mouse is, as far as that can be known without starting it.
+// Identifies an external mouse, by its command and files, without starting it.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace labmouse {
 
-/// A text in lines that is another one where the external mouse may play otherwise: its words, its environment, its
-/// limits, its interpreter's version, and what stands in the files that its words name, in the others of the same
-/// ending beside these, and in files and folders there that such a file names. Folders do not count: the same files
-/// elsewhere are the same external mouse. A `label` stands for all files, where it is not empty. Reads the files.
+/// A text that changes whenever the mouse may behave differently: command, environment, limits, interpreter version,
+/// and hashes of files. Included are the files named in the command, files beside them with the same extension, and
+/// files and folders there that an included file mentions. The location does not matter: the same files in another
+/// folder are the same mouse. A `label` that is not empty replaces all hashes. Reads the files.
 std::string external_identity(std::string_view kind, const Launch& launch,
                               const std::optional<Interpreter>& interpreter, const std::string& label);
 
-/// The same of what runs an external mouse, in a line: the name and the content of the program at that path.
+/// A line with name and hash of the program at that path, which runs an external mouse.
 std::string program_identity(const std::string& path);
 
 /// FNV-1a of the bytes, in hexadecimal digits.

@@ -26,13 +26,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where an external mouse is written in Python: the order of its sets and dictionaries of text is the same in each run
-/// of a contest.
+/// Environment variable that fixes the iteration order of Python sets of text, so that a contest is reproducible.
 std::string python_hash_seed(std::uint64_t seed) {
   return fmt::format("PYTHONHASHSEED={}", static_cast<std::uint32_t>(seed));
 }
 
-/// The same from every folder; a name without a slash, which is looked for in PATH, stays.
+/// The absolute path; a name without a slash, which is searched in PATH, stays.
 std::string anchored(const std::string& path) {
   std::error_code error;
   const fs::path absolute = path.find('/') == std::string::npos ? fs::path(path) : fs::absolute(path, error);
@@ -44,11 +43,11 @@ Launch seeded(Launch launch, std::uint64_t seed) {
   return launch;
 }
 
-/// An external mouse of that kind, to be started so; in the world of steps it has so many contests in each maze.
+/// An external mouse of that kind. `runs` is the number of contests in each maze in the world of steps.
 Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) {
   Contestant contestant;
   if (kind == "mms:") {
-    // It has one run in each maze, whatever external mice have.
+    // A mouse for mms has one run in each maze, independent of `runs`.
     contestant.runs = 1;
     contestant.kind = seeded(launch, 0);
   } else if (kind == "controller:") {
@@ -65,13 +64,13 @@ Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) 
   return contestant;
 }
 
-/// A file as users name it: a shell does not see a `~` behind a colon, so it is still there.
+/// Expands `~/`, because a shell does not expand it after a colon.
 std::string from_home(const std::string& file) {
   const char* home = std::getenv("HOME");
   return file.starts_with("~/") && home != nullptr ? home + file.substr(1) : file;
 }
 
-/// Why a robot's file is none.
+/// Why a file is not that of a capstone robot.
 std::string no_robot(const std::string& file) {
   std::error_code failure;
   if (fs::is_directory(file, failure))
@@ -86,7 +85,7 @@ std::string no_robot(const std::string& file) {
   return fmt::format("no such file '{}'; write capstone:FILE, with the Python file that defines the class Robot", file);
 }
 
-/// Why a command's first word is no program.
+/// Why the first word of a command is not a program.
 std::string no_program(const std::string& name, const std::string& directory) {
   std::error_code failure;
   const fs::path path = fs::path(directory) / name;
@@ -118,7 +117,7 @@ bool has_sandbox(const ExternalOptions& options) {
   return options.sandbox != SandboxUse::never && why_no_sandbox().empty();
 }
 
-/// The interpreter of that name, or an empty path and why there is none.
+/// The interpreter of that name, and an error text, which is empty on success.
 std::pair<Interpreter, std::string> find_interpreter(const std::string& named, bool sandbox) {
   Interpreter found = {program_path(named, ""), ""};
   if (found.path.empty()) return {found, fmt::format("no executable interpreter '{}'", named)};
@@ -127,7 +126,7 @@ std::pair<Interpreter, std::string> find_interpreter(const std::string& named, b
   return {found, found.version.empty() ? fmt::format("'{}' is not a working Python interpreter", named) : ""};
 }
 
-/// What stands behind the colon of `capstone:`: a file, and after a blank arguments.
+/// Reads the text after `capstone:`: a file, then arguments separated by blanks.
 External robot_of(const std::string& named, const ExternalOptions& options) {
   std::error_code failure;
   std::vector<std::string> words = {from_home(named)};
@@ -140,7 +139,7 @@ External robot_of(const std::string& named, const ExternalOptions& options) {
   if (options.python.empty() && program_path(python, "").empty())
     return no_external(fmt::format("no {} was found in PATH; name one with --python", python));
   auto [interpreter, error] = find_interpreter(python, has_sandbox(options));
-  // Of a robot that is asked to run under it, an interpreter need not be called a Python.
+  // A capstone robot needs Python, even if the interpreter's name does not contain "python".
   if (error.empty() && interpreter.version.empty())
     interpreter.version = python_version(interpreter.path, has_sandbox(options));
   if (error.empty() && interpreter.version.empty())
@@ -173,8 +172,8 @@ External program_of_command(const std::string& command, const ExternalOptions& o
   return external;
 }
 
-/// What runs an external mouse, as far as a label does not stand for it: the program of its first word, and of a Python
-/// its version and what is installed for it. Starts that Python.
+/// Identifies the program that runs an external mouse: its content, and for Python the version and the installed
+/// packages. Starts that Python. A label replaces all this.
 std::string runner_identity(const Launch& launch, InstalledPackages& packages) {
   const std::string path = program_path(launch.words.front(), launch.directory);
   std::string text = program_identity(path);
@@ -188,7 +187,7 @@ std::string runner_identity(const Launch& launch, InstalledPackages& packages) {
   return text;
 }
 
-/// What a mouse sees in its sandbox. Files in its folder that hold mazes are not for it.
+/// The files that a mouse sees in its sandbox. Hides files with mazes in its folder.
 std::shared_ptr<const Surroundings> surroundings_for(const Launch& launch, HiddenFiles& hidden) {
   auto around = std::make_shared<const Surroundings>(
       surroundings_of(launch, program_path(launch.words.front(), launch.directory)));
@@ -202,7 +201,7 @@ void read_external_spec(std::string_view given, const ExternalOptions& options, 
   const std::string spec = today_spec(given);
   const std::string_view kind = std::string_view(spec).substr(0, spec.find(':') + 1);
   const std::string rest(spec.substr(kind.size()));
-  // What is accepted here is printed as the mouse's name, and handed on as words that end with a zero.
+  // The SPEC becomes the mouse's name in output, and words of it become zero-terminated arguments.
   if (shown(spec) != spec) {
     result.error = fmt::format("mouse '{}': its SPEC contains unprintable characters", shown(spec));
     return;

@@ -1,5 +1,5 @@
-// External mice in a SPEC: `capstone:FILE`, `program:COMMAND`, `controller:COMMAND`, `mms:COMMAND`. What follows the
-// colon is theirs up to its end.
+// External mice in a SPEC: `capstone:FILE`, `program:COMMAND`, `controller:COMMAND`, `mms:COMMAND`. Everything after
+// the colon, including commas, belongs to the mouse.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// The briefing and the senses of controllers in C, in the structures of their header.
+// Converts briefings and sensor readings to the C structures of labmouse_controller.h.
 #pragma once
 
 #include "labmouse/contest/controller_code.hpp"

@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the largest maze, 64 x 64 cells, no file is longer.
+/// In bytes. No file of the largest maze, 64×64 cells, is longer.
 constexpr std::uintmax_t longest_maze = std::uintmax_t{256} << 10U;
 
-/// The one binary format has a byte for each cell.
+/// Whether the size fits the only binary format, which has a byte for each cell.
 bool is_binary_maze(std::uintmax_t size) { return size == 16 * 16 || size == 32 * 32; }
 
 bool is_installed_or_hidden(const fs::path& folder) {

@@ -1,4 +1,4 @@
-// Files that hold mazes: drawings, tables, records, results, stores, pictures.
+// Finds files that contain mazes: drawings, tables, records, results, stores, pictures.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace labmouse {
 
-/// Hides the files in the folder of an external mouse in which it could look up a maze, whoever put them there: many
-/// robots of the capstone project lie beside its mazes. Each folder is looked through once. Looks at 4000 files at
-/// most, and not into what is hidden or installed there (.git, node_modules, virtual environments).
+/// Hides from an external mouse the files in its folder that contain mazes; many capstone robots are kept beside the
+/// mazes of the project. Each folder is searched once. At most 4000 files are read, none in hidden folders or in
+/// installed packages (.git, node_modules, virtual environments).
 void hide_mazes_in(const std::string& folder, HiddenFiles& hidden);
 
-/// Whether the file holds a maze, as far as its content says it.
+/// Whether the file contains a maze, judged by its content and the extension `.svg`.
 bool holds_maze(const std::string& path);
 
 }  // namespace labmouse

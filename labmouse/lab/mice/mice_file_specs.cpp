@@ -12,13 +12,13 @@ namespace {
 
 using Kind = MiceFileEntry::Kind;
 
-/// What stands behind the colon of `mice-file:`.
+/// The text after `mice-file:`, split.
 struct NamedMiceFile {
-  std::string path, only;  ///< the file, and the one mouse that is meant; empty: all
+  std::string path, only;  ///< path of the file, and name of one mouse; empty: all
   FileContent file;
 };
 
-/// A name may have colons in it, as a path may: the longest path that can be read is the file.
+/// Both names and paths may contain colons: the longest readable path is the file.
 NamedMiceFile find_mice_file(const std::string& text) {
   NamedMiceFile found = {text, "", read_file(text)};
   for (auto colon = text.rfind(':'); !found.file.error.empty() && colon != std::string::npos && colon > 0;
@@ -37,12 +37,12 @@ std::string no_mice_file(const NamedMiceFile& mice_file) {
                      many ? "; mice-file: takes everything after its colon, so name other mice before it" : "");
 }
 
-/// A path as the file has it, seen from here.
+/// A path in a mice file, resolved against the file's folder.
 std::string beside(const std::string& folder, const std::string& path) {
   return path.empty() || path.starts_with('/') || path.starts_with("~/") || folder.empty() ? path : folder + "/" + path;
 }
 
-/// How that mouse of the mice file in that folder is started.
+/// The options of a mouse of the mice file in that folder.
 ExternalOptions options_of(const MiceFileEntry& mouse, const std::string& folder, ExternalOptions options) {
   options.limits = mouse.limits_over(options.limits);
   options.runs = mouse.runs.value_or(options.runs);
@@ -50,14 +50,14 @@ ExternalOptions options_of(const MiceFileEntry& mouse, const std::string& folder
   options.environment = mouse.environment;
   options.directory = mouse.directory.empty() ? folder : beside(folder, mouse.directory);
   options.owns_directory = !mouse.directory.empty();
-  // One that is no path is looked for in PATH.
+  // A name without a slash is searched in PATH.
   const bool is_path = mouse.interpreter.find('/') != std::string::npos;
   options.interpreter = is_path ? beside(folder, mouse.interpreter) : mouse.interpreter;
   if (mouse.kind == Kind::capstone && !mouse.interpreter.empty()) options.python = options.interpreter;
   return options;
 }
 
-/// Puts the value into each place that an external mouse leaves for it; returns how many there were.
+/// Replaces each `{parameter}` of an external mouse by the value; returns the number of replacements.
 int fill_in(MiceFileEntry& mouse, const Setting& value) {
   const std::string place = "{" + value.name + "}";
   int places = 0;
@@ -105,9 +105,9 @@ SpecResult read_mouse_of_mice_file(const MiceFileEntry& mouse, const std::string
   return result;
 }
 
-/// Notes what is wrong with a mice file, and where.
+/// Adds a problem of a mice file, with its place, to the result.
 void complain(const std::string& path, const Problem& problem, SpecResult& result) {
-  // What is wrong with the file as a whole has no place in it.
+  // A problem of the file as a whole has no line.
   const std::string place =
       problem.line > 0 ? fmt::format("{}:{}:{}", path, problem.line, problem.column) : std::string(path);
   if (result.error.empty()) result.error = fmt::format("mice file {}: {}", place, problem.reason);

@@ -9,11 +9,11 @@
 
 namespace labmouse {
 
-/// Reads a mouse of ours, with that value of a parameter where it is not null; returns what is wrong, or nothing.
+/// Reads a built-in mouse, with that value of a parameter if it is not null; returns the error, or an empty text.
 using ReadOwnMouse = std::string (*)(std::string_view spec, const Setting* value, std::vector<Contestant>& mice);
 
-/// Reads the SPEC of a mice file into the result; on failure sets its error and its problems. Where `value` is not
-/// null, the mice are variants with that value, as read_variants makes them.
+/// Reads the SPEC of a mice file into the result; on failure sets its error and its problems. If `value` is not null,
+/// the mice are variants with that value, as read_variants makes them.
 void read_mice_file_spec(std::string_view spec, const ExternalOptions& options, const Setting* value,
                          ReadOwnMouse read_own, SpecResult& result);
 

@@ -10,7 +10,7 @@ std::string_view name_of(ParameterScope scope) {
   return scope == ParameterScope::steps ? "steps" : "seconds";
 }
 
-/// In which worlds a parameter counts is said where it is not in all in which its mouse plays.
+/// Adds `counts_in` if the parameter has no effect in some world in which its mouse races.
 Json parameter_json(const Parameter& parameter, bool plays_in_both) {
   Json json = {{"name", parameter.name},
                {"type", name_of(parameter.type)},

@@ -18,7 +18,7 @@ std::string range_of(const Parameter& parameter) {
     case ParameterType::flag:
       return "yes or no";
     case ParameterType::choice:
-      // Orders to break ties by are too many to read.
+      // There are too many tie-breaking orders to list.
       return parameter.choices == TieOrder::all ? "an order such as nesw or alrb" : std::string(parameter.choices);
     case ParameterType::prior:
       return fmt::format("{} or a file of `labmouse learn`", parameter.choices);
@@ -32,8 +32,8 @@ std::string value_line(const Parameter& parameter) {
                      range_of(parameter));
 }
 
-/// Above parameters that count in the same worlds; those of a mouse that races in one kind of world alone need not say
-/// which.
+/// The heading of parameters that count in the same worlds. It does not name the world of a mouse that races in one
+/// kind of world only.
 std::string_view heading_of(const Parameter& parameter, const BuiltinMouse& mouse) {
   if (parameter.scope == ParameterScope::errors) return "Parameters, only in worlds with errors";
   if (!mouse.walks() || !mouse.drives() || parameter.scope == ParameterScope::both) return "Parameters";
@@ -44,7 +44,7 @@ std::string summary_of(const BuiltinMouse& mouse) {
   return fmt::format("{}{}", mouse.summary, mouse.uses_chance(Settings(mouse.parameters)) ? " (stochastic)" : "");
 }
 
-/// The text in lines of a width that is easy to read, each after the indent.
+/// The text wrapped into indented lines.
 std::string in_lines(std::string_view text, std::string_view indent) {
   constexpr std::size_t width = 96;
   std::string lines;
@@ -57,7 +57,7 @@ std::string in_lines(std::string_view text, std::string_view indent) {
   return lines;
 }
 
-/// Each with its meaning, in groups by where they count.
+/// All parameters with their meanings, grouped by the worlds in which they count.
 std::string explained_parameters(const BuiltinMouse& mouse) {
   std::string text;
   std::string_view heading;

@@ -1,4 +1,4 @@
-// The mice for readers: all in a list, or one with all that there is to say of it.
+// Descriptions of mice for `labmouse mice`: a list of all, or the details of one.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace labmouse {
 
-/// Each mouse in a line, and below it each of its parameters with its default, its range and its meaning.
+/// Each mouse in a line, and below it each of its parameters with default, type and range.
 std::string mouse_list();
 
-/// One mouse: what it does, by which method, where the idea comes from, and its parameters.
+/// One mouse: summary, method, source and parameters; or an error for an unknown name.
 NamedText mouse_sheet(const std::string& name);
 
 }  // namespace labmouse

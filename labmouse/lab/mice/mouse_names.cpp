@@ -8,7 +8,7 @@
 namespace labmouse {
 namespace {
 
-/// The mice of mms stand in a table of their own, so none of them needs the name of its world.
+/// Without `mms:`: mice of mms have a table of their own.
 std::string_view without_world(std::string_view spec) {
   constexpr std::string_view mms = "mms:";
   return spec.starts_with(mms) ? spec.substr(mms.size()) : spec;

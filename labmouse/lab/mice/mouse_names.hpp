@@ -1,4 +1,4 @@
-// Mice as tables call them.
+// Names of mice in tables.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace labmouse {
 
-/// The names, printable. Of commands, which can be long, only the end stands there, since it names the file, as long as
-/// all names stay different.
+/// Printable names of mice. Long commands are cut to their end, which contains the file name, if all names stay
+/// different.
 std::vector<std::string> mouse_names(const std::vector<std::string>& specs);
 
 }  // namespace labmouse

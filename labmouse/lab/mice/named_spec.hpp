@@ -6,12 +6,12 @@
 namespace labmouse {
 
 struct NamedSpec {
-  std::string_view name;  ///< empty where there is none
+  std::string_view name;  ///< empty if the user gave none
   std::string_view spec;
 };
 
-/// Takes a SPEC apart from the name before it. Its `=` comes before whatever else a SPEC begins with: before the colon
-/// of a parameter or an external mouse, the comma before another mouse, and the path or the words of a command.
+/// Splits NAME=SPEC. The `=` after a name comes before any other sign of a SPEC: the colon of a parameter or an
+/// external mouse, the comma before another mouse, and slashes and blanks of a command.
 constexpr NamedSpec named_spec(std::string_view text) {
   const auto end = text.find_first_of("=:,/ ");
   if (end == std::string_view::npos || end == 0 || text[end] != '=') return {{}, text};

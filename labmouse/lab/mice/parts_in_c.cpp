@@ -34,7 +34,7 @@ PoseEstimate estimate_of(const labmouse_estimate& said) {
   return estimate;
 }
 
-/// All three parts, of which those are used that the table has.
+/// All three parts; parts() offers only those for which the table has functions.
 class TableOfParts final : public PartsInC, EstimatorPart, ReaderPart, TrackerPart {
  public:
   TableOfParts(const struct labmouse_parts& table, const ControllerBriefing& briefing)

@@ -1,4 +1,4 @@
-// Parts of our controller that are somebody else's, in C and linked in, by their table of functions.
+// Adapter for parts of the controller that are written in C and linked into the program as a table of functions.
 #pragma once
 
 #include <memory>
@@ -13,11 +13,11 @@ namespace labmouse {
 class PartsInC {
  public:
   virtual ~PartsInC() = default;
-  /// For drive_physically(); they live as long as this.
+  /// The parts for drive_physically(); they are owned by this object.
   virtual ControllerParts parts() = 0;
 };
 
-/// The table must outlive it; its functions may be called from several threads at once, each for contests of its own.
+/// The table must outlive the result. Its functions must be thread-safe: several contests may run at once.
 std::unique_ptr<PartsInC> parts_in_c(const struct labmouse_parts& table, const ControllerBriefing& briefing);
 
 }  // namespace labmouse

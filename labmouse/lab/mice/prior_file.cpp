@@ -16,7 +16,7 @@ constexpr std::string_view headline = "// labmouse prior 1";
 constexpr std::size_t most_bytes = std::size_t{1} << 20U;
 constexpr std::size_t all_numbers = wall_contexts + rim_contexts;
 
-/// The place of a number in a prior, by its position in the file.
+/// The number of a prior at a position in the file.
 template <class Prior>
 auto& number_at(Prior& prior, std::size_t position) {
   return position < prior.walls.size() ? prior.walls[position] : prior.rim[position - prior.walls.size()];
@@ -57,7 +57,7 @@ class PriorReader {
   void read(const formats::Line& line) {
     if (line.text.starts_with("//")) return;
     auto words = formats::words_between_commas(line.text, all_numbers + 2);
-    // Behind the last comma there is nothing.
+    // A line that ends in a comma has an empty last word.
     const bool ended = words.back().text.empty() && words.size() > 1;
     if (ended) words.pop_back();
     for (const formats::Word& word : words) read(line, word);
@@ -79,7 +79,7 @@ class PriorReader {
  private:
   void read(const formats::Line& line, const formats::Word& word) {
     const auto number = formats::number_of(word.text, 0, 255);
-    // To a compiler, a zero in front would make it octal.
+    // A compiler would read a leading zero as octal.
     const bool plain = number && (word.text.size() == 1 || !word.text.starts_with('0'));
     if (!plain)
       problems_.add(line.number, word.column, "expected a number from 0 to 255, found " + formats::quoted(word.text));

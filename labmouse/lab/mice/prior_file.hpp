@@ -1,5 +1,5 @@
-// Priors as files, described in docs/research/priors.md: comments and numbers with commas, which the compiler can
-// include, too.
+// Files of priors, described in docs/research/priors.md: comments and comma-separated numbers, which C++ can #include,
+// too.
 #pragma once
 
 #include <optional>
@@ -14,23 +14,23 @@
 
 namespace labmouse {
 
-/// Where a prior comes from: what its file says of it, for people.
+/// The origin of a prior, as comments in its file.
 struct PriorProvenance {
   std::string version;      ///< of the program that learned it
   std::vector<Size> mazes;  ///< the size of each maze, in any order
   PriorFit fit;
 };
 
-/// The same prior with the same provenance gives the same bytes.
+/// The text of a prior file. Equal arguments give equal bytes.
 std::string write_prior(const WallPrior& prior, const PriorProvenance& provenance);
 
-/// A prior, or what is wrong with the text: exactly one of the two is there.
+/// Either a prior, or the problems of the text.
 struct ReadPriorResult {
   std::optional<WallPrior> prior;
   std::vector<Problem> problems;
 };
 
-/// Reads a prior; what its comments say is not looked at, but the first one, which names the format. At most 1 MiB.
+/// Reads a prior of at most 1 MiB. Comments are ignored except the first, which names the format.
 ReadPriorResult read_prior(std::string_view text);
 
 }  // namespace labmouse

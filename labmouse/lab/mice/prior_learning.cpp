@@ -11,10 +11,10 @@
 namespace labmouse {
 namespace {
 
-/// Contexts whose two parallel walls are unknown: the digits of those are the highest.
+/// Number of contexts of six neighbours, without the two parallel walls, which are the highest digits.
 constexpr int contexts_of_six = 729;
 
-/// Follows a search run and counts the unseen walls whose surroundings have changed: at first all of them.
+/// Follows a search run and counts the unseen walls whose context has changed; at first all walls.
 class Follower {
  public:
   Follower(const Maze& maze, PriorCounts& counts)
@@ -24,7 +24,7 @@ class Follower {
       if (goals == 1) rim_.insert(wall);
       if (goals == 2) inside_.insert(wall);
     });
-    // Of all shapes of four cells only the square has four walls inside.
+    // Among shapes of four cells only the square has four inner walls.
     const bool room = maze.goals().count() == 4 && inside_.count() == 4;
     if (!room) rim_ = WallSet();
   }
@@ -74,13 +74,13 @@ WallCount& operator+=(WallCount& sum, const WallCount& count) {
   return sum;
 }
 
-/// The share of closed walls, as if `weight` more had been counted with the share of a wider class.
+/// The share of closed walls, with `weight` pseudo-counts that have the share of a wider class.
 double share(const WallCount& count, double wider, double weight) {
   return (static_cast<double>(count.closed) + weight * wider) /
          (static_cast<double>(count.open + count.closed) + weight);
 }
 
-/// P(closed) wherever a prior has a number.
+/// P(closed) for each number of a prior.
 struct Shares {
   std::vector<double> walls;
   std::vector<double> rim;
@@ -106,8 +106,8 @@ Shares shares_of(const PriorCounts& counts) {
   return shares;
 }
 
-/// -32 ln(1 - closed), rounded, where no more than 0.999 are taken for closed. Products of constants instead of a
-/// logarithm, so that the same counts give the same prior on every platform.
+/// -32 ln(1 - closed), rounded; `closed` is clamped to 0.999. It uses products of constants instead of a logarithm, so
+/// that equal counts give equal priors on every platform.
 std::uint8_t reluctance_of(double closed) {
   constexpr double half_step = 0.98449643700540842;  // exp(-0.5 / 32)
   constexpr double step = 0.96923323447634408;       // exp(-1 / 32)
@@ -121,7 +121,7 @@ std::uint8_t reluctance_of(double closed) {
   return reluctance;
 }
 
-/// Sum of -ln P over the walls of a count.
+/// Sum of -ln P(actual state) over the walls of a count.
 double surprise(const WallCount& count, double closed) {
   double sum = 0.0;
   if (count.open > 0) sum -= static_cast<double>(count.open) * std::log(1.0 - closed);

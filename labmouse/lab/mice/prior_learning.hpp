@@ -1,4 +1,4 @@
-// Learning what to expect of walls that have not been seen, by counting.
+// Estimates the probability that an unseen wall is closed, from counts in known mazes.
 #pragma once
 
 #include <array>
@@ -21,35 +21,35 @@ struct WallCount {
   friend bool operator==(const WallCount&, const WallCount&) = default;
 };
 
-/// Counts of unseen walls along search runs: each wall once for each state of its surroundings in which it was unseen.
-/// Walls between two goal cells do not count.
+/// Counts of unseen walls along search runs, by context: the known states of neighbouring walls. Each wall counts once
+/// for each context in which it was unseen. Walls between two goal cells do not count.
 struct PriorCounts {
   std::array<WallCount, wall_contexts> walls{};  ///< by folded_context
   std::array<WallCount, rim_contexts> rim{};     ///< of the rim of a goal room of 2×2 cells, by rim_context
 
-  /// Counts along the search run of a maze; the speed run that may follow it does not count.
+  /// Adds the counts of a contest's search run; its speed run is ignored.
   void add(const Maze& maze, const RunRecord& record);
-  /// Explores a maze as the mouse does to which every unseen wall is equally dear, and counts. Where the goal cannot be
-  /// reached, that counts too, as far as the mouse comes.
+  /// Adds the counts of a search run by ariadne with a uniform prior and the flat model. If the goal cannot be reached,
+  /// the part until the end counts.
   void explore(const Maze& maze, const Rules& rules);
 
   friend bool operator==(const PriorCounts&, const PriorCounts&) = default;
 };
 
-/// The reluctances of counts. A context that was seen rarely leans on the same without the two parallel walls, and that
-/// on the share of all walls: as if each had been seen a few times more with the share of the wider one. Where nothing
-/// was counted, a wall is as likely open as closed.
+/// The prior of counts, as reluctances: -32 ln P(open). Rare contexts are smoothed by pseudo-counts: with the share of
+/// the same context without the two parallel walls, which itself is smoothed with the share of all walls. Without
+/// counts P is 0.5.
 WallPrior prior_of(const PriorCounts& counts);
 
-/// How well a prior foretells the walls that it was counted from, in nats a wall; 0 where none was counted.
+/// How well a prior predicts the walls from which it was counted, in nats per wall; 0 without walls.
 struct PriorFit {
-  std::int64_t walls = 0;  ///< as counted
-  double log_loss = 0.0;   ///< mean of -ln P(what the wall was), before P was rounded to a reluctance
-  double entropy = 0.0;    ///< the same by one P for all walls, their common share
+  std::int64_t walls = 0;  ///< number of walls counted
+  double log_loss = 0.0;   ///< mean of -ln P(actual state), before P was rounded to a reluctance
+  double entropy = 0.0;    ///< the same with a single P for all walls, their overall share
 };
 PriorFit fit_of(const PriorCounts& counts);
 
-/// The prior that mazes teach. Their order makes no difference. Once `stop` is true no other maze is explored.
+/// Learns the prior from mazes; their order does not matter. When `stop` becomes true, the remaining mazes are skipped.
 WallPrior learn_prior(std::span<const Maze* const> mazes, const Rules& rules, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace labmouse

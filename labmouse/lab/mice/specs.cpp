@@ -32,7 +32,7 @@ Contestant oracle() {
   return contestant;
 }
 
-/// Whether the mouse brings a prior along that mazes could take the place of.
+/// Whether the mouse uses its default prior, which a prior learned from mazes could replace.
 bool can_learn(const BuiltinMouse& entry, const Settings& settings) {
   return std::any_of(entry.parameters.begin(), entry.parameters.end(), [&](const Parameter& parameter) {
     return parameter.type == ParameterType::prior && settings.choice(parameter.name) == parameter.default_value;
@@ -65,7 +65,7 @@ Contestant contestant_of(const BuiltinMouse& entry, Settings settings) {
   return contestant;
 }
 
-/// What a mouse's name cannot be, but a program's path or a piece of a command.
+/// Whether a text cannot be a mouse's name, but the path of a program or a part of a command.
 bool looks_like_a_program(std::string_view name) {
   return name.find_first_of("/ ~") != std::string_view::npos || name.ends_with(".py") || name.ends_with(".js");
 }
@@ -81,22 +81,22 @@ std::string unknown_parameter(const BuiltinMouse& entry, std::string_view key) {
                                   : fmt::format("did you mean '{}'?", near));
 }
 
-/// What a value that is no file may have been meant for.
+/// Hint for a value that is neither a choice nor a readable file.
 std::string hint_for(const Parameter& parameter, std::string_view value) {
   const auto near = value.find_first_of("./") == std::string::npos ? nearest_name(value, choices_of(parameter)) : "";
   return near.empty() ? "note that ':' and ',' end a path here" : fmt::format("did you mean '{}'?", near);
 }
 
-/// How the files of a SPEC are read. One that the user wrote may name a pipe; one of a file may not, since nobody may
-/// write there.
+/// How the files of a SPEC are read. The user may name a pipe. A SPEC from a file may not, because reading a pipe
+/// without a writer would block.
 using ReadFile = FileContent (*)(const std::string& path, std::size_t most_bytes);
 
-/// Attaches the prior of a file, or none where the value is a choice; returns what is wrong with it, or nothing.
+/// Attaches the prior of a file, or none if the value is a choice; returns the error, or an empty text.
 std::string attach_prior(const Parameter& parameter, const std::string& value, ReadFile read_it, Settings& settings) {
   const auto choices = choices_of(parameter);
   settings.attach(nullptr);
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
-  // What is accepted here is printed as part of the mouse's name.
+  // The value becomes part of the mouse's name in output.
   if (shown(value) != value)
     return fmt::format("the name of prior file '{}' contains unprintable characters", shown(value));
   const FileContent file = read_it(value, std::size_t{1} << 20U);
@@ -111,7 +111,7 @@ std::string attach_prior(const Parameter& parameter, const std::string& value, R
   return "";
 }
 
-/// Applies one `key=value`; returns what is wrong with it, or nothing.
+/// Applies one `key=value`; returns the error, or an empty text.
 std::string apply(const BuiltinMouse& entry, std::string_view assignment, ReadFile read, Settings& settings) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos)
@@ -131,7 +131,7 @@ std::string apply(const BuiltinMouse& entry, std::string_view assignment, ReadFi
   return parameter->type == ParameterType::prior ? attach_prior(*parameter, std::string(value), read, settings) : "";
 }
 
-/// Reads one mouse into the list; returns what is wrong with it, or nothing.
+/// Reads one mouse into the list; returns the error, or an empty text.
 std::string read_spec(std::string_view spec, ReadFile read, std::vector<Contestant>& contestants) {
   const auto colon = spec.find(':');
   const auto name = spec.substr(0, colon);
@@ -160,7 +160,7 @@ std::string read_spec(std::string_view spec, ReadFile read, std::vector<Contesta
   return "";
 }
 
-/// Of mice with one name the first stays.
+/// Of several mice with the same name, keeps the first.
 void drop_repetitions(std::vector<Contestant>& mice) {
   for (std::size_t i = 0; i < mice.size(); ++i)
     mice.erase(std::remove_if(mice.begin() + static_cast<std::ptrdiff_t>(i) + 1, mice.end(),
@@ -181,7 +181,7 @@ SpecResult read_external_variant(std::string_view spec, const Setting& setting, 
   return read_specs(text, options);
 }
 
-/// As a mice file needs it.
+/// The ReadOwnMouse for mice files.
 std::string read_own(std::string_view spec, const Setting* value, std::vector<Contestant>& mice) {
   if (auto error = read_spec(spec, read_file, mice); !error.empty() || value == nullptr) return error;
   SpecResult variant = read_variant(mice.back(), {value, 1});
@@ -189,7 +189,7 @@ std::string read_own(std::string_view spec, const Setting* value, std::vector<Co
   return variant.error;
 }
 
-/// Which SPECs are read: those that start programs or open mice files, too, or only built-in mice.
+/// Source of a SPEC: only the user's may start programs and open mice files.
 enum class Origin { of_the_user, of_a_file };
 
 std::string_view without_blanks_behind(std::string_view text) { return text.substr(0, text.find_last_not_of(' ') + 1); }
@@ -225,7 +225,7 @@ void read_into(std::string_view text, Origin origin, const ExternalOptions& opti
   }
 }
 
-/// Whether the one is the other, named once more. Mice of two mice files may have arguments or folders of their own.
+/// Whether both are the same mouse. Equal SPECs of two mice files may differ in arguments or folders.
 bool is_same(const Contestant& mouse, const Contestant& other) {
   return spec_of(mouse) == spec_of(other) && mouse.mice_file == other.mice_file;
 }
@@ -234,7 +234,7 @@ std::string origin_of(const Contestant& mouse) {
   return mouse.mice_file.empty() ? spec_of(mouse) : fmt::format("{} in {}", spec_of(mouse), mouse.mice_file);
 }
 
-/// Mice that stand twice count once. Returns what is wrong where two have one name.
+/// Removes duplicates; returns an error if two different mice have the same name.
 std::string drop_repetitions_or_refuse(std::vector<Contestant>& mice) {
   for (std::size_t i = 0; i < mice.size(); ++i)
     for (std::size_t j = i + 1; j < mice.size(); ++j)
@@ -245,7 +245,7 @@ std::string drop_repetitions_or_refuse(std::vector<Contestant>& mice) {
   return "";
 }
 
-/// The one mouse of a SPEC with that value of a parameter.
+/// The single mouse of a SPEC with that value of a parameter.
 SpecResult read_with_value(std::string_view spec, const Setting& value, const ExternalOptions& options) {
   if (is_external_spec(spec)) return read_external_variant(spec, value, options);
   if (!is_mice_file_spec(spec)) return read_variant(spec, {&value, 1});
@@ -266,7 +266,7 @@ const BuiltinMouse* entry_of(const Contestant& mouse) {
 }
 
 std::string unknown_mouse(std::string_view name) {
-  // A name of a mouse ends at the first of these signs, so what stands before it is none.
+  // named_spec() found no name before `=`, so that text contains a sign that names must not have.
   if (const auto equals = name.find('='); equals != std::string_view::npos && find_mouse(name.substr(equals + 1)))
     return fmt::format("'{}' is no name for a mouse; a name in NAME=SPEC has no blank, '/', ':' or ','",
                        name.substr(0, equals));
@@ -371,7 +371,7 @@ std::string_view worlds_of(ParameterScope scope) {
   return "everywhere";
 }
 
-/// Why a mouse has a parameter that says nothing in a world; empty without one.
+/// An error if a setting of the mouse that is not the default has no effect in a world; else empty.
 std::string refuse_idle_settings(const Contestant& mouse, Counts counts, std::string_view where) {
   const BuiltinMouse* entry = entry_of(mouse);
   for (std::size_t i = 0; entry != nullptr && i < entry->parameters.size(); ++i) {
@@ -383,7 +383,7 @@ std::string refuse_idle_settings(const Contestant& mouse, Counts counts, std::st
   return "";
 }
 
-/// Those of its settings for whose parameters something holds.
+/// The settings whose parameters satisfy a condition.
 template <class Holds>
 Settings settings_where(const Contestant& mouse, const BuiltinMouse& entry, Holds holds) {
   std::vector<Parameter> parameters;

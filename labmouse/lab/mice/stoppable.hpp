@@ -1,4 +1,4 @@
-// Strategies that decide no more once their contest is stopped.
+// Wrappers that end a contest when the user stops it.
 #pragma once
 
 #include <atomic>
@@ -11,11 +11,11 @@ namespace labmouse {
 /// Whether the flag, which may be null, is set.
 inline bool is_set(const std::atomic<bool>* stop) { return stop != nullptr && stop->load(std::memory_order_relaxed); }
 
-/// Stands in front of a strategy, which must outlive it, and asks before each of its decisions. A contest that was
-/// stopped ends as a forfeit, interrupted.
+/// Forwards to a strategy, which must outlive it, and checks a flag before each decision. If it is set, the contest
+/// ends as a forfeit with the reason `interrupted`.
 class Stoppable final : public ForwardingStrategy {
  public:
-  /// `stop` may be null: then nothing stops it.
+  /// @param stop The flag; may be null.
   Stoppable(Strategy& mouse, const std::atomic<bool>* stop) : ForwardingStrategy(mouse), stop_(stop) {}
 
   Action decide(const Sighting& seen) override {
@@ -26,7 +26,7 @@ class Stoppable final : public ForwardingStrategy {
   const std::atomic<bool>* stop_;
 };
 
-/// The same in the worlds in seconds.
+/// The same for worlds in seconds.
 class StoppableDriver final : public ForwardingDriver {
  public:
   StoppableDriver(DrivingStrategy& mouse, const std::atomic<bool>* stop) : ForwardingDriver(mouse), stop_(stop) {}

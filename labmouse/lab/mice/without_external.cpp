@@ -1,4 +1,4 @@
-// What a build without external mice says of them: LABMOUSE_EXTERNAL, for systems other than Linux.
+// Stubs for builds without external mice (LABMOUSE_EXTERNAL=OFF, for systems other than Linux).
 #include "labmouse/external/capstone.hpp"
 #include "labmouse/external/command_line.hpp"
 #include "labmouse/external/mms/run.hpp"

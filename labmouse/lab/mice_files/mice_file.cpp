@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 13> mouse_keys = {"name", "mouse",     "c
 constexpr std::array<std::string_view, 8> limit_keys = {"start",  "decision",  "silence", "contest",
                                                         "memory", "processes", "written", "cpu"};
 
-/// Takes the values out of a file, and notes what is wrong with it.
+/// Reads the entries of a mice file, and collects its problems.
 class MiceFileReader {
  public:
   MiceFileResult read(const toml::table& file) {
@@ -103,7 +103,7 @@ class MiceFileReader {
           "\"COMMAND\"");
   }
 
-  /// A mouse of ours runs within this program.
+  /// Refuses keys that have no effect for a built-in mouse, which runs within this program.
   void refuse_for_ours(const toml::table& table) {
     for (const std::string_view key : {"arguments", "environment", "directory", "interpreter", "limits"})
       refuse(table, key, "is for external mice; labmouse's own mice do not have it");
@@ -131,7 +131,7 @@ class MiceFileReader {
     mouse.processor_seconds = whole(*limits, "cpu", 1, static_cast<int>(most_seconds));
   }
 
-  /// A text that is printable and not empty; empty where the key is left out.
+  /// The text of a key, which must be printable and not empty; an empty text if the key is missing.
   std::string text(const toml::table& table, std::string_view key) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return "";

@@ -11,31 +11,31 @@
 
 namespace labmouse {
 
-/// One mouse of a mice file, as its file says it.
+/// One entry of a mice file, as written there.
 struct MiceFileEntry {
   enum class Kind { mouse, capstone, external, controller, mms };
 
   std::string name;
   Kind kind = Kind::mouse;
-  std::string what;  ///< a SPEC of ours, the file of a robot, or a command
+  std::string what;  ///< SPEC of a built-in mouse, file of a capstone robot, or command
   std::vector<std::string> arguments;
   std::vector<std::string> environment;  ///< NAME=VALUE
   std::string directory, interpreter, note;
   std::optional<int> runs;
-  /// The limits that the file sets; the others are those of the race.
+  /// Limits that the file sets; empty ones are those of the race.
   std::optional<double> start, decision, silence, contest;  ///< in seconds
   std::optional<int> memory, written;                       ///< in MiB
   std::optional<int> processes, processor_seconds;
-  int line = 0, column = 0;  ///< where it stands
+  int line = 0, column = 0;  ///< of the entry in its file, from 1
 
-  /// These limits, with those that the file sets.
+  /// The limits given, overridden by those that the file sets.
   ExternalLimits limits_over(ExternalLimits limits) const;
 };
 
 /// The key of a kind: "capstone".
 std::string_view key_of(MiceFileEntry::Kind kind);
 
-/// Mice, or what is wrong with their file: exactly one of the two is there.
+/// Either mice, or the problems of their file.
 struct MiceFileResult {
   std::vector<MiceFileEntry> mice;
   std::vector<Problem> problems;

@@ -21,7 +21,7 @@ constexpr int deepest = 3;
 
 bool has(const std::string& text, std::string_view word) { return text.find(word) != std::string::npos; }
 
-/// The beginning of a file; programs say what they are in it or nowhere.
+/// The content of a file; empty if it is larger than 16 MiB.
 std::string beginning_of(const fs::path& path) {
   constexpr std::size_t most = std::size_t{16} << 20U;
   std::error_code error;
@@ -34,7 +34,8 @@ bool is_executable(const fs::path& path) {
   return (fs::status(path, error).permissions() & fs::perms::owner_exec) != fs::perms::none;
 }
 
-/// Whether a text has what only Python 2 takes. A line that begins with `print` and a word may be of a comment.
+/// Whether a text has syntax of Python 2 only. A line that begins with `print` and a word may be prose, so it counts
+/// only if `print(` is not in the text.
 bool is_python_2(const std::string& text) {
   constexpr std::size_t longest = 200;
   static const std::regex sure(
@@ -50,7 +51,7 @@ bool is_python_2(const std::string& text) {
   return false;
 }
 
-/// What a file is, and how sure that is: the smaller, the surer.
+/// The kind of a file, and how uncertain the guess is: 0 is certain.
 struct Guess {
   std::string kind, interpreter;
   int doubt = 0;
@@ -73,7 +74,7 @@ std::optional<Guess> guess_of(const fs::path& path) {
   const bool main = name == "main.py" || name == "Main.py" || !script;
   if (has(text, "labmouse 1")) return Guess{"program", interpreter, 2, false};
   if (has(text, "labmouse pilot 1")) return Guess{"controller", interpreter, 2, false};
-  // The file beside it that only passes words on is not the mouse.
+  // API.py only contains the protocol of mms; the mouse is another file beside it.
   const bool for_mms = has(text, "mazeWidth") || has(text, "moveForward");
   if (for_mms && name != "API.py" && name != "api.py")
     return Guess{"mms", interpreter, main ? 2 : 3, ending == ".py" && is_python_2(text)};
@@ -86,7 +87,7 @@ bool is_skipped(const fs::path& folder) {
          std::find(environments.begin(), environments.end(), name) != environments.end();
 }
 
-/// Whether a file or a folder can stand in a mice file, by its name.
+/// Whether a file or folder has a printable name, as mice files require.
 bool can_be_named(const fs::path& path) {
   const std::string name = path.filename().string();
   return shown(name) == name;
@@ -100,7 +101,7 @@ std::string environment_in(const fs::path& folder) {
   return "";
 }
 
-/// A file with its guess; what is nearer to the top is surer where both are equally sure.
+/// A file with its guess. Of equally certain guesses the one nearer to the top folder is preferred.
 struct LikelyMouse {
   Guess guess;
   int depth = 0;
@@ -146,7 +147,7 @@ std::string quoted_toml(std::string_view text) {
   return quoted + "\"";
 }
 
-/// A word of a command, with its blanks and quotation marks.
+/// A path as a word of a command: with `./` if it has no slash, and quoted if it has blanks.
 std::string word(const std::string& path) {
   std::string here = path.find('/') == std::string::npos ? "./" : "";
   for (const char letter : path) here += letter == '"' ? std::string(R"(""")") : std::string(1, letter);
@@ -160,7 +161,7 @@ std::vector<FoundMouse> scan_for_mice(const fs::path& folder, const std::string&
   std::error_code error;
   std::vector<fs::directory_entry> entries;
   for (const auto& entry : fs::directory_iterator(folder, error)) entries.push_back(entry);
-  // Whatever order the file system has.
+  // The order of the file system is undefined.
   std::sort(entries.begin(), entries.end());
   for (const fs::directory_entry& entry : entries) {
     if (!can_be_named(entry.path())) continue;
@@ -197,7 +198,7 @@ std::string mice_file_text(const std::vector<FoundMouse>& mice) {
     text += mouse.remark.empty() ? "\n" : fmt::format("\n# {}\n", mouse.remark);
     text += fmt::format("{0}[[mouse]]\n{0}name = {1}\n", off, quoted_toml(mouse.name));
     const std::string folder = fs::path(mouse.file).parent_path().string();
-    // A program is at home in its own folder, and may not write to those of others.
+    // A program runs in its own folder, and may not write to those of other mice.
     const bool moves = mouse.kind != "capstone" && !folder.empty();
     const std::string file = moves ? fs::path(mouse.file).filename().string() : mouse.file;
     text += fmt::format("{}{} = {}\n", off, mouse.kind, quoted_toml(mouse.kind == "capstone" ? file : word(file)));

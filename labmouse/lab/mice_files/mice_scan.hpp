@@ -1,4 +1,4 @@
-// A folder of robots as a mice file.
+// Searches a folder for mice, and writes a mice file of them.
 #pragma once
 
 #include <filesystem>
@@ -7,22 +7,22 @@
 
 namespace labmouse {
 
-/// A robot that was found, or why there is none in its folder.
+/// A mouse that was found, or the reason why its folder has none.
 struct FoundMouse {
-  std::string name;         ///< that of its folder, or of its file without the ending
-  std::string kind;         ///< "capstone", "external mouse" or "mms"; empty where nothing was found
-  std::string file;         ///< seen from the folder that was searched
-  std::string interpreter;  ///< likewise, or a program of PATH; empty: the usual one, or none
-  std::string remark;       ///< for people, on one line
+  std::string name;         ///< the name of its folder, or of its file without the extension
+  std::string kind;         ///< "capstone", "program", "controller" or "mms"; empty if nothing was found
+  std::string file;         ///< path relative to the folder that was searched
+  std::string interpreter;  ///< likewise, or a program in PATH; empty: the default one, or none
+  std::string remark;       ///< for the user, one line
   bool can_start = true;    ///< false where its interpreter is missing
 };
 
-/// Looks for one robot in each subfolder and for those that lie in the folder itself, by what stands in the files:
-/// nothing is started. In the order of the names. `old_python` is the Python 2 of this machine; empty where it has
-/// none.
+/// Searches for mice in the folder itself, and for one in each subfolder. It inspects the contents of files and starts
+/// nothing. Sorted by name.
+/// @param old_python Path of Python 2 on this machine; empty if there is none.
 std::vector<FoundMouse> scan_for_mice(const std::filesystem::path& folder, const std::string& old_python);
 
-/// These as the text of a mice file.
+/// The text of a mice file with these mice.
 std::string mice_file_text(const std::vector<FoundMouse>& mice);
 
 }  // namespace labmouse

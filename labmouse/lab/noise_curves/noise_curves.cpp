@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// Nothing of a world in which there is none.
+/// The noise factor of a world; nullopt where it has none.
 std::optional<double> noise_of(const World& world) {
   for (const Condition& condition : world.conditions())
     if (condition.key == "noise") return number_of(condition.value);

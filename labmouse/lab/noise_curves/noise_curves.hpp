@@ -1,4 +1,4 @@
-// How mice fare as noise grows: the share of contests that they finish, and what ended the others.
+// Share of finished contests as a function of noise, and the reasons why the others ended.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@
 
 namespace labmouse {
 
-/// The contests of a mouse under one noise.
+/// Results of one mouse at one noise level.
 struct NoisePoint {
   double noise = 0.0;
   int contests = 0;
   int finished = 0;                              ///< with a score
-  Interval interval;                             ///< of the share of those, over mazes
-  std::optional<double> par1;                    ///< mean seconds, the others counted as the time limit
-  std::array<int, all_run_ends.size()> ended{};  ///< the others, by RunEnd
+  Interval interval;                             ///< 95 % interval of the share finished, over mazes
+  std::optional<double> par1;                    ///< mean seconds, unfinished contests counted as the time limit
+  std::array<int, all_run_ends.size()> ended{};  ///< unfinished contests by what ended them (RunEnd)
 };
 
 struct NoiseCurve {
@@ -28,13 +28,13 @@ struct NoiseCurve {
   std::vector<NoisePoint> points;  ///< by increasing noise
 };
 
-/// Of races that differ by their noise alone, in the physical or the failure model: a curve for each mouse, those that
-/// finish most first. Empty where there are fewer than two such races.
+/// A curve for each mouse, sorted by the share finished, highest first. The races must differ only in their noise, in
+/// the physical world or the failure model. Empty if fewer than two races have a noise.
 std::vector<NoiseCurve> noise_curves(std::span<const Race> races);
 
-/// Shares, times, and what ended the others, in lines.
+/// Text tables of the shares, the mean times and what ended the others.
 std::string table_of(std::span<const NoiseCurve> curves);
-/// One self-contained SVG picture; `title` says of which mice in which mazes.
+/// One self-contained SVG picture. `title` should name mice and mazes.
 std::string draw_curves(std::span<const NoiseCurve> curves, const std::string& title);
 
 }  // namespace labmouse

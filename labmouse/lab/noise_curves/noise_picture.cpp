@@ -1,4 +1,4 @@
-// The picture of noise: curves of the share that each mouse finishes, and bars of what ended the others.
+// Draws noise curves: the share finished by each mouse, and bars of what ended the other contests.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr int left_edge = 76, top_edge = 56, chart_width = 460, chart_height = 3
 constexpr PlotArea chart = {left_edge, top_edge, left_edge + chart_width, top_edge + chart_height};
 constexpr int right_edge = chart.right + name_room;
 
-/// Mice beyond the fifth have the same colours again, with dashes.
+/// From the sixth mouse on, colours repeat with dashed lines.
 constexpr std::array<const Tone*, 5> tones = {&route, &to_goal, &onwards, &wrong, &candidate};
 constexpr std::array<std::string_view, 3> dashes = {"", " stroke-dasharray=\"7 4\"", " stroke-dasharray=\"2 4\""};
 
@@ -56,7 +56,7 @@ std::string names_svg(std::span<const NoiseCurve> curves, const Axis& y) {
     ends.emplace_back(y.place(percent_of(curves[mouse].points.back())), mouse);
   std::stable_sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 1; i < ends.size(); ++i) ends[i].first = std::max(ends[i].first, ends[i - 1].first + least_step);
-  // Those that were moved out of the chart push the others up.
+  // Move names that fell below the chart back up, and those above them too.
   for (std::size_t i = ends.size(); i-- > 0;)
     ends[i].first = std::min(ends[i].first, i + 1 < ends.size() ? ends[i + 1].first - least_step : 1.0 * chart.bottom);
   std::string svg;
@@ -67,7 +67,7 @@ std::string names_svg(std::span<const NoiseCurve> curves, const Axis& y) {
   return svg;
 }
 
-/// What ended contests: never that they were done.
+/// Reasons why a contest ended unfinished.
 constexpr std::array ends_shown = {RunEnd::slid,          RunEnd::position_lost, RunEnd::wall_error,
                                    RunEnd::no_route_left, RunEnd::given_up,      RunEnd::out_of_time};
 const Tone& tone_of(RunEnd end) {
@@ -81,7 +81,7 @@ std::string rect_svg(double x, double y, double width, const Tone& tone, std::st
                      width, bar_height, -width, xml_escaped(words));
 }
 
-/// Of each mouse under one noise: finished, and what ended the others.
+/// A bar for each mouse at one noise level: contests finished, and what ended the others.
 std::string bars_svg(std::span<const NoiseCurve> curves, std::size_t noise, int top) {
   std::string svg = text_svg(left_edge, top - 14, "start", ink,
                              fmt::format("What ended the others at noise {:g}", curves.front().points[noise].noise));
@@ -102,7 +102,7 @@ std::string bars_svg(std::span<const NoiseCurve> curves, std::size_t noise, int 
   return svg;
 }
 
-/// The noise for the bars: the nearest to 2, at which mice of the field are.
+/// The index of the noise for the bars: the one nearest to 2, the level of real mice.
 std::size_t telling_noise(const NoiseCurve& curve) {
   constexpr double telling = 2.0;
   std::size_t best = 0;

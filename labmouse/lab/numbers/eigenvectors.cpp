@@ -12,7 +12,7 @@ struct Rotation {
 
 Rotation rotation_for(const SquareMatrix& matrix, std::size_t p, std::size_t q) {
   const double theta = (matrix(q, q) - matrix(p, p)) / (2.0 * matrix(p, q));
-  // The smaller of the two tangents, which turns by 45 degrees at most: the larger one would only swap the axes.
+  // Takes the smaller of the two tangents, a rotation by at most 45 degrees; the larger one would also swap the axes.
   const double tangent = (theta < 0.0 ? -1.0 : 1.0) / (std::abs(theta) + std::sqrt(theta * theta + 1.0));
   const double cosine = 1.0 / std::sqrt(tangent * tangent + 1.0);
   return {cosine, tangent * cosine};
@@ -32,7 +32,7 @@ void rotate_rows(SquareMatrix& matrix, std::size_t p, std::size_t q, Rotation by
   for (std::size_t column = 0; column < matrix.side(); ++column) rotate(matrix(p, column), matrix(q, column), by);
 }
 
-/// Whether nothing but rounding is left beside the diagonal.
+/// Whether all elements off the diagonal are zero up to rounding errors.
 bool is_diagonal(const SquareMatrix& matrix) {
   double beside = 0.0, diagonal = 0.0;
   for (std::size_t row = 0; row < matrix.side(); ++row)

@@ -26,14 +26,15 @@ class SquareMatrix {
   std::vector<double> values_;
 };
 
-/// Column i of `vectors` has length 1 and belongs to values[i]; the columns are at right angles. In no order.
+/// Eigenvalues and eigenvectors, not sorted. Column i of `vectors` is the unit eigenvector of values[i]; the columns
+/// are orthogonal.
 struct Eigenvectors {
   std::vector<double> values;
   SquareMatrix vectors;
 };
 
-/// Of a symmetric matrix, by cyclic rotations (Jacobi 1846): plain, and as exact as any method for a side of 20 or
-/// less. Uses + - * / and sqrt alone, so it gives the same bits on every platform.
+/// Eigenvectors of a symmetric matrix, by the cyclic Jacobi method (1846), which is accurate enough for a side of 20 or
+/// less. It uses only + - * / and sqrt, so results have the same bits on every platform.
 Eigenvectors eigenvectors_of(SquareMatrix matrix);
 
 }  // namespace labmouse

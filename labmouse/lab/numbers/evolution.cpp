@@ -8,7 +8,7 @@
 namespace labmouse {
 namespace {
 
-/// A normal deviate by the polar method (Marsaglia and Bray 1964); the second one of the pair is left.
+/// A normal deviate by the polar method (Marsaglia and Bray 1964); the second one of the pair is not used.
 double deviate(Dice& dice) {
   for (;;) {
     const double u = 2.0 * dice.unit() - 1.0, v = 2.0 * dice.unit() - 1.0;
@@ -17,7 +17,7 @@ double deviate(Dice& dice) {
   }
 }
 
-/// The place in [0,1] to which a number is reflected at 0 and 1.
+/// The number reflected at 0 and 1 into [0,1].
 double reflected(double number) {
   const double in_period = std::abs(number - 2.0 * std::floor(number / 2.0));
   return std::min(1.0, in_period <= 1.0 ? in_period : 2.0 - in_period);
@@ -82,7 +82,7 @@ std::vector<UnitPoint> Evolution::ask() {
   return points;
 }
 
-/// A deviate along each axis of the shape.
+/// A sample of the distribution with unit step size: a normal deviate along each principal axis.
 UnitPoint Evolution::thrown_step() {
   UnitPoint step(dimension_, 0.0);
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
@@ -102,11 +102,11 @@ void Evolution::tell(std::span<const double> values) {
   const bool path_runs = advance_paths(move);
   learn_shape(ranked, path_runs);
   const double growth = constants_.path_rate / constants_.damping * (length_of(path_) / constants_.usual_length - 1.0);
-  // Steps longer than the cube find nothing that shorter ones do not: they come back by reflection.
+  // A step longer than the cube has no use: reflection brings it back.
   step_ = std::min(1.0, step_ * std::exp(std::min(1.0, growth)));
 }
 
-/// The step to the weighted mean of the better half.
+/// The weighted mean of the better half's steps.
 UnitPoint Evolution::weighted_sum(std::span<const std::size_t> ranked) const {
   UnitPoint sum(dimension_, 0.0);
   for (std::size_t rank = 0; rank < constants_.weights.size(); ++rank)
@@ -114,7 +114,7 @@ UnitPoint Evolution::weighted_sum(std::span<const std::size_t> ranked) const {
   return sum;
 }
 
-/// The step as it would have been thrown were the shape a sphere: covariance^(-1/2) step.
+/// The whitened step: covariance^(-1/2) step.
 UnitPoint Evolution::whitened(const UnitPoint& step) const {
   UnitPoint white(dimension_, 0.0);
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
@@ -125,8 +125,8 @@ UnitPoint Evolution::whitened(const UnitPoint& step) const {
   return white;
 }
 
-/// Adds the mean's move to both paths. False where the path of the step size is so long that the step size has to grow
-/// first: then the shape's path stands still, so that the shape is not drawn out in its place.
+/// Adds the mean's move to both paths. Where the path of the step size is long, it adds nothing to the shape's path and
+/// returns false: the step size has to grow, not the covariance (h_sigma of the tutorial).
 bool Evolution::advance_paths(const UnitPoint& move) {
   const UnitPoint white = whitened(move);
   const double rate = constants_.path_rate, shape_rate = constants_.shape_path_rate;
@@ -156,7 +156,7 @@ void Evolution::learn_shape(std::span<const std::size_t> ranked, bool path_runs)
     }
   axes_ = eigenvectors_of(covariance_);
   const double largest = *std::max_element(axes_.values.begin(), axes_.values.end());
-  // Rounding may leave a flat axis at zero or below.
+  // Rounding may make a small eigenvalue zero or negative.
   for (double& value : axes_.values) value = std::sqrt(std::max(value, 1e-14 * largest));
 }
 

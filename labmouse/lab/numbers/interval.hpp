@@ -12,12 +12,12 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// Moved apart as far as it takes to contain the value: a mean that was summed in another order is rounded differently.
+/// The interval, extended to contain the value: a mean summed in another order may lie outside by rounding.
 inline Interval including(const Interval& interval, double value) {
   return {std::min(interval.low, value), std::max(interval.high, value)};
 }
 
-/// That of the value times a factor, which may be below 0.
+/// The interval of the value times a factor, which may be negative.
 inline Interval scaled(const Interval& interval, double factor) {
   const double one = factor * interval.low, other = factor * interval.high;
   return {std::min(one, other), std::max(one, other)};

@@ -12,8 +12,7 @@
 namespace labmouse {
 namespace {
 
-/// Sums over mazes from which a mean and its standard error follow, with `centre` taken from each value so that large
-/// means do not cost digits.
+/// Sums over mazes that give a mean and its standard error. `centre` is subtracted from each value, to keep precision.
 class Sums {
  public:
   explicit Sums(double centre) : centre_(centre) {}
@@ -31,7 +30,7 @@ class Sums {
   /// The mean, less the centre.
   double mean() const { return above_ / counts_; }
 
-  /// Of the mean, by linearization (Cochran 1977, 6.4). A variance that is only rounding is 0.
+  /// Of the mean, by linearization (Cochran 1977, 6.4). A variance within rounding errors counts as 0.
   double standard_error() const {
     const double m = mean(), squares = squares_ - m * (2.0 * products_ - m * squared_counts_);
     if (squares <= 1e-12 * squares_) return 0.0;
@@ -49,8 +48,8 @@ struct Reach {
   double up = 0.0;
 };
 
-/// Quantiles of (mean - centre) / standard error over resamples of the mazes, within `most`. Resamples of equal values
-/// have no error, and lie beyond `most`.
+/// Quantiles of (mean - centre) / standard error over resamples of the mazes, clamped to ±`most`. Resamples with a
+/// standard error of 0 count as ±`most`, by the sign of their mean.
 Reach bootstrap_reach(std::span<const MazeSum> mazes, double centre, double most, std::uint64_t seed) {
   constexpr std::size_t samples = 1999, tail = 50;  // 2.5 % on each side
   Dice dice(seed);
@@ -91,8 +90,8 @@ Interval interval_of(std::span<const MazeSum> all, std::uint64_t seed) {
   Sums sums(middle);
   for (const MazeSum& maze : mazes) sums.add(maze);
   const double error = sums.standard_error(), t = student_quantile(static_cast<int>(mazes.size()) - 1);
-  // Chosen by simulation (tests/lab/numbers/coverage_test.cpp). Resamples of fewer mazes are mostly one maze repeated.
-  // Many resamples of tied values have no error, so that the bootstrap alone has no limit.
+  // Chosen by simulation (tests/lab/numbers/coverage_test.cpp). Resamples of fewer mazes often repeat one maze.
+  // Resamples of tied values often have a standard error of 0, so the bootstrap needs a limit.
   constexpr std::size_t fewest_to_resample = 5;
   constexpr double most_of_t = 3.0, part_of_bootstrap = 0.75;
   Reach reach = {t, t};

@@ -9,7 +9,7 @@
 namespace labmouse {
 namespace {
 
-/// The sum of the sizes, each with the sign that the next bit says.
+/// The sum of the sizes with random or enumerated signs, one bit each.
 template <class NextBits>
 double flipped_sum(const std::vector<double>& sizes, NextBits next_bits) {
   double sum = 0.0;
@@ -47,7 +47,7 @@ double sign_flip_test(std::span<const double> differences, std::uint64_t seed) {
   Dice dice(seed);
   for (int i = 0; i < samples; ++i)
     if (std::abs(flipped_sum(sizes, [&] { return dice.bits(); })) >= limit) ++as_far;
-  // The observed way is one of them.
+  // The observed assignment counts as one of the samples.
   return (as_far + 1.0) / (samples + 1.0);
 }
 

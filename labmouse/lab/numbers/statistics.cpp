@@ -27,8 +27,8 @@ PairedRatio paired_ratio(std::span<const double> values, std::span<const double>
 
 double sign_test(int below, int above) {
   const int throws = below + above, middle = throws / 2, fewer = std::min(below, above);
-  // Binomial coefficients up to the middle as shares of the one there, which overflow at no size: each is made from its
-  // neighbour towards the middle, and one too small for a double is too small to matter. The smallest are summed first.
+  // Binomial coefficients up to the middle, divided by the middle one so that they never overflow. Each follows from
+  // its neighbour towards the middle; those that underflow do not matter. The smallest are summed first.
   std::vector<double> shares(static_cast<std::size_t>(middle) + 1, 1.0);
   for (int i = middle; i > 0; --i)
     shares[static_cast<std::size_t>(i) - 1] = shares[static_cast<std::size_t>(i)] * i / (throws - i + 1);

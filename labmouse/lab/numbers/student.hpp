@@ -3,8 +3,9 @@
 
 namespace labmouse {
 
-/// The 97.5 % quantile of Student's t distribution with that many degrees of freedom, which must be at least 1; to
-/// about 2e-7. Sums and products alone, so that it has the same bits on every platform.
+/// The 97.5 % quantile of Student's t distribution, with an error of about 2e-7. It uses only + - * /, so results have
+/// the same bits on every platform.
+/// @param freedom Degrees of freedom, at least 1.
 double student_quantile(int freedom);
 
 }  // namespace labmouse

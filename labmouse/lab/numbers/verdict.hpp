@@ -10,23 +10,22 @@
 
 namespace labmouse {
 
-/// Of fewer mazes no test says more than chance.
+/// Fewest mazes for a verdict; with fewer it is TestVerdict::too_few.
 inline constexpr int fewest_for_verdict = 8;
 
 enum class TestVerdict : std::uint8_t { better, worse, no_difference, too_few };
 
-/// The p-values of several tests at once, each made larger so that the chance of any wrong finding stays 5 % (Holm
-/// 1979).
+/// P-values corrected for several tests (Holm 1979), in the order given: at level 0.05, the family-wise error rate is 5
+/// %.
 std::vector<double> holm(const std::vector<double>& p);
 
-/// Better (below 0) or worse where the corrected p-value is below 0.05 and the interval excludes 0.
+/// Better (differences below 0) or worse if the corrected p-value is below 0.05 and the interval excludes 0.
 TestVerdict verdict_of(const PairedDifference& found, double corrected_p);
 
 /// "better", "worse", "no difference shown", "too few mazes".
 std::string_view name_of(TestVerdict verdict);
 
-/// Lines below verdicts: what to add where one lacks mazes, and how several are corrected. Empty where there is nothing
-/// to say.
+/// Notes to print below verdicts: how many mazes are missing, and that several verdicts are corrected. May be empty.
 std::string verdict_notes(const std::vector<PairedDifference>& all);
 
 }  // namespace labmouse

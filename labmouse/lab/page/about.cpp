@@ -1,4 +1,4 @@
-// What the core brings, and how fast it is.
+// Lists everything built in; version, signature and speed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Json named(const Things& things) {
   return list;
 }
 
-/// The list of built-in mice, with types of parameters in one word each.
+/// The list of built-in mice, in which each type of parameter is a single word.
 Json mice() {
   const std::map<std::string, std::string> types = {{"whole number", "whole"}, {"number", "real"}, {"yes/no", "flag"}};
   Json list = mice_json();
@@ -49,7 +49,7 @@ Json mazes() {
   return list;
 }
 
-/// What can be chosen where a setting takes one of a few words, or a name of what the page brings; null for all others.
+/// The choices of a setting: its words and the names of built-in things; null if it has none.
 Json choices_of(const WorldSetting& setting) {
   const Json things = setting.name == "robot"   ? page_robots_json()
                       : setting.name == "rules" ? page_rules_json()
@@ -62,7 +62,7 @@ Json choices_of(const WorldSetting& setting) {
   return names;
 }
 
-/// A setting of a world, as parameters of mice are.
+/// A setting of a world, in the form of parameters of mice.
 Json setting_json(const WorldSetting& setting) {
   using Kind = WorldSetting::Kind;
   Json json = {{"name", setting.name}, {"default", setting.default_value}, {"meaning", setting.meaning}};
@@ -100,8 +100,8 @@ Json worlds() {
   return list;
 }
 
-/// A contest to watch in which belief and truth part. The mouse reads a wall where there is none, finds out and turns
-/// it over, crashes in its first speed run, and comes to the goal in the next two.
+/// An example in which the map differs from the truth. The mouse detects a false wall and later corrects it, crashes in
+/// its first speed run, and reaches the goal in the next two.
 Json parting() {
   return {{"world", "physical"},
           {"mouse", "festina"},

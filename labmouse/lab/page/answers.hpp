@@ -1,5 +1,4 @@
-// The answers to the page's calls, one function a call. labmouse/lab/shapes says what each is asked and what it
-// answers.
+// The answers to the page's calls, one function a call. labmouse/lab/shapes defines requests and answers.
 #pragma once
 
 #include <string>
@@ -11,13 +10,13 @@
 
 namespace labmouse {
 
-/// Why a call cannot be answered: a line for people, and where the input is wrong.
+/// Why a call failed: a line for the user, and the places of errors in the input.
 struct PageFailure {
   std::string error;
   std::vector<Problem> problems;
 };
 
-/// An answer, or a failure where its error is not empty.
+/// An answer, or a failure if `failure.error` is not empty.
 struct PageReply {
   Json answer;
   std::string bytes;

@@ -1,4 +1,4 @@
-// What a mouse believed of its way to the goal, and what differences of scores show.
+// Distances to the goal by the map of a mouse, frame by frame; and statistics of score differences.
 #include <fmt/format.h>
 
 #include <limits>
@@ -12,13 +12,13 @@
 namespace labmouse {
 namespace {
 
-/// More than that no page should hold.
+/// Memory limit of an answer, in bytes.
 constexpr std::size_t most_bytes = std::size_t{1} << 28U;
 
 /// The closed walls that become known in each frame.
 using Discoveries = std::vector<std::vector<Wall>>;
 
-/// Reads the list of frames by wall, as Play has it.
+/// Reads `known`, the frame in which each wall becomes known, in the form of Play.
 Discoveries read_discoveries(PageRequest& request, const Maze& maze, int frames) {
   const Size size = maze.size();
   const ReadJson& known = request.list("known");
@@ -36,7 +36,7 @@ Discoveries read_discoveries(PageRequest& request, const Maze& maze, int frames)
   return discoveries;
 }
 
-/// Appends the field as numbers of 16 bits, the lower byte first.
+/// Appends the distances as 16-bit little-endian numbers, 65535 for unreachable cells.
 void append(const DistanceField& field, std::string& bytes) {
   for (int i = 0; i < field.size().area(); ++i) {
     const Cell cell = field.size().cell_at(i);

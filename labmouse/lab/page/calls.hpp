@@ -1,5 +1,5 @@
-// What the page asks of the lab: each call a name with a request in JSON, answered in JSON. The shapes of both are
-// in labmouse/lab/shapes.
+// The interface between web page and lab: named calls with a request and an answer in JSON. labmouse/lab/shapes defines
+// their types.
 #pragma once
 
 #include <span>
@@ -8,15 +8,15 @@
 
 namespace labmouse {
 
-/// An answer: JSON, `{"answer":{...}}` or `{"failure":{"error":...,"problems":[...]}}`, and what goes beside it as
-/// bytes.
+/// An answer: JSON, `{"answer":{...}}` or `{"failure":{"error":...,"problems":[...]}}`, and binary data, which most
+/// calls do not have.
 struct PageAnswer {
   std::string json;
   std::string bytes;
 };
 
-/// Answers one call; what is wrong with a request or with a file is a failure in words. `bytes` goes beside the request
-/// and is empty for most.
+/// Answers one call; errors in the request or in a file become a failure. `bytes` is binary data of the request, empty
+/// for most calls.
 PageAnswer answer_page(std::string_view call, std::string_view request, std::string_view bytes);
 
 /// The names of all calls.

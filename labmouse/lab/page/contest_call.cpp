@@ -1,4 +1,4 @@
-// One contest in any world, with all of its play.
+// Runs one contest in any world, and returns its play and record.
 #include <fmt/format.h>
 
 #include "labmouse/lab/page/answers.hpp"
@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// The world of the request: by its settings, or by the conditions of a race as results have them.
+/// The world of the request: by its settings, or by `conditions` as in the results of a race.
 std::shared_ptr<const World> asked_world(PageRequest& request) {
   if (!request.has("conditions")) return read_page_world(request);
   auto world = restore_world(request.text("world"), request.json()["conditions"].dump());

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t longest_name = 40;
 
-/// Why a mouse cannot be called so; empty where it can.
+/// Why a mouse cannot have this name; empty if it can.
 std::string refuse_name(const std::string& name) {
   if (name.size() > longest_name) return fmt::format("the name of a mouse has at most {} letters", longest_name);
   if (shown(name) != name) return fmt::format("the name '{}' contains unprintable characters", shown(name));
@@ -27,7 +27,7 @@ std::string refuse_name(const std::string& name) {
   return "";
 }
 
-/// One contest of `played`, whose record has to be of that mouse.
+/// Reads one contest of `played`; its record must be of that mouse and of this race.
 void read_contest(PageRequest& request, const ReadJson& json, const Contestant& mouse, const RaceOrder& order,
                   PlayedContests& contests) {
   PageRequest fields(json);

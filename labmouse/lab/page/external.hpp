@@ -1,4 +1,4 @@
-// Mice that are programs of the page: their names, and the contests that they held.
+// Mice written by the user in the page: reads their names, and the contests that they have run.
 #pragma once
 
 #include <string>
@@ -9,12 +9,11 @@
 
 namespace labmouse {
 
-/// The mouse in the fields `name`, which may be empty, and `spec`, under which its program would race on the command
-/// line.
+/// The mouse of the fields `name`, which may be empty, and `spec`, the SPEC of the program on the command line.
 Contestant read_page_external(PageRequest& request);
 
-/// The mice in the field `played`, if any, which race with the contests that they bring. Each brings one for each of
-/// the mazes, with its seed.
+/// The mice of the field `played`, if any, with the contests that they have run. Each needs one contest, with the right
+/// seed, in each of the mazes.
 std::vector<Contestant> read_played_mice(PageRequest& request, const std::vector<NamedMaze>& mazes,
                                          const RaceOrder& order);
 

@@ -1,4 +1,4 @@
-// Contests of programs that the page runs, line by line.
+// Contests of programs that run in the page, through the line protocol.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A contest that goes on.
+/// A running contest.
 struct ExternalContest {
   ExternalContest(int contest_id, Contestant external, NamedMaze its_maze, const Rules& its_rules,
                   std::uint64_t its_seed)
@@ -40,7 +40,8 @@ struct ExternalContest {
   Clock::duration spent{};
 };
 
-/// All contests that go on. A page that forgets to end some does not fill the memory.
+/// The limit of running contests, so that those that are never ended do not fill the memory; a new one replaces the
+/// oldest.
 constexpr std::size_t most_held_contests = 8;
 std::vector<std::unique_ptr<ExternalContest>> contests;
 int last_id = 0;
@@ -53,7 +54,7 @@ ExternalContest* find_contest(PageRequest& request) {
   return nullptr;
 }
 
-/// The next lines for the program, and how far the contest is.
+/// The next lines for the program, and the progress of the contest.
 Json next_lines(ExternalContest& contest) {
   Json lines = Json::array();
   const std::string text = contest.dialogue.take_lines();
@@ -66,7 +67,7 @@ Json next_lines(ExternalContest& contest) {
           {"steps", contest.dialogue.contest().record().steps.size()}};
 }
 
-/// How a program ended, of which the page says what it saw.
+/// Reads how a program ended, as the page reports it.
 ProgramEnd read_end(PageRequest& request, const ReadJson& json) {
   PageRequest fields(json);
   const std::string kind = fields.text("kind");

@@ -1,4 +1,4 @@
-// Where contests in one maze lose their steps, all of them together.
+// Sums up by cell where contests in one maze lose steps.
 #include <fmt/format.h>
 
 #include <numeric>
@@ -14,7 +14,7 @@
 namespace labmouse {
 namespace {
 
-/// The page has one thread, in which nothing else is answered meanwhile.
+/// A limit, because the module has one thread and answers nothing else meanwhile.
 constexpr std::size_t most_contests_with_losses = 5'000;
 
 struct Entrant {
@@ -75,7 +75,7 @@ PageReply answer_losses(const ReadJson& json, std::string_view) {
     add(sum.search_run, lost->search_run);
     add(sum.speed, lost->speed);
   }
-  // The mean loss of a contest in points of its score, by cell.
+  // Mean loss per finished contest by cell, in points of the score.
   Json points = Json::array();
   for (std::size_t i = 0; i < cells; ++i)
     points.push_back(finished == 0 ? 0.0 : score_of(sum.search_run[i], sum.speed[i], rules) / finished);

@@ -1,4 +1,4 @@
-// Mazes that the core brings or makes, and what a maze is like.
+// Built-in and generated mazes, and properties of a maze.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@
 namespace labmouse {
 namespace {
 
-/// "contest-16x16-seed-7", and the share of loops in thousandths where there are any.
+/// "contest-16x16-seed-7", with "-loops-N" for N thousandths of loops if N is not 0.
 std::string name_of_made(const Generator& generator, const GeneratorOrder& order) {
   std::string name = fmt::format("{}-{}x{}-seed-{}", generator.name, order.size.width, order.size.height, order.seed);
   if (order.loops > 0) name += fmt::format("-loops-{}", order.loops);

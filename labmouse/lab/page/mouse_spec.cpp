@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// Takes the text up to a separator off, and the separator.
+/// Removes and returns the text up to a separator; removes the separator, too.
 std::string_view next_piece(std::string_view& text, char separator) {
   const auto length = std::min(text.find(separator), text.size());
   const auto piece = text.substr(0, length);
@@ -19,7 +19,7 @@ std::string_view next_piece(std::string_view& text, char separator) {
   return piece;
 }
 
-/// Why `key=value` of a mouse needs a file; empty where it does not.
+/// An error if `key=value` of a mouse names a file; else empty.
 std::string needs_file(const BuiltinMouse& mouse, std::string_view assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos) return "";

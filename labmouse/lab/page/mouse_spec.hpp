@@ -1,4 +1,4 @@
-// Mice that a page can race: the built-in ones and the oracle, without files.
+// Reads SPECs for the page, which has no files and no programs: built-in mice and the oracle.
 #pragma once
 
 #include <span>
@@ -8,8 +8,7 @@
 
 namespace labmouse {
 
-/// Reads SPECs as read_specs does. Refused are external mice, since a page starts no programs, and mice files and
-/// priors of files, since it reads none.
+/// Reads SPECs as read_specs does. Refuses external mice, mice files and prior files.
 SpecResult read_page_mice(std::span<const std::string> specs);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// A dropped file, whatever it is: a maze, a record, the results of a race, or a robot.
+// Opens a dropped file of any kind: a maze, a record, results of a race, or a robot.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace labmouse {
 namespace {
 
-/// The text from its first character that is no blank on.
+/// The text without byte order mark and leading white space.
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
 
-/// The beginning in lower letters and without blanks.
+/// The beginning in lower case and without white space.
 std::string gist(std::string_view text) {
   constexpr std::size_t most = 200;
   std::string gist;
@@ -38,7 +38,7 @@ std::string gist(std::string_view text) {
   return gist;
 }
 
-/// Whether the text is meant to be a record: its first line says so, or begins as if it would.
+/// Whether the text is meant to be a record, even with a damaged first line.
 bool is_record(std::string_view text) {
   const ReadJson json = read_json(text.substr(0, text.find('\n')));
   if (json.is_object() && json.contains("labmouse")) return json["labmouse"] == kind_of_record(text).header;
@@ -66,7 +66,7 @@ PageReply open_record(const std::string& name, std::string_view text, const std:
   return answered({{"kind", "record"}, {"play", play_of(*opened.replay, kind)}});
 }
 
-/// Who wrote results that this version cannot read, where they say so.
+/// Text that names the version that wrote the results, if it is known and differs from this one.
 std::string writer_of(const ReadJson& json) {
   if (!json.contains("labmouse") || !json["labmouse"].is_string() || json["labmouse"] == version()) return "";
   return fmt::format("; they were written by labmouse {}, and this is {}", json["labmouse"].get<std::string>(),
@@ -92,7 +92,7 @@ PageReply open_maze(const std::string& name, std::string_view content) {
   return answered({{"kind", "maze"}, {"maze", maze_data(name, *read.maze)}});
 }
 
-/// A robot is opened as it is: where it is edited, it is said what is wrong with it.
+/// Opens a robot without checks: the editor shows its errors.
 PageReply open_robot(const std::string& name, std::string_view text) {
   return answered({{"kind", "robot"}, {"name", stem_of(name)}, {"text", text}});
 }

@@ -12,7 +12,7 @@
 namespace labmouse {
 namespace {
 
-/// What the request says of a setting, as text.
+/// The value of a setting in the request, as text.
 std::string setting_in(PageRequest& request, const WorldSetting& setting, const std::string& key) {
   if (setting.kind == WorldSetting::Kind::flag) return request.flag(key.c_str()) ? "true" : "false";
   if (setting.kind == WorldSetting::Kind::whole) {

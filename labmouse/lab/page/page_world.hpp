@@ -1,4 +1,4 @@
-// The world that a call of the page asks for.
+// Reads the world of a request.
 #pragma once
 
 #include <memory>
@@ -9,15 +9,15 @@
 
 namespace labmouse {
 
-/// `world`, by its name (the first one where it is missing), with those of its settings that the request has; null
-/// where it is refused. A page reads no files: a setting that names one is refused, and a text that would be in one can
-/// be given below its name.
+/// The world of the field `world` (default: the first world), with the settings in the request; null if it is refused.
+/// Settings cannot name files. In place of a file, a setting gives a name, a line break and the file's text.
 std::shared_ptr<const World> read_page_world(PageRequest& request);
 
-/// `again` of a play: what `contest` is asked so that other mice have the same contest, and which built-in mice can.
+/// `again` of a play: the fields of a `contest` request that repeat its conditions, and the built-in mice that can race
+/// under them.
 Json again_json(const World& world);
 
-/// The play of a record that was opened, with `again` where other mice can have its contest.
+/// The play of a record, with `again` if its conditions can be restored.
 Json play_of(const Replay& replay, const RecordKind& kind);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// Records as the page takes them: read, and played again in their maze.
+// Errors of records that the page opens and replays.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-/// Why a record of that name cannot be shown; its error is empty where it can.
+/// Why a record with that file name cannot be shown; `error` is empty if it can.
 PageFailure failure_of(const std::string& name, OpenedRecord& opened);
 
 }  // namespace labmouse

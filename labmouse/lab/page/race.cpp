@@ -1,4 +1,4 @@
-// A race.
+// Runs a race.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace labmouse {
 namespace {
 
-/// The page has one thread, in which nothing else is answered meanwhile.
+/// Limits, because the module has one thread and answers nothing else meanwhile.
 constexpr std::size_t most_contests = 20'000;
 constexpr int most_runs = 1'000;
 

@@ -1,4 +1,4 @@
-// Packed records, and pictures.
+// Unpacks records of reports, and draws pictures.
 #include <fmt/format.h>
 
 #include "labmouse/lab/page/answers.hpp"
@@ -12,7 +12,7 @@
 namespace labmouse {
 namespace {
 
-/// Adds the reasons of a built-in mouse, which does the same when it runs again.
+/// Runs a built-in mouse again to add the reasons of its decisions, which are reproducible.
 void add_reasons(Replay& replay) {
   const std::string spec = replay.subject().mouse;
   const SpecResult mice = read_page_mice({&spec, 1});

@@ -1,4 +1,4 @@
-// Which route of a maze wins for which robot, as one or two numbers of it vary.
+// Shows which route of a maze is fastest as one or two numbers of the robot vary.
 #include <fmt/format.h>
 
 #include <optional>

@@ -1,5 +1,4 @@
-// What a call is asked, read strictly: what is missing or wrong is remembered, and a value in range stands in its
-// place.
+// Strict reader of requests: it keeps the first error, and returns a valid default for a missing or wrong field.
 #pragma once
 
 #include <string>
@@ -11,23 +10,23 @@
 
 namespace labmouse {
 
-/// A contest in the page has no more steps than this, as one of the command line.
+/// Largest step budget of a contest, the same as on the command line.
 inline constexpr int most_page_steps = 1'000'000;
 
-/// The fields of a request. Where its error is not empty, nothing that it gave may be used.
+/// The fields of a request. If error() is not empty, no value that it returned may be used.
 class PageRequest : public JsonFields {
  public:
   explicit PageRequest(const ReadJson& json) : JsonFields(json, ""), request_(json) {}
 
-  /// The request as it came.
+  /// The unchanged request.
   const ReadJson& json() const { return request_; }
-  /// The maze in the field `maze`, or in another one.
+  /// The maze of a field.
   NamedMaze maze(const char* key = "maze");
-  /// The same for a value that stands at that path.
+  /// The same for a JSON value; error messages name its `path`.
   NamedMaze maze_at(const ReadJson& json, const std::string& path);
   /// `seed`: 0 to 2^64 - 1.
   std::uint64_t seed();
-  /// The rules of the capstone, with `budget`, `search_factor` and `stride` where they are given.
+  /// The rules of steps: the defaults, overridden by `budget`, `search_factor` and `stride`.
   Rules rules();
 
  private:

@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// Takes an object of results over, field by field.
+/// Copies an object of results field by field, and checks types.
 class Taker {
  public:
   Taker(const ReadJson& from, std::string path) : from_(from), path_(path), fields_(from, std::move(path)) {}
@@ -24,7 +24,7 @@ class Taker {
     for (const char* key : keys) take(key, [&] { fields_.number(key, -most, most); });
     return *this;
   }
-  /// Where a value is null or missing, null.
+  /// Numbers; null or missing ones become null.
   Taker& numbers_or_null(std::initializer_list<const char*> keys) {
     for (const char* key : keys)
       if (is_null(key))
@@ -48,7 +48,7 @@ class Taker {
     });
     return *this;
   }
-  /// [low, high], or null.
+  /// The field `interval`: [low, high], or null.
   Taker& interval() {
     out_["interval"] = nullptr;
     if (is_null("interval")) return *this;
@@ -64,7 +64,7 @@ class Taker {
       return Json(text);
     });
   }
-  /// A list of objects, each read by `read`, which sets the error of what is wrong with it.
+  /// A list of objects. `read` converts each, and sets the error text if it is invalid.
   Taker& list(const char* key, const std::function<Json(const ReadJson&, const std::string&, std::string&)>& read) {
     Json list = Json::array();
     for (const ReadJson& each : fields_.list(key)) {
@@ -76,8 +76,7 @@ class Taker {
     out_[key] = std::move(list);
     return *this;
   }
-  /// All fields that were not taken and are plain values, lists of texts or objects of plain values. What goes deeper
-  /// is left out.
+  /// All further fields that are plain values, lists of texts or objects of plain values. Deeper values are left out.
   Taker& others() {
     if (!from_.is_object()) return *this;
     const auto plain = [](const ReadJson& value) { return value.is_primitive(); };
@@ -95,7 +94,7 @@ class Taker {
     }
     return *this;
   }
-  /// Hands over what was taken, and in `error` what is wrong.
+  /// Returns the copy, and sets `error`.
   Json done(std::string& error) {
     error = fields_.error();
     return std::move(out_);
@@ -121,7 +120,7 @@ class Taker {
   Json out_ = Json::object();
 };
 
-/// The mazes of a race, which its results name.
+/// Names of the mazes of a race.
 using Names = std::set<std::string>;
 
 Names names_in(const Json& mazes) {
@@ -155,7 +154,7 @@ Json take_maze(const ReadJson& json, const std::string& path, std::string& error
   return Taker(json, path).texts({"name"}).counts({"width", "height"}).others().done(error);
 }
 
-/// What all worlds have, and what else there is in plain values, of which the page takes what it knows.
+/// Fields that all worlds have, and plain values of others, of which the page uses those that it knows.
 Json take_group(const ReadJson& json, const std::string& path, std::string& error) {
   Taker taker(json, path);
   taker.texts({"world", "formula"}).list("mazes", take_maze);

@@ -1,4 +1,4 @@
-// Results of races as the page takes them: `RaceResults` in apps/web/page/src/core/types.ts.
+// Validates results of races for the page: type `RaceResults` in apps/web/page/src/core/types.ts.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace labmouse {
 
-/// Reads what `labmouse race --format json` wrote, and trusts none of it: what comes out has all fields of the page's
-/// type with values of their types, no others, and names no maze that it does not have. What is null in results may be
-/// missing. Returns what is wrong, or nothing.
+/// Reads untrusted output of `labmouse race --format json`. The result has all fields of the page's type, with values
+/// of the right types, and refers only to its own mazes. Further fields are kept only if they are plain values, lists
+/// of texts, or objects of plain values. Fields that may be null may be missing. Returns the error, or an empty text.
 std::string read_results(const ReadJson& json, Json& results);
 
 }  // namespace labmouse

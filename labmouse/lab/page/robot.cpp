@@ -1,4 +1,4 @@
-// A robot that is being edited: its numbers, what is wrong with them, and what follows from them.
+// The robot editor: values of a robot, their errors, and the turns, times and route that result.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Json wall_lines(const std::vector<Wall>& walls, Cell corner) {
   return lines;
 }
 
-/// The path of a turn in cells from the corner: its lead, its curve, its lead.
+/// The path of a turn in cells from the corner: straight lead, curve, straight lead.
 Json turn_path(const TurnShape& shape, const TurnRoom& room, Cell corner, double cell) {
   constexpr int pieces = 24;
   Json points = Json::array();
@@ -51,17 +51,17 @@ Json turn_path(const TurnShape& shape, const TurnRoom& room, Cell corner, double
   return points;
 }
 
-/// A kind of turn: its path, which all of its speeds share, and the walls about it.
+/// A kind of turn: its path, which does not depend on the speed, and the walls around it.
 Json turn_json(const Robot& robot, const TurnShape& shape) {
   const TurnRoom room = room_of(shape.turn);
-  // The cell of the first node is that in the south-east of four.
+  // The panel shows 2×2 cells; the cell of the first node is the south-eastern one.
   const Cell corner = neighbour(room.from.cell, Heading::west);
   Json json = {{"turn", name_of(shape.turn)},
                {"speeds", Json::array()},
                {"path", turn_path(shape, room, corner, robot.cell)},
                {"open", wall_lines(room.open, corner)},
                {"standing", wall_lines(room.standing, corner)}};
-  // Where times are given, the curve behind them is not known.
+  // If the robot file gives times, the real curve is not known.
   const auto known = [&](double value) { return robot.fixed ? Json(nullptr) : Json(value); };
   json["lead_in"] = known(shape.lead_in);
   json["lead_out"] = known(shape.lead_out);
@@ -80,7 +80,7 @@ Json turns_json(const Robot& robot, const DriveModel& model) {
   return turns;
 }
 
-/// From one turn to the next one of the same kind, the slowest: so many units of the table in so many milliseconds.
+/// Times of straights in ms, by length, between two turns at the slowest turning speed.
 Json straight_json(std::string_view kind, const StraightTimes& times, int units_a_step, const char* step) {
   Json list = Json::array();
   if (times.lanes.empty()) return {};
@@ -117,7 +117,7 @@ Json robot_result(const Robot& robot, const DriveModel& model) {
           {"tables", hash_words(model.tables)}};
 }
 
-/// The best route of a maze, with the path to draw, or why there is none.
+/// Adds the best route of a maze with its path, or the reason why there is none.
 void add_route(const NamedMaze& maze, const DriveModel& model, Json& answer) {
   const RouteReport report = route_report(maze.maze, model);
   answer["no_route"] = report.error;
@@ -144,7 +144,7 @@ Json problems_json(const std::vector<Problem>& problems) {
   return list;
 }
 
-/// The names of the keys that have a meaning beside those values.
+/// The names of the keys that have an effect together with those values.
 Json keys_of(const Json& values) {
   RobotForms forms;
   for (const auto& [name, value] : values.items()) {

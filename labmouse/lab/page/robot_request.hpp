@@ -1,4 +1,4 @@
-// The robot that a request is about, while it is edited.
+// Reads the robot of a request.
 #pragma once
 
 #include <string>
@@ -8,8 +8,7 @@
 
 namespace labmouse {
 
-/// The text of its file: of one that the page brings (`built_in`), with those `values`, or in the bytes beside the
-/// request.
+/// The text of its robot file: of a built-in robot (field `built_in`), made of the field `values`, or else `bytes`.
 std::string robot_text_of(PageRequest& request, std::string_view bytes);
 
 }  // namespace labmouse

@@ -15,7 +15,7 @@ Json column_json(const Column& column) {
   return json;
 }
 
-/// Without its name, and without what is usual: the page is small.
+/// The table of a world without its name; default values are left out, to keep the page small.
 Json table_json(const WorldEntry& entry) {
   const auto world = entry.make({}).world;
   const ScorePlace place = world->score_place();

@@ -1,13 +1,12 @@
-// How the page shows a race in each world.
+// Tables by which the page shows results of each world.
 #pragma once
 
 #include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
-/// All worlds, those with the same table together: the units and fields of their scores, and the columns of their
-/// leaderboards. The page has it as a file,
-/// apps/web/page/src/core/worlds.json, because it shows results before its core has started.
+/// For each group of worlds with equal tables: units and fields of scores, and columns of leaderboards. It is stored as
+/// apps/web/page/src/core/worlds.json, because the page shows results before the WebAssembly module has started.
 Json world_tables_json();
 
 }  // namespace labmouse

@@ -8,10 +8,10 @@ namespace labmouse {
 namespace {
 
 constexpr int pieces_a_turn = 12;
-/// Where the speed changes, so many points come to a cell at least.
+/// Least number of points per cell where the speed changes.
 constexpr int points_a_cell = 4;
 
-/// Appends a point. One that says the same as the last one but for the acceleration takes its place.
+/// Appends a point and sets the acceleration of the last one. A point at the same time and speed replaces the last one.
 void append(std::vector<DrivePathPoint>& points, const DrivePathPoint& point) {
   constexpr double same_speed = 0.5;  // mm/s
   if (!points.empty()) {
@@ -23,7 +23,7 @@ void append(std::vector<DrivePathPoint>& points, const DrivePathPoint& point) {
   points.push_back(point);
 }
 
-/// The moments of a segment to make points of, from its beginning to its end.
+/// Times within a segment, from its begin to its end, at which points are made.
 std::vector<double> moments_of(const DriveProfile& profile, bool turns, double cell) {
   const auto [up, down] = profile.changes();
   const double end = profile.duration();
@@ -39,7 +39,7 @@ std::vector<double> moments_of(const DriveProfile& profile, bool turns, double c
   return moments;
 }
 
-/// Draws a search: straight on, in quarters of a circle, on the spot.
+/// Makes the points of a search run: straights, quarter circles and turns in place.
 class SearchPath {
  public:
   SearchPath(const DriveModel& model, const SearchPlace& place, std::vector<DrivePathPoint>& points)
@@ -77,7 +77,7 @@ class SearchPath {
     pivot(quarters, std::abs(quarters) * search_.quarter);
   }
 
-  /// Over the first edge.
+  /// Drives over the first edge.
   void leave(double quarters, bool at_rest) {
     if (at_rest) {
       pivot(quarters, std::abs(quarters) * search_.quarter);
@@ -94,7 +94,7 @@ class SearchPath {
     }
   }
 
-  /// Over each cell at the mean of its speed there.
+  /// Drives fast over known cells, each at its mean speed.
   void dash(int cells) {
     for (int edge = 1; edge <= cells; ++edge) {
       const double time = search_.dash_part(cells, edge) - search_.dash_part(cells, edge - 1);
@@ -102,7 +102,8 @@ class SearchPath {
     }
   }
 
-  /// So many cells to rest or from rest, evenly at the search's speed as long as that leaves time for the rest of it.
+  /// Drives so many cells to or from rest: at constant search speed, and with constant acceleration for the remaining
+  /// time.
   void straight(double cells, double time, double from, double to) {
     const double changing = std::clamp(2.0 * (time - cells * model_.tables.cell / speed_ * 1e6), 0.0, time);
     const double slow = speed_ / 2.0 * changing / 1e6 / model_.tables.cell;
@@ -111,7 +112,7 @@ class SearchPath {
     if (from < to) ahead(cells - slow, time - changing, to);
   }
 
-  /// The speed changes evenly from the present one.
+  /// Drives straight on with constant acceleration from the present speed to `speed`.
   void ahead(double cells, double time, double speed) {
     const double angle = at_.heading * std::numbers::pi / 4.0;
     at_.x += cells * std::sin(angle);
@@ -128,7 +129,7 @@ class SearchPath {
     append(points_, at_);
   }
 
-  /// Inside one cell, to the right where it is positive.
+  /// A quarter circle within a cell: to the right if `side` is 1, to the left if it is -1.
   void quarter_circle(double side) {
     const double radius = 0.5, begin = at_.heading * std::numbers::pi / 4.0;
     const double middle_x = at_.x + side * radius * std::cos(begin), middle_y = at_.y - side * radius * std::sin(begin);
@@ -146,7 +147,7 @@ class SearchPath {
     at_.speed = speed_;
   }
 
-  /// Stretches the points of a move to the time that it had.
+  /// Scales the times of a move's points to its recorded duration.
   void fit(std::size_t first, const SearchMove& move) {
     const double begin = static_cast<double>(move.begin), took = at_.time - begin;
     const double scale = took > 0.0 ? static_cast<double>(move.end - move.begin) / took : 1.0;
@@ -161,7 +162,7 @@ class SearchPath {
   DrivePathPoint at_;
 };
 
-/// The points of a route at that pace, up to where its run ended.
+/// The points of a route, at that pace, up to the end of its run.
 std::vector<DrivePathPoint> as_driven(std::vector<DrivePathPoint> points, const DriveRun& run, double pace) {
   const double begin = static_cast<double>(run.begin), end = static_cast<double>(run.end);
   for (DrivePathPoint& point : points) {
@@ -169,7 +170,7 @@ std::vector<DrivePathPoint> as_driven(std::vector<DrivePathPoint> points, const 
     point.speed *= pace;
     point.acceleration *= pace * pace;
   }
-  // What rounding has put behind the end belongs to it.
+  // A point after the end by rounding only is kept.
   constexpr double rounding = 1.0;
   while (!points.empty() && points.back().time > end + rounding) points.pop_back();
   return points;

@@ -1,5 +1,4 @@
-// The path of a contest in seconds, point by point: dense enough to be drawn as lines, and to read times and speeds
-// from.
+// The path of a contest in seconds as points, dense enough for drawings and for times and speeds at any place.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +10,7 @@
 
 namespace labmouse {
 
-/// A moment of a path. From here to the next point of the same run the acceleration is even.
+/// A point of a path. The acceleration is constant up to the next point of the same run.
 struct DrivePathPoint {
   double time = 0.0;  ///< microseconds on the maze's clock
   double x = 0.0;     ///< in cells from the south-west corner
@@ -21,16 +20,16 @@ struct DrivePathPoint {
   double acceleration = 0.0;  ///< mm/s² along the path, until the next point
 };
 
-/// Follows a mouse through a contest, run by run in the order of its record.
+/// Computes the path of a mouse in a contest. Call follow() for each run in the order of the record.
 class DrivePath {
  public:
-  /// At rest at its start; the model must outlive it.
+  /// Begins at rest at the start; the model must outlive this object.
   DrivePath(Pose start, const DriveModel& model) : model_(model), start_{start, true}, place_{start, true} {}
 
-  /// The points of a run: where it begins, all of its moves or segments up to where it ends. `pace`: the part of the
-  /// usual one at which it was driven.
+  /// The points of a run, from its begin to its end.
+  /// @param pace Speed of the run relative to the model's, for example 0.9.
   std::vector<DrivePathPoint> follow(const DriveRun& run, double pace = 1.0);
-  /// Where the mouse is after the runs so far.
+  /// The place of the mouse after the runs so far.
   const SearchPlace& place() const { return place_; }
 
  private:
@@ -39,7 +38,7 @@ class DrivePath {
   SearchPlace place_;
 };
 
-/// The points of a route that begins at that time. A route in which it does not move has none.
+/// The points of a route that begins at that time, in microseconds; empty for a route without segments.
 std::vector<DrivePathPoint> path_of(const DriveRoute& route, MazeTime begin, const DriveModel& model);
 
 }  // namespace labmouse

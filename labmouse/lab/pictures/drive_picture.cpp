@@ -18,8 +18,8 @@ using namespace drawing;
 
 constexpr int coordinates_room = 12;  // pixels
 
-/// From slow to fast: a part of "plasma" (Smith and van der Walt 2015), which grows lighter all along, so that no eye
-/// needs its hues.
+/// From slow to fast: a part of "plasma" (Smith and van der Walt 2015), whose lightness increases monotonically, so
+/// that it is readable without colour vision.
 constexpr std::array<Tone, 7> speed_tones = {{
     {"speed1", "#0d0887", "#6f7bff"},
     {"speed2", "#5302a3", "#9b6dff"},
@@ -35,7 +35,7 @@ constexpr Tone touch_tone = {"touch", "#c92a2a", "#ff8787"};
 
 using Path = std::vector<DrivePathPoint>;
 
-/// The speeds of a path, in as many equal parts as there are tones.
+/// Maps the range of speeds of a path to the tones, in equal parts.
 class SpeedScale {
  public:
   explicit SpeedScale(const Path& path) {
@@ -61,7 +61,7 @@ std::string curve_svg(const Tone& tone, double width, const std::string& data) {
                      stroke(tone), width, data);
 }
 
-/// Each stretch of one level as a line; the speed of a piece is that of its middle.
+/// A line for each stretch of one level. The level of a piece is that of its mean speed.
 std::string coloured(const Frame& frame, const Path& path, const SpeedScale& scale) {
   std::string svg;
   const auto level = [&](std::size_t i) { return scale.level((path[i].speed + path[i + 1].speed) / 2.0); };
@@ -99,8 +99,7 @@ std::vector<Tone> tones() {
   return all;
 }
 
-/// What is drawn: a speed run, over the thin lines of searches; and where a mouse believed to be, and touched
-/// something.
+/// Content of a picture: a speed run over thin lines of searches, estimated paths, and touches.
 struct Drives {
   Path fast;
   std::vector<Path> searches;
@@ -138,7 +137,7 @@ std::string picture(const Maze& maze, const Drives& drives) {
                     labels_svg(scene) + coordinates_svg(scene) + legend.svg());
 }
 
-/// The place of the run that is drawn in colours; past the end where none is.
+/// Index of the run drawn in colours; the number of runs if there is none.
 std::size_t coloured_run(const DriveRecordFile& file) {
   const DriveScore result = score(file.record, file.rules);
   const auto& runs = file.record.runs;

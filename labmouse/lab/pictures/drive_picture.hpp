@@ -12,7 +12,8 @@ namespace labmouse {
 /// One self-contained SVG picture with a legend: a route in its maze.
 std::string draw_route(const Maze& maze, const DriveRoute& driven, const DriveModel& model, const std::string& title);
 
-/// The same of a contest: the run that counts (or the last fast one) in colours, over the thin line of the search.
+/// The same for a contest: in colours the run that counts if it is a speed run, else the last speed run; searches
+/// as thin lines.
 std::string draw_contest(const DriveRecordFile& file);
 
 }  // namespace labmouse

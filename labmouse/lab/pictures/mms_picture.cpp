@@ -7,7 +7,7 @@
 namespace labmouse {
 namespace {
 
-/// mms's colours among the 256 of terminals, in the order of mms_colours.
+/// The 256-colour terminal codes of mms's colours, in the order of mms_colours.
 constexpr std::array<int, mms_colours.size()> terminal_colours = {16, 21, 248, 51, 46,  214, 196, 231, 226,
                                                                   18, 30, 240, 28, 130, 88,  54,  100};
 
@@ -29,7 +29,7 @@ DrawingLayers mms_layers(const MmsCanvas& canvas, const HalfPose& pose) {
   layers.coordinates = true;
   layers.label = [&canvas](Cell cell) { return trimmed(canvas.text(cell)); };
   layers.paint = [&canvas](Cell cell) { return terminal_colour(canvas.colour(cell)); };
-  // Between two headings the mouse is drawn with the first of them, clockwise.
+  // A diagonal heading is drawn as the next of the four headings anticlockwise.
   layers.mouse = Pose{cell_of(pose.place), static_cast<Heading>(static_cast<unsigned>(pose.heading) / 2)};
   return layers;
 }

@@ -1,4 +1,4 @@
-// What a mouse of mms drew on its maze, and where it stands, for drawings.
+// Layers for drawings of mms contests: texts and colours set by the mouse, and its pose.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace labmouse {
 
-/// Texts and colours of the mouse, and its place as near as a drawing of cells can show it.
+/// Texts and colours set by the mouse, and its pose, rounded to a cell and one of four headings.
 DrawingLayers mms_layers(const MmsCanvas& canvas, const HalfPose& pose);
 
-/// "at (3,0) heading north-east", in cells: (3.5,0) is between two of them.
+/// "at (3,0) heading north-east", in cells; (3.5,0) is the edge between two cells.
 std::string place_text(const HalfPose& pose);
 
 }  // namespace labmouse

@@ -54,7 +54,7 @@ void add_labels(const Maze& maze, const Motion& motion, std::string meaning, Dra
   layers.label_meaning = std::move(meaning);
 }
 
-/// What a maze alone shows in any picture of it.
+/// The layers that need no record and mean the same with one.
 DrawingLayers ground_of(const Maze& maze, const Rules& rules, const LayerSet& chosen) {
   DrawingLayers layers;
   layers.coordinates = chosen.contains(Layer::coordinates);
@@ -97,12 +97,12 @@ SearchLegs search_run_of(const Maze& maze, const RunRecord& record) {
   return legs;
 }
 
-/// The walls that no reading of the search run has shown.
+/// The walls that the search run has not seen.
 WallSet unknown_walls(const Maze& maze, const RunRecord& record) {
   Knowledge knowledge(maze.size());
   for (const StepRecord& step : record.steps) {
     if (step.run != Run::search_run) break;
-    // A record that agrees with its maze has no reading that contradicts.
+    // A record that agrees with its maze has no contradicting readings.
     [[maybe_unused]] const bool learned = knowledge.learn(step.pose, step.sighting);
   }
   return knowledge.unknown();

@@ -18,12 +18,12 @@ namespace {
 
 using namespace drawing;
 
-// Pixels. A panel shows two cells by two, in which every turn has room, and its figures below them.
+// In pixels. A panel shows 2×2 cells, enough for every turn, and its figures below.
 constexpr int cell = 96, panel_width = 3 * cell, margin = 32, top = 64, columns = 3, line_height = 19;
 constexpr std::array drawn_turns = {Turn::f45, Turn::f90, Turn::f135, Turn::f180, Turn::v90, Turn::s90};
 constexpr int right = 2 * margin + columns * panel_width - margin;
 
-/// Of times that are given there is one line, and of turns that follow from limits there are four.
+/// Given times need one line of figures, turns computed from limits need four.
 int panel_height(const Robot& robot) { return 2 * cell + 48 + (robot.fixed ? 1 : 4) * line_height; }
 
 /// The turns of one kind, the fastest first, with their shape and its place in the picture.
@@ -34,7 +34,7 @@ struct Panel {
   Point corner;  ///< the north-west post of the cells
 };
 
-/// Without a corner yet.
+/// The panel of a turn; its corner is not set yet.
 Panel panel_of(const DriveModel& model, Turn turn) {
   Panel panel;
   panel.room = room_of(turn);
@@ -46,7 +46,7 @@ Panel panel_of(const DriveModel& model, Turn turn) {
   return panel;
 }
 
-/// Row by row. A robot that does not drive diagonally has only some of the turns.
+/// The panels, row by row. A robot without diagonals has only some of the turns.
 std::vector<Panel> panels_of(const Robot& robot, const DriveModel& model) {
   std::vector<Panel> panels;
   for (const Turn turn : drawn_turns) {
@@ -59,7 +59,7 @@ std::vector<Panel> panels_of(const Robot& robot, const DriveModel& model) {
   return panels;
 }
 
-/// The cell of the first node is that in the south-east.
+/// The south-western of the 2×2 cells; the cell of the first node is the south-eastern one.
 Cell south_west(const Panel& panel) { return neighbour(panel.room.from.cell, Heading::west); }
 
 std::string place(const Panel& panel, MazePoint point) {
@@ -68,7 +68,7 @@ std::string place(const Panel& panel, MazePoint point) {
                      panel.corner.y + (corner.y + 2 - point.y) * cell);
 }
 
-/// A wall from its first post; nothing where it lies outside of the panel.
+/// Path data of a wall; empty if it is outside of the panel.
 std::string wall_path(const Panel& panel, Wall wall) {
   const Cell corner = south_west(panel);
   const bool level = wall.side == Heading::north;
@@ -91,7 +91,7 @@ std::string posts_path(const Panel& panel) {
   return path;
 }
 
-/// The path of the turn between two of its distances.
+/// Path data of the turn between two distances along it, in mm.
 std::string driven_path(const Panel& panel, double cell_side, double from, double to) {
   constexpr int pieces = 24;
   std::string path;
@@ -129,7 +129,7 @@ std::string ends_svg(const Panel& panel) {
 std::string drawing_of(const Panel& panel, const Robot& robot) {
   const TurnShape& shape = panel.shape;
   const auto path = [&](double from, double to) { return driven_path(panel, robot.cell, from, to); };
-  // A time that is given is that of the whole way.
+  // A given time includes the leads.
   const double begin = robot.fixed ? 0.0 : shape.lead_in;
   const double end = robot.fixed ? shape.whole() : shape.lead_in + shape.length;
   std::string svg;

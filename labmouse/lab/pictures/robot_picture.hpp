@@ -1,4 +1,4 @@
-// A robot as a picture: each of its turns among its walls.
+// Draws the turns of a robot, each with the walls around it.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace labmouse {
 
-/// An SVG file: the six turns, each with the walls that it needs open and those that may stand, the path and its
-/// figures.
+/// An SVG file with up to six kinds of turns: walls that must be open, walls that may be closed, path, speeds, times
+/// and lengths.
 std::string draw_robot(const Robot& robot, const DriveModel& model);
 
 }  // namespace labmouse

@@ -17,7 +17,7 @@ DrivePathPoint point_at(const DriveRecordFile& file, MazeTime time, const BodyPo
   return point;
 }
 
-/// Sets speeds by how far the next point is.
+/// Sets the speeds, in mm/s, by the distance to the next point.
 void set_speeds(std::vector<DrivePathPoint>& points, double cell) {
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double seconds = (points[i + 1].time - points[i].time) / 1e6;
@@ -27,7 +27,7 @@ void set_speeds(std::vector<DrivePathPoint>& points, double cell) {
   if (points.size() > 1) points.back().speed = points[points.size() - 2].speed;
 }
 
-/// `pose`: which of a point's, if it has it.
+/// @param pose Returns the true or the estimated pose of a trace point, if it has one.
 template <class PoseOf>
 std::vector<DrivePathPoint> path_of(const DriveRecordFile& file, std::size_t index, PoseOf pose) {
   const DriveRun& run = file.record.runs[index];
