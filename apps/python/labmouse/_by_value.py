@@ -45,10 +45,8 @@ class _Globals(dict):  # type: ignore[type-arg]
 
 
 def _module(name: str, first: "dict[str, Any]") -> ModuleType:
-    """Makes an empty module and registers it in sys.modules, but not as __main__ and not over an installed module.
-
-    A variable that could not be sent is then looked up by importing the module's file.
-    """
+    """Makes an empty module and registers it in sys.modules, but not as __main__ or over an installed module. A
+    variable that could not be sent is then looked up by importing the module's file."""
     module = ModuleType(name)
     vars(module).update(first)
     known = sys.modules.get(name)
@@ -170,10 +168,8 @@ def _can_leave(thing: Any) -> bool:
 
 
 def dumps(thing: Any) -> bytes:
-    """Pickles an object by value. Variables of the user's modules that cannot be pickled are left out.
-
-    Raises if any other part cannot be pickled, such as a connection or a generator.
-    """
+    """Pickles an object by value, without variables of the user's modules that cannot be pickled. Raises if any other
+    part cannot be pickled, such as a connection or a generator."""
     file = io.BytesIO()
     try:
         _Pickler(file, False).dump(thing)

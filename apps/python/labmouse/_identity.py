@@ -42,11 +42,8 @@ _NO_PART_OF_A_CLASS = frozenset({"__dict__", "__weakref__", "_abc_impl", "__firs
 
 
 class Walk:
-    """Walks through an object and all its parts. Computes the digest, and records what else the object depends on.
-
-    outside: names of things outside of the code; chance: whether random numbers are used; packages: installed packages;
-    sources: files of imported modules.
-    """
+    """Walks through an object and all its parts. Computes their `digest`, and notes names of things `outside` of the
+    code, the use of random numbers (`chance`), installed `packages`, and files of imported modules (`sources`)."""
 
     def __init__(self) -> None:
         self.digest = hashlib.sha256()

@@ -59,10 +59,8 @@ def _has(module: ModuleType, thing: object) -> bool:
 
 
 def installed_with(space: "dict[str, Any]") -> "ModuleType | None":
-    """The module of these globals if it is not the user's own, otherwise None.
-
-    A function can be sent by value and have such globals: a decorator of an installed module makes it.
-    """
+    """The module of these globals if it is not the user's own, otherwise None. Functions that decorators of installed
+    modules make are sent by value, but have such globals."""
     module = sys.modules.get(space.get("__name__", ""))
     return module if module is not None and vars(module) is space and not is_own(module) else None
 

@@ -81,10 +81,7 @@ class Interrupted(KeyboardInterrupt):
 
 
 def finish(running: Running, progress: "bool | None", workers: "Workers | None" = None) -> bool:
-    """Waits for the end of the work and shows a progress bar. Ctrl-C stops the work and its workers.
-
-    Returns whether Ctrl-C stopped it.
-    """
+    """Waits for the end of the work with a progress bar. Returns whether Ctrl-C stopped it and its workers."""
     for remark in running.remarks:
         print(remark, file=sys.stderr)
     bar = _Bar(progress)

@@ -151,10 +151,7 @@ class _Spread:
         self.had_workers = time.monotonic()
 
     def wait(self, seconds: float) -> bool:
-        """Submits tasks and merges finished ones; waits about `seconds` if none has finished.
-
-        Returns whether all contests are in the store.
-        """
+        """Submits tasks and merges finished ones; may wait for one. Returns whether all contests are in the store."""
         if not self.futures and not self.waiting:
             return True
         self._count_threads()

@@ -88,8 +88,7 @@ def _parts(walls: Array) -> list[tuple[int, int, bool]]:
     """Splits rows into parts at almost the same distance: [begin, end) and whether the part begins a new run.
 
     A run is one wall that the mouse passes or approaches. It ends where the distance jumps by more than 3 mm, or
-    changes after 10 equal rows (somebody moves the mouse from place to place). A part ends where the distance has
-    changed by 1 mm.
+    changes after 10 equal rows (the mouse is moved by hand). A part ends where the distance has changed by 1 mm.
     """
     parts: list[tuple[int, int, bool]] = []
     same, before, begun, start, begins = 0, np.nan, 0.0, -1, False
@@ -106,10 +105,8 @@ def _parts(walls: Array) -> list[tuple[int, int, bool]]:
 
 
 def _readings(log: Log, robot: Numbers) -> "Optional[pd.DataFrame]":
-    """The mean readings, one row per sensor and part, or None if the log has no distances from walls.
-
-    Columns: wall, run, sensor, farther (mm, distance beyond that in the middle of a cell), level (counts), rows.
-    """
+    """The mean readings by sensor and part, or None if the log has no distances from walls. Columns: wall, run, sensor,
+    farther (mm, distance beyond that in the middle of a cell), level (counts), rows."""
     cell = robot["cell"]
     face = cell / 2.0 - cell / 30.0
     rows: list[tuple[Any, ...]] = []
@@ -183,8 +180,7 @@ class _Problem:
         self.spread = max(0.01, robot["noise.infrared_gain"])
 
     def fit(self, more: Optional[int] = None) -> Optional[_LawFit]:
-        """Fits the law, with one more unknown if `more` is given. None if the data do not determine it, or if readings
-        grow with the distance."""
+        """Fits the law, with `more` as another unknown. None if it is undetermined, or readings grow with distance."""
         fixed = {i: 0.0 for i in range(7) if i not in (*self.sensors, _DISTANCE, more)}
         solved = self.blocks.solve(fixed)
         if solved is None or solved[0][_DISTANCE] <= 0.0 or (solved[1][:, _DISTANCE] <= 0.0).any():

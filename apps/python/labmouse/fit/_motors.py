@@ -107,8 +107,7 @@ def _one_way_stretches(rate: Array, slow: float) -> list[tuple[int, int]]:
 
 
 def _means(values: Array, filtered: int) -> Array:
-    """Moving average over `filtered` rows. It removes vibration and periodic encoder errors; being linear, it keeps the
-    model equation valid."""
+    """Moving average over `filtered` rows, against vibration and encoder errors. It keeps linear equations valid."""
     sums = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
     means: Array = (sums[filtered:] - sums[:-filtered]) / filtered
     return means
@@ -120,10 +119,8 @@ def _rate_changes(places: Array, filtered: int) -> Array:
 
 
 def _curves(axis: Axis, begin: int, end: int) -> Array:
-    """The contribution of each unknown to the position, and the position itself, shape (ticks, 8).
-
-    They are filtered, and the best straight line is subtracted, which removes the initial position and rate.
-    """
+    """The contribution of each unknown to the position, and the position itself, shape (ticks, 8). Filtered, without
+    the best straight line: that removes the initial position and rate."""
     span = slice(begin, end)
     size, sign = end - begin, 1.0 if axis.rate[(begin + end) // 2] > 0.0 else -1.0
     place, rate = axis.place[span] - axis.place[begin], axis.rate[span]
@@ -184,8 +181,8 @@ class _Model:
 
 
 def _choose(model: _Model, axis: Axis) -> "tuple[dict[int, float], Optional[_ModelFit]]":
-    """The first model that the log determines well: with a fitted time constant or the base's, and with a fitted
-    `taking` or the base's. Returns its fixed unknowns and its fit."""
+    """The fixed unknowns and the fit of the first model that the log determines well. The time constant is fitted or
+    the base's, and so is `taking`."""
     fixed: dict[int, float] = {}
     fit: Optional[_ModelFit] = None
     for time in ({}, {_RATE: -np.expm1(-TICK / axis.time) / TICK}):
@@ -200,8 +197,7 @@ def _choose(model: _Model, axis: Axis) -> "tuple[dict[int, float], Optional[_Mod
 
 
 def _widen(model: _Model, fixed: dict[int, float], chosen: _ModelFit, result: MotorFit, errors: Array) -> float:
-    """Increases the errors by the changes under models with lag or drag, if they fit better. Returns the smallest sum
-    of squared errors."""
+    """Increases the errors by the changes under better models with lag or drag. Returns the smallest sum of squares."""
     least = float(chosen.missed.sum())
     for more in (_LAG, _DRAG):
         other = model.fit({unknown: value for unknown, value in fixed.items() if unknown != more})

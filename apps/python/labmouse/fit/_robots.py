@@ -76,8 +76,7 @@ def base_numbers(base: "Union[str, os.PathLike[str]]") -> Numbers:
 
 
 def _head(fit: LogFit, robot: Numbers) -> list[tuple[str, bool]]:
-    """Lines on how well each part fits or why it was not fitted, and whether a line is a warning: the log has columns
-    for the part but does not determine it."""
+    """Lines on the quality of each fit or its refusal. True marks a warning: the log has columns for that part."""
     log = fit.log
     steps = [after - before for before, after in zip(log.times, log.times[1:])]
     mean, most = log.times[-1] / len(steps), max(steps)

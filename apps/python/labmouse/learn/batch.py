@@ -49,10 +49,7 @@ class Batch:
         return {"action_mask": self.masks, "return": self.returns, "state": self.states, "maze": self.numbers}
 
     def take(self, name: str, values: Any, kind: Any = np.int64) -> NDArray[Any]:
-        """Converts `values` to an array with one number per contest, without a copy if possible.
-
-        Raises Error, with the argument's name, if the type or the shape is wrong.
-        """
+        """Converts `values` to an array (count,), if possible without a copy. Raises Error for other values."""
         try:
             array = np.ascontiguousarray(values, dtype=kind)
         except (TypeError, ValueError):

@@ -103,10 +103,7 @@ class Policy:
         self.visits[np.arange(len(rows)), self._start] = 1
 
     def _straights(self, bits: NDArray[np.uint16], x: Ints, y: Ints) -> Tuple[NDArray[np.bool_], Ints]:
-        """Whether k cells in a direction are known to be free, and the index of the cell there.
-
-        Both have the shape (n, 4 directions, k = 0 to 3).
-        """
+        """Whether k cells in a direction are known free, and the cell there; shapes (n, direction, k = 0 to 3)."""
         n = len(x)
         k = np.arange(4)
         xs = x[:, None, None] + _DX[None, :, None] * k
