@@ -1,5 +1,5 @@
-// The mazes that are measured on: those of LABMOUSE_MAZES where it is set, so that figures on real contest mazes can be
-// made again by whoever has them, and generated ones otherwise.
+// The mazes of all benchmarks: those in the folder LABMOUSE_MAZES if it is set and has mazes of the size, such as real
+// contest mazes; otherwise generated ones.
 #pragma once
 
 #include <cstdlib>

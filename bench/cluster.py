@@ -1,8 +1,8 @@
-"""What a cluster costs: clock and processor time of one and of two workers, and of the client, against a race in one process.
+"""Overhead of a cluster: wall-clock and processor time of one and two workers and of the client.
 
 Usage: PYTHONPATH=build/release/python build/python-tools/bin/python bench/cluster.py [RUNS]
 
-The race in one process is held by one and by two threads, too: more than these gain no two workers can.
+Also measures the race in one process with one and two threads: two workers cannot gain more than two threads.
 """
 
 import os
@@ -21,19 +21,19 @@ def spent():
 
 
 def timed(call):
-    """Seconds of processor here, and by the clock."""
+    """The processor time of this process and the wall-clock time of a call, in s."""
     begin = spent(), time.perf_counter()
     call()
     return spent() - begin[0], time.perf_counter() - begin[1]
 
 
 def tasks_of(client):
-    """The seconds of each task that has ended."""
+    """The duration of each finished task in s."""
     return [part["stop"] - part["start"] for task in client.get_task_stream() for part in task["startstops"] if part["action"] == "compute"]
 
 
 def quantiles(tasks):
-    """The seconds of a task below which a tenth, a half and nine tenths of all work is done."""
+    """Quantiles 0.1, 0.5 and 0.9 of task durations in s, weighted by the duration."""
     tasks, done, found = sorted(tasks), 0.0, []
     for task in tasks:
         done += task
@@ -56,7 +56,7 @@ def main():
             with distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address="127.0.0.1:0") as local:
                 with distributed.Client(local) as client:
                     client.wait_for_workers(workers)
-                    client.run(cluster.race.__module__.__len__)  # they have imported all
+                    client.run(cluster.race.__module__.__len__)  # workers import labmouse
                     client.get_task_stream()
                     before = sum(client.run(spent).values())
                     here, clock = timed(lambda: cluster.race(client, **order, progress=False, store=f"{folder}/workers-{workers}.db"))

@@ -1,4 +1,5 @@
-// One distance field, strides of three: rows of bits beside a queue in an array and the plain way, in one run.
+// Time of one distance field with movements of up to three cells: rows of bits (ours), a ring queue, and a plain
+// search.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -12,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Calls work(i) for one maze after the other and reports the time of one call.
+/// Calls work(i) for one maze after the other, and measures the time of one call.
 template <class Work>
 void for_each_maze(benchmark::State& state, std::size_t mazes, Work work) {
   std::size_t i = 0;
@@ -44,7 +45,7 @@ void ring_queue(benchmark::State& state) {
   for_each_maze(state, mazes.size(),
                 [&](std::size_t i) { benchmark::DoNotOptimize(searches[i].fill(mazes[i].goals())); });
   const auto spent = Clock::now() - begin;
-  // How many times the rows of bits are faster, measured right behind.
+  // The speed-up of the rows of bits, measured directly afterwards.
   DistanceField field({side, side}, strides());
   const auto calls = static_cast<std::size_t>(state.iterations());
   const auto rows_begin = Clock::now();

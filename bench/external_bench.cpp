@@ -1,4 +1,4 @@
-// What it costs that a mouse is another program, on one processor: a bare ping-pong over pipes, and what we make of it.
+// Overhead of a mouse in another process, on one processor: our protocols compared with a bare ping-pong over pipes.
 #include <benchmark/benchmark.h>
 #include <sched.h>
 #include <sys/wait.h>
@@ -15,7 +15,7 @@
 namespace labmouse {
 namespace {
 
-/// Keeps this thread and the processes that it starts on one processor, as they are where others race beside them.
+/// Pins this thread and the processes that it starts to one processor, as in a race that uses all processors.
 class OneProcessor {
  public:
   OneProcessor() {
@@ -43,7 +43,7 @@ Launch bench_program(std::vector<std::string> words) {
   return launch;
 }
 
-/// A child with two pipes and nothing else.
+/// A child process that is connected by two pipes.
 class BareProgram {
  public:
   explicit BareProgram(const char* how, const char* times = nullptr) {
@@ -71,7 +71,7 @@ class BareProgram {
   }
 
   bool say(std::string_view text) const { return write(input_, text.data(), text.size()) > 0; }
-  /// Reads what is there; empty at the end.
+  /// Reads the available bytes; empty at the end of the stream.
   std::string_view hear() {
     const ssize_t count = read(output_, bytes_.data(), bytes_.size());
     return {bytes_.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
@@ -83,7 +83,7 @@ class BareProgram {
   std::array<char, 1U << 16U> bytes_{};
 };
 
-/// One line each way, nothing else: what no host can beat.
+/// One line in each direction: the lower bound for any host.
 void ping_pong_bare(benchmark::State& state) {
   const OneProcessor one;
   BareProgram external("echo");
@@ -93,7 +93,7 @@ void ping_pong_bare(benchmark::State& state) {
 }
 BENCHMARK(ping_pong_bare)->UseRealTime();
 
-/// An external mouse of ours that is asked.
+/// The same by ExternalStrategy and our line protocol.
 void ping_pong_program(benchmark::State& state) {
   const OneProcessor one;
   const Maze maze = bench_mazes(16).front();
@@ -106,7 +106,7 @@ void ping_pong_program(benchmark::State& state) {
 }
 BENCHMARK(ping_pong_program)->UseRealTime();
 
-/// A program for mms from its start to its end, by the commands that it sends.
+/// Runs a program for mms from start to end; the items are the commands that it sends.
 void host(benchmark::State& state, const char* how, int times, int commands) {
   const OneProcessor one;
   const Maze maze = bench_mazes(16).front();
@@ -130,7 +130,8 @@ BENCHMARK(mms_2800000_commands)->UseRealTime()->Iterations(1);
 
 constexpr int ahead = 500'000;
 
-/// A program that writes line by line and reads no reply, into a pipe that is only emptied: with nobody to obey it.
+/// A program that writes single lines and reads no reply, into a pipe that is only drained: the lower bound for
+/// mms_write_ahead.
 void write_ahead_bare(benchmark::State& state) {
   const OneProcessor one;
   for (auto _ : state) {

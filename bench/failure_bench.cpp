@@ -1,5 +1,5 @@
-// How long a contest takes in the failure model and in the physical one: with its strategy, and with the decisions that
-// the strategy took there in place of it, which leaves what the worlds themselves cost.
+// Time of a contest with the failure model and in the physical world: with a strategy, and with a script of the
+// decisions that the strategy made there. The script shows the cost of the worlds alone.
 #include <benchmark/benchmark.h>
 
 #include <memory>

@@ -1,7 +1,7 @@
-// Fastest routes in seconds: the walls are read anew, the times found, and the route written down. In turn over
-// different mazes, as in a search run where the walls change (a processor learns a maze that comes again and again),
-// and warm, one maze many times; for the route alone, and with the whole field (field_us, in turn); beside the plain
-// search in the same run.
+// Time to plan a fastest route in seconds: reading the walls, computing the times, writing the route.
+// median_us, p95_us, max_us and worst_maze_us: in turn over different mazes, as in a search run whose walls change
+// (branch predictors learn a maze that is repeated). warm_us: one maze many times. field_us: with the whole field, in
+// turn. plain_us: the plain search.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<Maze> mazes_of(int side, bool empty) {
   return bench_mazes(side);
 }
 
-/// The times of calls in microseconds, sorted: of each maze the median of its rounds, or of all calls.
+/// Times of calls in microseconds. Returns the sorted medians per maze, or the sorted times of all calls.
 class Latencies {
  public:
   explicit Latencies(std::size_t mazes) : of_maze_(mazes) {}
@@ -62,7 +62,7 @@ double share(const std::vector<double>& sorted, double part) {
   return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1) + 0.5)];
 }
 
-/// What is kept of a robot by name for the whole run.
+/// The model of a robot, made once and kept for the whole run.
 const DriveModel& model_of(const char* name) {
   static std::vector<std::pair<std::string, std::unique_ptr<DriveModel>>> models;
   for (const auto& [known, model] : models)

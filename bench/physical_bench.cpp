@@ -1,4 +1,4 @@
-// How much time passes in the physical world while a processor works for a second.
+// Simulated seconds in the physical world per second of processor time.
 #include <benchmark/benchmark.h>
 
 #include "bench_mazes.hpp"
@@ -16,7 +16,8 @@ DriveModel kerise() {
   return model;
 }
 
-/// Body and controller along known ways: four beams, accelerometer and covariance at each millisecond, with all noise.
+/// Body and controller on known routes with all noise: each millisecond has four infrared beams, the accelerometer and
+/// the covariance of the estimator.
 void known_way(benchmark::State& state, KnownWay way) {
   const DriveModel model = kerise();
   const auto mazes = bench_mazes(16);

@@ -1,5 +1,5 @@
-// One field over prices: the ring of buckets beside a plain priority queue, in one run. Every wall of a real maze is as
-// an early decision has it: known about the start, guessed elsewhere.
+// Time of one cost field over wall prices: the ring of buckets (ours) and a plain priority queue. Walls have the prices
+// of an early decision: known near the start, guessed elsewhere.
 #include <benchmark/benchmark.h>
 
 #include <queue>
@@ -12,7 +12,8 @@ namespace {
 
 constexpr int step_price = 30;
 
-/// The walls within half of a maze, towards the start, are known; another one costs 5 to 40, by its place.
+/// Walls in the half of a maze near the start are known. All others have a price from 5 to 40 that depends on the
+/// place.
 WallPrices half_known(const Maze& maze) {
   WallPrices prices(maze.size());
   WallSet::all(maze.size()).for_each([&](Wall wall) {
@@ -45,7 +46,7 @@ void priced_buckets(benchmark::State& state) {
 }
 BENCHMARK(priced_buckets)->Arg(16)->Arg(32)->Arg(64);
 
-/// Written for clarity: Dijkstra with the standard library's queue.
+/// Dijkstra's algorithm with std::priority_queue.
 std::vector<int> plain_costs(const WallPrices& prices, const CellSet& from) {
   const Size size = prices.size();
   std::vector<int> costs(static_cast<std::size_t>(size.area()), unreachable);

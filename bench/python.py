@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""How fast the Python package is: prints the table of docs/reference/python.md.
+"""Measures the speed of the Python package: prints the table of docs/reference/python.md.
 
 usage: PYTHONPATH=build/release/python build/python-tools/bin/python bench/python.py
 
-Times are those of the processor, the best of several, but for Ctrl-C, whose time is by the clock.
+Times are processor times, the best or the median of several runs. Those of Ctrl-C are wall-clock times.
 """
 
 import statistics
@@ -44,7 +44,7 @@ except KeyboardInterrupt:
 print(time.monotonic() - sent[0])
 """
 RACE = "labmouse.race([{mice}], runs=2000, budget=1_000_000, jobs={jobs}, progress=False)"
-#: What takes long, of each kind.
+#: Long calls of each kind, which are interrupted.
 LONG = {
     "a race of built-in mice": RACE.format(mice="'random'", jobs=0),
     "the same with a store": RACE.format(mice="'random'", jobs=0)[:-1] + ", store=sys.argv[1] + '/results.db')",
@@ -62,21 +62,21 @@ LONG = {
 
 
 class Still:
-    """Decides as little as a mouse can."""
+    """The fastest possible mouse."""
 
     def decide(self, seen: labmouse.Sighting) -> labmouse.Action:
         return 0, 0
 
 
 def seconds_of_import() -> float:
-    """Of the package alone, without the interpreter's own start."""
+    """Median processor time of `import labmouse` in s, without the start of the interpreter."""
     code = "import time; begin = time.process_time(); import labmouse; print(time.process_time() - begin)"
     times = [float(subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout) for _ in range(9)]
     return statistics.median(times)
 
 
 def decisions_a_second() -> float:
-    """In one contest of a hundred thousand steps."""
+    """Decisions per second of processor time, in a contest of 100,000 steps; the best of five."""
     best = 0.0
     for _ in range(5):
         begin = time.process_time()
@@ -86,7 +86,7 @@ def decisions_a_second() -> float:
 
 
 def seconds_to_stop(long: str, busy: int) -> list[float]:
-    """From the signal to what is done, by the clock, beside so many programs that do nothing but work."""
+    """Five wall-clock times in s from SIGINT to the end of the call `long`, beside `busy` processes at full load."""
     others = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(busy)]
     times = []
     try:

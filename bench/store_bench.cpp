@@ -1,4 +1,4 @@
-// Contests kept in a store and taken from it: a second has how many?
+// Contests per second that are written to a store and read from it.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t many = 50'000;
 
-/// A race of that many contests, of which one was held: the others are the same with other seeds.
+/// A race with `many` contests. Only one was run; the others are copies with other seeds.
 Race large_race() {
   RaceOrder order;
   order.world = steps_world();

@@ -5,7 +5,7 @@
 
 namespace labmouse::python {
 
-/// What the file of that topic adds to the module.
+/// Each adds the classes and functions of one topic to the module.
 void bind_errors(nanobind::module_& module);
 void bind_mazes(nanobind::module_& module);
 void bind_sightings(nanobind::module_& module);

@@ -1,4 +1,4 @@
-// What nobody can beat: bounds, and fastest routes.
+// Binds the best possible score of a maze and the fastest route.
 #include <fmt/format.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>

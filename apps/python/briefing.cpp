@@ -23,7 +23,8 @@ namespace labmouse::python {
 namespace {
 
 using Place = std::pair<int, int>;
-/// Width, height, start, heading, goals; stride, budget, sight, seed; whether it is in seconds, and their limit.
+/// The state for pickle: width, height, start, heading, goals; stride, budget, sight, seed; whether the world is in
+/// seconds, and the time limit in microseconds.
 using BriefingFields = std::tuple<std::tuple<int, int, Place, int, std::vector<Place>>,
                                   std::tuple<int, int, int, std::uint64_t>, std::tuple<bool, std::int64_t>>;
 
@@ -42,7 +43,7 @@ BriefingFields fields_of(const PythonBriefing& told) {
           {briefing.in_seconds(), briefing.drive.time_limit}};
 }
 
-/// In another process: its mice know no robot, but that there is one.
+/// The briefing in another process. The robot is a placeholder: mice in Python see only whether there is one.
 PythonBriefing briefing_of(const BriefingFields& fields) {
   static const DriveModel some_robot;
   const auto& [place, limits, seconds] = fields;
@@ -62,7 +63,7 @@ PythonBriefing briefing_of(const BriefingFields& fields) {
 }  // namespace
 
 void bind_briefings(nb::module_& module) {
-  nb::class_<PythonBriefing>(module, "Briefing", "What a mouse learns of its contest before it is put into the maze.")
+  nb::class_<PythonBriefing>(module, "Briefing", "What a mouse is told before it is put into the maze.")
       .def_prop_ro(
           "width", [](const PythonBriefing& told) { return told.briefing.size.width; }, "Columns of cells.")
       .def_prop_ro(
@@ -73,25 +74,25 @@ void bind_briefings(nb::module_& module) {
           "The cell (x, y) in which the mouse starts; x counts eastwards and y northwards from (0, 0).")
       .def_prop_ro(
           "heading", [](const PythonBriefing& told) { return std::string(name_of(told.briefing.start.heading)); },
-          "Where it looks there: 'north', 'east', 'south' or 'west'.")
+          "The direction that it faces there: 'north', 'east', 'south' or 'west'.")
       .def_prop_ro(
           "goals", [](const PythonBriefing& told) { return goals_of(told.briefing); }, "The goal cells.")
       .def_prop_ro(
           "world", [](const PythonBriefing& told) { return told.briefing.in_seconds() ? "seconds" : "steps"; },
-          "'strides' or 'seconds', also for a mouse in the physical world.")
+          "'steps' or 'seconds'; in the physical world, too, it is 'seconds'.")
       .def_prop_ro(
           "stride",
           [](const PythonBriefing& told) {
             return told.briefing.in_seconds() ? max_drive_side : told.briefing.motion.longest;
           },
-          "The longest movement of a step, in cells: 3 by the rules; in seconds any straight that it has seen to be "
-          "open.")
+          "The longest movement of a step, in cells: 3 by the rules. In seconds 32, the largest side of a maze: there, "
+          "a mouse may move along any straight that it has seen to be open.")
       .def_prop_ro(
           "budget",
           [](const PythonBriefing& told) {
             return told.briefing.in_seconds() ? std::nullopt : std::optional(told.briefing.budget);
           },
-          "Steps that both runs may take together; None in seconds.")
+          "The number of steps that both runs may take together; None in seconds.")
       .def_prop_ro(
           "time_limit",
           [](const PythonBriefing& told) {
@@ -99,13 +100,13 @@ void bind_briefings(nb::module_& module) {
             return told.briefing.in_seconds() ? std::optional(static_cast<double>(drive.time_limit) / 1e6)
                                               : std::nullopt;
           },
-          "Seconds that it may be in the maze; None in steps.")
+          "The time limit in the maze, in seconds; None in steps.")
       .def_prop_ro(
           "sight", [](const PythonBriefing& told) { return told.briefing.sight; },
-          "Cells that a reading reaches at most: in a reading of so many, no wall was seen at the end.")
+          "The range of the sensors in cells. A reading of this value means that no wall was seen within range.")
       .def_prop_ro(
           "seed", [](const PythonBriefing& told) { return told.briefing.seed; },
-          "For a stochastic mouse: the same contest always has the same seed; below 2**64.")
+          "The seed for a stochastic mouse, below 2**64. The same contest always has the same seed.")
       .def("__getstate__", &fields_of)
       .def("__setstate__",
            [](PythonBriefing& told, const BriefingFields& fields) { new (&told) PythonBriefing(briefing_of(fields)); })

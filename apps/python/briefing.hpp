@@ -1,11 +1,11 @@
-// What a mouse in Python knows before its contest.
+// The class behind labmouse.Briefing.
 #pragma once
 
 #include "labmouse/mouse/briefing.hpp"
 
 namespace labmouse::python {
 
-/// labmouse.Briefing.
+/// labmouse.Briefing: what a mouse in Python is given before its contest.
 struct PythonBriefing {
   Briefing briefing;
 };

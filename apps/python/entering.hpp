@@ -1,4 +1,4 @@
-// Who races where, from what a user of Python gave.
+// Resolves the mice, mazes and world that a user of Python asks for.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -14,19 +14,19 @@
 
 namespace labmouse::python {
 
-/// What a user chose.
+/// Mice, mazes and world as the user gave them, not yet checked.
 struct Choice {
-  /// SPECs of mice; each has the name of the one mouse that it is before it, or an empty one.
+  /// (name, SPEC) of each mouse. With a name, the SPEC must stand for exactly one mouse; an empty name keeps its own.
   std::vector<std::pair<std::string, std::string>> specs;
   std::vector<OwnMouse> own;
-  std::vector<NamedMaze> mazes;  ///< none: the built-in ones
-  std::string world;             ///< empty: the one that suits the mice
-  WorldSettings settings;        ///< those that were given
-  std::string python;            ///< that runs capstone robots
-  std::string label;             ///< as of ExternalOptions
+  std::vector<NamedMaze> mazes;  ///< empty: the built-in ones
+  std::string world;             ///< empty: the first one that takes the mice
+  WorldSettings settings;        ///< only those that the user gave
+  std::string python;            ///< the interpreter of capstone robots; empty: python3 of PATH
+  std::string label;             ///< see ExternalOptions::label
 };
 
-/// Mice in their world, and the mazes that it takes.
+/// A world with its mice, and the mazes of the choice that this world accepts.
 struct Field {
   Entry entry;
   std::vector<NamedMaze> mazes;
@@ -34,8 +34,8 @@ struct Field {
   std::vector<std::string> remarks;
 };
 
-/// Throws UserError. Where there is no mouse, all built-in mice race that the world takes. Once `stop`
-/// is true, external mice and mice in Python are ended.
+/// Checks the choice and makes its mice. Without mice, all built-in mice of the world race. External mice and mice in
+/// Python end once `stop` is true. Throws UserError.
 Field enter(Choice choice, const std::atomic<bool>* stop);
 
 /// The world of a choice that names no mice; throws UserError.

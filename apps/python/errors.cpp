@@ -5,7 +5,7 @@
 namespace labmouse::python {
 namespace {
 
-/// A sentence without what the command line puts before it, and without the end of its line.
+/// The message without a leading "error: " and without line ends behind it.
 std::string bare(std::string line) {
   constexpr std::string_view prefix = "error: ";
   if (line.starts_with(prefix)) line.erase(0, prefix.size());
@@ -27,7 +27,7 @@ UserError error_of(const std::vector<SkippedFile>& files) {
 void bind_errors(nanobind::module_& module) {
   nanobind::exception<UserError>(module, "Error", PyExc_ValueError);
   module.attr("Error").attr("__doc__") =
-      "What is wrong with a maze, a mouse or an option: the line that the command `labmouse` would print.";
+      "An error in a maze, a mouse or an option. Its text is the line that the command `labmouse` would print.";
 }
 
 }  // namespace labmouse::python

@@ -1,4 +1,4 @@
-// What a user did wrong, as an exception in Python.
+// Errors of the user, which become exceptions in Python.
 #pragma once
 
 #include <stdexcept>
@@ -9,12 +9,12 @@
 
 namespace labmouse::python {
 
-/// Becomes labmouse.Error: what the command line would say, without the word "error: " before a sentence of its own.
+/// Becomes labmouse.Error. The text is the message of the command line; a leading "error: " is removed.
 struct UserError : std::runtime_error {
   explicit UserError(const std::string& line);
 };
 
-/// All that is wrong with some files, a line each.
+/// One error with a line for each problem of these files.
 UserError error_of(const std::vector<SkippedFile>& files);
 
 }  // namespace labmouse::python

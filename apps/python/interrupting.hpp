@@ -1,4 +1,4 @@
-// How a mouse in Python is stopped in the middle of its contest.
+// Stops a mouse in Python in the middle of a decision.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -7,13 +7,13 @@
 
 namespace labmouse::python {
 
-/// How often a wait for a mouse looks whether it shall stop.
+/// Interval at which a wait for a mouse checks whether to stop.
 inline constexpr std::chrono::milliseconds glance{10};
-/// How often a mouse is interrupted before it is left behind in its thread: one that catches the exception once or
-/// twice comes to its end.
+/// Number of interrupts after which a mouse is abandoned in its thread. More than one, since a mouse may catch the
+/// exception once or twice and still end.
 inline constexpr int times_told = 3;
 
-/// Makes a thread of Python raise what Ctrl-C raises. Not with the interpreter's lock.
+/// Raises KeyboardInterrupt in a thread of Python. Takes the GIL itself.
 inline void interrupt(unsigned long thread) {
   const nanobind::gil_scoped_acquire lock;
   PyThreadState_SetAsyncExc(thread, PyExc_KeyboardInterrupt);

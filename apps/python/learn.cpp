@@ -1,4 +1,4 @@
-// Contests stepped together, for strategies that learn: labmouse.learn has the environments around it.
+// Binds batches of contests that are stepped together. labmouse.learn builds its Gymnasium environments on them.
 #include <fmt/format.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
@@ -20,12 +20,12 @@ using namespace nb::literals;
 namespace labmouse::python {
 namespace {
 
-/// Memory of numpy: C order, of the dtype, not converted.
+/// A numpy array in C order with exactly this dtype: nanobind must not convert it, since a copy would be written to.
 template <class T>
 using Array = nb::ndarray<T, nb::c_contig, nb::device::cpu>;
 using Choices = nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
-/// A batch, its own dice, and the arrays that it writes to, which live as long as it does.
+/// A batch, the random generator of draw_valid_choices, and references that keep the arrays alive that it writes to.
 struct LearnBatch {
   ContestBatch batch;
   Dice dice{0};
@@ -85,7 +85,7 @@ LearnBatch batch_of_family(int count, const MazeFamily& family, bool in_turn, in
   return {ContestBatch(count, family, order_of(in_turn), rules_of(budget)), Dice{0}, {}};
 }
 
-/// The array as a span, once its size is what the batch needs.
+/// The array as a span, kept alive by the batch; empty if there is none. Throws UserError if its size is wrong.
 template <class T>
 std::span<T> memory_of(LearnBatch& self, const std::optional<Array<T>>& array, std::size_t size, const char* what) {
   if (!array) return {};
@@ -124,7 +124,7 @@ void check_bound(const LearnBatch& self) {
   if (self.held.empty()) throw UserError("the batch has no memory to write to; bind() gives it some");
 }
 
-/// Hears of Ctrl-C between mazes that are made, of which a batch may need thousands at once.
+/// Checks for Ctrl-C between generated mazes, of which a batch may need thousands at once.
 class Interruption {
  public:
   ContestBatch::Stop stop() {
@@ -134,7 +134,7 @@ class Interruption {
       return heard_ = PyErr_CheckSignals() != 0;
     };
   }
-  /// With the interpreter's lock.
+  /// Call with the GIL.
   void raise() const {
     if (heard_) throw nb::python_error();
   }
@@ -173,7 +173,7 @@ void start(LearnBatch& self, const std::optional<nb::ndarray<const std::uint8_t,
 }  // namespace
 
 void bind_learning(nb::module_& module) {
-  nb::class_<MazeFamily>(module, "MazeFamily", "Numbered mazes of one generator and one split.")
+  nb::class_<MazeFamily>(module, "MazeFamily", "Generated mazes of one kind and split, by number.")
       .def(
           "__init__",
           [](MazeFamily* self, const std::string& kind, std::pair<int, int> size, double loops,
@@ -183,7 +183,7 @@ void bind_learning(nb::module_& module) {
       .def("maze", &named_maze_of, "number"_a, nb::call_guard<nb::gil_scoped_release>());
   module.def(
       "split_of", [](const NamedMaze& maze) { return std::string(name_of(split_of(maze.maze))); }, "maze"_a,
-      "The set that a maze belongs to by its content: 'train', 'validation' or 'test'.");
+      "The split of a maze: 'train', 'validation' or 'test'. A hash of its content decides.");
   module.def(
       "action_of",
       [](int choice) {
@@ -193,12 +193,12 @@ void bind_learning(nb::module_& module) {
         return action.kind == Action::Kind::reset ? std::optional<std::pair<int, int>>()
                                                   : std::pair(action.rotation, action.movement);
       },
-      "number"_a, "The (rotation in degrees, movement in cells) of an action's number; None for the reset.");
+      "number"_a, "The (rotation in degrees, movement in cells) of an action, by its number; None for the reset.");
   module.attr("ACTIONS") = choice_count;
   module.attr("RESET") = reset_choice;
   module.attr("ROW_COLUMNS") = row_columns;
   module.attr("BELIEF_PLANES") = belief_planes;
-  nb::class_<LearnBatch>(module, "ContestBatch", "Contests in steps, played together.")
+  nb::class_<LearnBatch>(module, "ContestBatch", "Contests in the world of steps that are stepped together.")
       .def(
           "__init__",
           [](LearnBatch* self, int count, const std::vector<NamedMaze>& mazes, bool in_turn, int budget) {
@@ -217,11 +217,11 @@ void bind_learning(nb::module_& module) {
           "Width and height of the largest maze.")
       .def_prop_ro(
           "bytes_a_contest", [](const LearnBatch& self) { return self.batch.bytes_a_contest(); },
-          "What it holds for each contest besides what it writes to.")
+          "Bytes of memory for each contest, without the arrays of bind().")
       .def("bind", &bind_memory, "rewards"_a.noconvert(), "returns"_a.noconvert(), "ended"_a.noconvert(), nb::kw_only(),
            "rows"_a.noconvert() = nb::none(), "words"_a.noconvert() = nb::none(), "bytes"_a.noconvert() = nb::none(),
            "masks"_a.noconvert() = nb::none(), "states"_a.noconvert() = nb::none(), "mazes"_a.noconvert() = nb::none(),
-           "Where to write from now on.")
+           "Sets the arrays to write to from now on. Follow it with start(). Raises Error if a size is wrong.")
       .def(
           "seed",
           [](LearnBatch& self, int contest, std::uint64_t seed) {
@@ -229,7 +229,7 @@ void bind_learning(nb::module_& module) {
               throw UserError(fmt::format("there is no contest {}", contest));
             self.batch.seed(contest, seed);
           },
-          "contest"_a, "seed"_a, "From which seed a contest draws its mazes.")
+          "contest"_a, "seed"_a, "Sets the seed by which a contest draws its mazes.")
       .def("start", &start, "which"_a = nb::none(), "Begins new contests: all, or those where `which` is not 0.")
       .def("step", &step, "actions"_a.noconvert(), "One step of every contest.")
       .def(

@@ -38,10 +38,10 @@ Action action_of(const ActionFields& fields) {
   return {static_cast<Action::Kind>(kind), rotation, movement, static_cast<ForfeitReason>(reason)};
 }
 
-/// The thread of a mouse does one thing at a time, and the contest waits for it.
+/// Passes calls from the contest to the thread of a mouse, one at a time, and waits for each.
 class Desk {
  public:
-  /// For the contest: has it done, and waits for its end; false where `stop` came first.
+  /// For the contest: has the thread call `deed`, and waits for its end. False if `stop` became true first.
   bool have_done(std::function<void()> deed, const std::atomic<bool>* stop) {
     std::unique_lock lock(mutex_);
     deed_ = std::move(deed);
@@ -50,7 +50,7 @@ class Desk {
       if (changed_.wait_for(lock, glance) == std::cv_status::timeout && stop != nullptr && stop->load()) return !deed_;
     return true;
   }
-  /// For the contest: whether the mouse is idle after one more glance.
+  /// For the contest: waits for `glance` at most; whether the thread is idle then.
   bool comes_to_an_end() {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, glance, [this] { return !deed_; });
@@ -61,7 +61,7 @@ class Desk {
     changed_.notify_all();
   }
 
-  /// For the thread: does what it is asked for, until it is closed.
+  /// For the thread: makes the calls until close().
   void serve() {
     std::unique_lock lock(mutex_);
     while (true) {
@@ -83,7 +83,8 @@ class Desk {
   bool closed_ = false;
 };
 
-/// In a thread of its own. What that needs belongs to the thread, too, since it may be left behind.
+/// A mouse in a thread of this process. The thread shares ownership of its Seat, because the contest may end first and
+/// abandon a thread that never answers.
 class ThreadStrategy final : public DrivingStrategy {
  public:
   ThreadStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
@@ -140,7 +141,7 @@ class ThreadStrategy final : public DrivingStrategy {
     Desk desk;
     std::atomic<unsigned long> thread{0};
     std::atomic<bool> stopped{false}, is_left{false};
-    // Only for the thread: the mouse holds the interpreter's lock, except where it is idle.
+    // Only for the thread. The mouse holds the GIL, and `idle` releases it between calls.
     std::unique_ptr<DrivingStrategy> mouse;
     std::unique_ptr<nb::gil_scoped_release> idle;
     bool started = true;
@@ -148,7 +149,7 @@ class ThreadStrategy final : public DrivingStrategy {
     std::string words;
     std::optional<double> microseconds;
 
-    /// A mouse that was left behind is not cleaned up: the interpreter may be at its end.
+    /// Leaks the mouse of an abandoned thread on purpose: the interpreter may already be shutting down.
     void end() {
       if (is_left) {
         static_cast<void>(idle.release());
@@ -186,7 +187,7 @@ class ThreadStrategy final : public DrivingStrategy {
   std::thread thread_;
 };
 
-/// In another process.
+/// A mouse in another process.
 class ProcessStrategy final : public DrivingStrategy {
  public:
   ProcessStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing)
@@ -239,7 +240,7 @@ class ProcessStrategy final : public DrivingStrategy {
     });
   }
 
-  /// Not after it has raised: then the mouse is dead.
+  /// Makes a call with the GIL. After a call that threw, the mouse counts as dead and later calls do nothing.
   template <class Calling>
   void call(Calling calling) {
     if (is_dead_) return;
@@ -252,17 +253,17 @@ class ProcessStrategy final : public DrivingStrategy {
     }
   }
 
-  nb::gil_scoped_acquire lock_;  // without it, each call would make a state of this thread anew
+  nb::gil_scoped_acquire lock_;  // otherwise each call would create a new Python thread state
   std::shared_ptr<const MouseMaker> maker_;
   nb::object contest_;
   Knowledge knowledge_;
   bool started_ = true, is_dead_ = false;
   std::string last_words_;
   std::optional<double> microseconds_;
-  std::optional<nb::gil_scoped_release> idle_;  // last: all others end with the lock
+  std::optional<nb::gil_scoped_release> idle_;  // last: the other members are destroyed with the GIL
 };
 
-/// A mouse in this process that another one asks.
+/// A mouse in this process whose decisions another process asks for.
 class NativeStrategy {
  public:
   NativeStrategy(nb::object maker, const PythonBriefing& told)
@@ -288,7 +289,7 @@ std::unique_ptr<DrivingStrategy> make_live_strategy(const std::shared_ptr<const 
 }
 
 void bind_live_strategies(nb::module_& module) {
-  nb::class_<NativeStrategy>(module, "Strategy", "A mouse for another process, which asks it decision by decision.")
+  nb::class_<NativeStrategy>(module, "Strategy", "A mouse in a worker process, asked for one decision at a time.")
       .def(nb::init<nb::object, const PythonBriefing&>(), "maker"_a, "briefing"_a)
       .def_prop_ro("started", [](NativeStrategy& strategy) { return strategy.mouse().report().started; })
       .def(
@@ -296,7 +297,7 @@ void bind_live_strategies(nb::module_& module) {
           [](NativeStrategy& strategy, int left, int ahead, int right) {
             return fields_of(strategy.mouse().decide({left, ahead, right}));
           },
-          "left"_a, "ahead"_a, "right"_a, "Kind, rotation, movement and reason.")
+          "left"_a, "ahead"_a, "right"_a, "The action: kind, rotation in degrees, movement in cells, forfeit reason.")
       .def(
           "show",
           [](NativeStrategy& strategy, int x, int y, int heading, int left, int ahead, int right) {

@@ -1,4 +1,4 @@
-// A mouse in Python, which is asked for one decision at a time.
+// A mouse in Python that the contest asks for one decision at a time, in a thread or process of its own.
 #pragma once
 
 #include <atomic>
@@ -10,8 +10,9 @@
 
 namespace labmouse::python {
 
-/// The mouse of one contest. It decides in another process where `elsewhere` of the maker is not None, and else in a
-/// thread of its own: once `stop`, which may be null, is true, neither is waited for. Not with the interpreter's lock.
+/// Makes the mouse of one contest. It decides in another process if the maker's `elsewhere` is not None, and otherwise
+/// in a thread of its own. Once `stop` (may be null) is true, calls do not wait for a thread any longer; a process is
+/// killed by its owner. Call without the GIL.
 std::unique_ptr<DrivingStrategy> make_live_strategy(const std::shared_ptr<const MouseMaker>& maker,
                                                     const Briefing& briefing, const std::atomic<bool>* stop);
 

@@ -1,4 +1,4 @@
-// Mazes as Python's objects.
+// Binds mazes, their files and their generators.
 #include <fmt/format.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/operators.h>
@@ -32,12 +32,12 @@ using Place = std::pair<int, int>;
 using CellFlags = nb::ndarray<nb::numpy, bool, nb::ndim<2>>;
 using GivenFlags = nb::ndarray<const bool, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
-/// What a user gave, on one line and short, whatever it is.
+/// Any object of the user as one short line, for messages.
 std::string few_words_of(nb::handle value) {
   return shown(nb::cast<std::string>(nb::module_::import_("labmouse._arguments").attr("shown")(value)));
 }
 
-/// What a user gave, as that type; throws UserError where it is none. The binding's own error would be several lines.
+/// Converts an object of the user to T, or throws UserError. nanobind's own error would take several lines.
 template <class T>
 T given(nb::handle value, const char* name, const char* kind) {
   T found{};
@@ -204,7 +204,7 @@ NamedMaze with_goals(const NamedMaze& maze, nb::handle given_goals) {
   return {maze.name, maze.maze.with_goals(cells)};
 }
 
-/// Walls, start and goals, as equality compares them.
+/// A text of walls, start and goals: equal for equal mazes.
 std::string content_of(const NamedMaze& maze) { return link_of({"", maze.maze}); }
 
 NamedMaze from_link(const std::string& link, const std::string& name) {
@@ -223,30 +223,30 @@ std::string repr_of(const NamedMaze& maze) {
 void bind_mazes(nb::module_& module) {
   nb::class_<NamedMaze>(
       module, "Maze",
-      "A maze that never changes: its walls, its start and its goals, under a name.\n\n"
+      "An immutable maze: walls, start, goals and a name.\n\n"
       "Cells are (x, y): x counts eastwards and y northwards from (0, 0), the south-west corner. Two\n"
-      "mazes are equal where walls, start, heading and goals are, whatever their names.")
+      "mazes are equal if walls, start, heading and goals are equal; names do not count.")
       .def(
           "__init__", [](NamedMaze* self, nb::handle path) { new (self) NamedMaze(load(path_in(path))); }, "path"_a,
           nb::sig("def __init__(self, path: str | os.PathLike[str]) -> None"),
           "Reads a maze file of any format (docs/reference/maze-files.md), or takes a built-in maze by its name.\n\n"
-          "Raises Error with file, line, column and reason where there is none.")
+          "Raises Error with file, line, column and reason if there is no such maze.")
       .def_static("parse", &parse, "text"_a, "name"_a = "maze",
                   nb::sig("def parse(text: str, name: str = 'maze') -> Maze"),
-                  "The maze of a text in any format. Raises Error with line, column and reason.")
+                  "Reads a maze from text in any format. Raises Error with line, column and reason.")
       .def_static(
           "from_walls", &from_walls, "north"_a, "east"_a, "start"_a = Place(0, 0), "heading"_a = "north",
           "goals"_a = nb::none(), "name"_a = "maze",
           nb::sig("def from_walls(north: NDArray[numpy.bool_], east: NDArray[numpy.bool_], start: tuple[int, int] "
                   "= (0, 0), heading: str = 'north', goals: Sequence[tuple[int, int]] | None = None, "
                   "name: str = 'maze') -> Maze"),
-          "The maze of two arrays of bool of the shape (height, width).\n\n"
+          "Makes a maze from two arrays of bool of the shape (height, width).\n\n"
           "north[y, x] says whether there is a wall north of the cell (x, y), and east[y, x] whether there is\n"
           "one east of it. The border must be closed: north[-1, :] and east[:, -1] are all True. `goals` is a\n"
-          "list of cells, or None for the centre. Raises Error where they make no maze.")
+          "list of cells, or None for the centre. Raises Error if this is not a valid maze.")
       .def_prop_ro(
           "name", [](const NamedMaze& maze) { return maze.name; },
-          "What results call it: the path of its file, or the name of a built-in or generated maze.")
+          "The name in results: the path of its file, or the name of a built-in or generated maze.")
       .def_prop_ro(
           "width", [](const NamedMaze& maze) { return maze.maze.size().width; }, "Columns of cells, 1 to 64.")
       .def_prop_ro(
@@ -256,7 +256,7 @@ void bind_mazes(nb::module_& module) {
           "The cell (x, y) in which a mouse starts.")
       .def_prop_ro(
           "heading", [](const NamedMaze& maze) { return std::string(name_of(maze.maze.start_heading())); },
-          "Where it looks there: 'north', 'east', 'south' or 'west'.")
+          "The direction that the mouse faces there: 'north', 'east', 'south' or 'west'.")
       .def_prop_ro(
           "goals", [](const NamedMaze& maze) { return goals_of(maze.maze); },
           "The goal cells, row by row from the south.")
@@ -267,11 +267,12 @@ void bind_mazes(nb::module_& module) {
           "east", [](const NamedMaze& maze) { return walls_of(maze.maze, Heading::east); }, nb::rv_policy::automatic,
           "A new array of bool of the shape (height, width): whether there is a wall east of the cell [y, x].")
       .def("text", &written, "format"_a = "drawing", nb::sig("def text(self, format: str = 'drawing') -> str"),
-           "The maze as a text: 'drawing', 'capstone', 'num' or 'maz'. Raises Error where the format cannot hold it.")
+           "The maze as text in the format 'drawing', 'capstone', 'num' or 'maz'. Raises Error if the format cannot "
+           "hold this maze.")
       .def("save", &save, "path"_a, "format"_a = nb::none(),
            nb::sig("def save(self, path: str | os.PathLike[str], format: str | None = None) -> None"),
-           "Writes it to a file; the format is that of the path's ending (.maz, .num), otherwise a drawing. Raises "
-           "Error where the format cannot hold it, or the file cannot be written.")
+           "Writes the maze to a file. Without a format, the ending of the path decides (.maz, .num; a drawing for all "
+           "others). Raises Error if the format cannot hold this maze or the file cannot be written.")
       .def(
           "named",
           [](const NamedMaze& maze, nb::handle name) {
@@ -280,10 +281,10 @@ void bind_mazes(nb::module_& module) {
           "name"_a, nb::sig("def named(self, name: str) -> Maze"), "The same maze under another name.")
       .def("with_start", &with_start, "start"_a, "heading"_a = "north",
            nb::sig("def with_start(self, start: tuple[int, int], heading: str = 'north') -> Maze"),
-           "The same maze with another start. Raises Error where that is no cell of the maze.")
+           "The same maze with another start. Raises Error if that is not a cell of the maze.")
       .def("with_goals", &with_goals, "goals"_a,
            nb::sig("def with_goals(self, goals: Sequence[tuple[int, int]]) -> Maze"),
-           "The same maze with other goals, one at least. Raises Error where they are no cells of the maze.")
+           "The same maze with other goals, at least one. Raises Error if one is not a cell of the maze.")
       .def_prop_ro(
           "svg", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); }, "The maze as an SVG picture.")
       .def("_repr_svg_", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); })
@@ -297,14 +298,13 @@ void bind_mazes(nb::module_& module) {
       .def("__setstate__", [](NamedMaze& maze, const std::pair<std::string, std::string>& state) {
         new (&maze) NamedMaze(from_link(state.first, state.second));
       });
-  module.def(
-      "generate", &generate, "kind"_a = "contest", "size"_a = 16, "seed"_a = 1, "loops"_a = 0.0,
-      nb::sig("def generate(kind: str = 'contest', size: int | tuple[int, int] = 16, seed: int = 1, "
-              "loops: float = 0.0) -> Maze"),
-      "A maze from a generator: 'depth-first', 'prim', 'kruskal', 'wilson', 'division', 'empty' or 'contest'.\n\n"
-      "`size` is a side in cells or (width, height), 1 to 64. The same seed gives the same maze everywhere.\n"
-      "`loops` is the share, 0 to 1, of the remaining inner walls that is opened afterwards.\n"
-      "Raises Error where the generator cannot make such a maze.");
+  module.def("generate", &generate, "kind"_a = "contest", "size"_a = 16, "seed"_a = 1, "loops"_a = 0.0,
+             nb::sig("def generate(kind: str = 'contest', size: int | tuple[int, int] = 16, seed: int = 1, "
+                     "loops: float = 0.0) -> Maze"),
+             "Generates a maze: 'depth-first', 'prim', 'kruskal', 'wilson', 'division', 'empty' or 'contest'.\n\n"
+             "`size` is a side in cells or (width, height), 1 to 64. The same seed gives the same maze everywhere.\n"
+             "`loops` is the share, 0 to 1, of the remaining inner walls that is opened afterwards.\n"
+             "Raises Error if the generator cannot make such a maze.");
   module.def("find_mazes", &find, "paths"_a,
              nb::sig("def find_mazes(paths: Sequence[str | os.PathLike[str]]) -> list[Maze]"));
 }

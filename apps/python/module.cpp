@@ -1,5 +1,4 @@
-// labmouse._native: the library for Python. What it computes comes from the library; what a user sees first is in
-// apps/python/labmouse.
+// labmouse._native: binds the C++ library for the Python package in apps/python/labmouse.
 #include <fmt/format.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
@@ -13,9 +12,9 @@
 #include "labmouse/lab/system/version.hpp"
 
 NB_MODULE(_native, module) {
-  // What lives in a notebook's own variables when Python ends is no leak.
+  // Variables of a notebook keep objects alive until Python ends; that is not a leak.
   nanobind::set_leak_warnings(false);
-  module.doc() = "The part of labmouse that is compiled.";
+  module.doc() = "The compiled part of labmouse.";
   module.def(
       "version", [] { return std::string(labmouse::version()); }, "The release, and the commit where it is known.");
   labmouse::python::bind_errors(module);
@@ -28,7 +27,7 @@ NB_MODULE(_native, module) {
       },
       nanobind::arg("path"), nanobind::arg("text"),
       nanobind::sig("def write_file(path: str | os.PathLike[str], text: str) -> None"),
-      "Writes a file whole or not at all. Raises Error.");
+      "Writes a file completely or not at all. Raises Error if it cannot be written.");
   labmouse::python::bind_mazes(module);
   labmouse::python::bind_sightings(module);
   labmouse::python::bind_briefings(module);

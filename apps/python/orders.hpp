@@ -1,4 +1,4 @@
-// What Python hands over of mice and worlds, in types that nanobind knows.
+// Mice and worlds as Python passes them, in types that nanobind converts, and their conversion to a Choice.
 #pragma once
 
 #include <map>
@@ -11,13 +11,12 @@
 
 namespace labmouse::python {
 
-/// A mouse in Python by the fields of OwnMouse.
+/// A mouse in Python: the fields of OwnMouse in order.
 using GivenMouse = std::tuple<std::string, nanobind::object, bool, nanobind::object, std::string>;
-/// SPECs as of Choice; mice in Python; the Python that runs capstone robots; and what stands for the files of external
-/// mice in stores.
+/// Choice::specs, mice in Python, Choice::python and Choice::label.
 using GivenMice =
     std::tuple<std::vector<std::pair<std::string, std::string>>, std::vector<GivenMouse>, std::string, std::string>;
-/// The name of a world, or nothing, and its settings.
+/// The name of a world, or empty, and its settings.
 using GivenWorld = std::pair<std::string, std::map<std::string, std::string>>;
 
 inline Choice choice_of(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world) {

@@ -10,7 +10,7 @@ namespace labmouse::python {
 Contestant python_contestant(OwnMouse own, const std::atomic<bool>* stop) {
   Contestant mouse;
   mouse.name = own.name;
-  // Its name may be that of a mouse of ours.
+  // Otherwise its name would count as its SPEC, and may be that of a built-in mouse.
   mouse.spec = "python";
   mouse.uses_chance = own.uses_chance;
   mouse.identity = [identity = own.identity] { return identity; };

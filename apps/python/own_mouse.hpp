@@ -1,4 +1,4 @@
-// A mouse that a user of Python wrote, as one that takes part in races.
+// Makes a contestant of a mouse that a user wrote in Python.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -10,19 +10,19 @@
 
 namespace labmouse::python {
 
-/// A mouse in Python: its name, what makes it once a contest, and whether it is stochastic. `elsewhere` is None where
-/// the mouse decides in this process. Else it is called with the briefing of each contest and returns what decides in
-/// another process: Contest of labmouse/_workers.py.
+/// A mouse in Python: its name, the callable that makes it for each contest, and whether it is stochastic. `elsewhere`
+/// is None if the mouse decides in this process. Otherwise it is called with the briefing of each contest and returns
+/// a Contest (labmouse/_workers.py), which decides in another process.
 struct OwnMouse {
   std::string name;
   nanobind::object maker;
   bool uses_chance = false;
   nanobind::object elsewhere;
-  std::string identity;  ///< as of Contestant; empty where nothing is known of it
+  std::string identity;  ///< see Contestant::identity; empty if unknown
 };
 
-/// Such a mouse as a contestant, in all worlds whose mice decide. Once `stop`, which may be null, is true, it decides
-/// no more.
+/// The contestant of such a mouse, for all worlds that ask a mouse for decisions. Once `stop` (may be null) is true, it
+/// forfeits.
 Contestant python_contestant(OwnMouse mouse, const std::atomic<bool>* stop);
 
 }  // namespace labmouse::python

@@ -1,4 +1,4 @@
-// Stores that let a race hold only some of its contests, for a machine that does a part of the work, or none.
+// Stores that limit which contests a race runs, for a machine that does a part of the work, or none of it.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,16 @@ namespace labmouse::python {
 
 /// The name of a mouse, that of a maze, and the number of the run.
 using PickedContest = std::tuple<std::string, std::string, int>;
-/// Nothing where all contests are meant.
+/// No value means all contests.
 using PickedContests = std::optional<std::vector<PickedContest>>;
 
-/// The path of a store, or nothing; the contests that are held, if the store does not have them; and what the store is
-/// for: to "keep" contests, to "read" what it has and hold nothing, or to "send" its contents on, so that nothing waits
-/// for the disk.
+/// The path of a store, or empty; the contests to run if the store does not have them; and the use of the store: "keep"
+/// stores new contests, "read" only reads and runs none, "send" is a temporary file, whose writes do not wait for the
+/// disk.
 using GivenStore = std::tuple<std::string, PickedContests, std::string>;
 
-/// Says that all other contests are done, so that none of them is held. What a race says of those has no meaning: only
-/// the store is to be read.
+/// Runs only the picked contests: it marks all others as done, so that the race skips them. The race's own results for
+/// those are meaningless; read the results from the store.
 class PartStore final : public ContestStore {
  public:
   PartStore(std::shared_ptr<ContestStore> store, const std::vector<PickedContest>& picked)
@@ -44,7 +44,7 @@ class PartStore final : public ContestStore {
   void keep(const Race& race, const ContestResult& contest) override { store_->keep(race, contest); }
   bool failed() const override { return store_->failed(); }
 
-  /// Contests that were not picked and are not in the store, once the race has ended.
+  /// Contests that were neither picked nor in the store. Valid once the race has ended.
   const std::vector<PickedContest>& missing() const { return missing_; }
 
  private:
@@ -53,7 +53,7 @@ class PartStore final : public ContestStore {
   std::vector<PickedContest> missing_;
 };
 
-/// Gives what is in a store, and lets no contest be held.
+/// Recalls what a store has, and reports a failure so that the race runs no contest.
 class ReadStore final : public ContestStore {
  public:
   explicit ReadStore(std::shared_ptr<ContestStore> store) : store_(std::move(store)) {}
@@ -68,7 +68,7 @@ class ReadStore final : public ContestStore {
   std::shared_ptr<ContestStore> store_;
 };
 
-/// The store of a race.
+/// Opens the store of a race and closes it.
 class RaceStore {
  public:
   /// Throws UserError.
@@ -82,11 +82,11 @@ class RaceStore {
     if (use == "read") shown_ = std::make_shared<ReadStore>(shown_);
   }
 
-  /// What the race sees; null where there is none.
+  /// The store to give to the race; null if there is none.
   const std::shared_ptr<ContestStore>& shown() const { return shown_; }
 
-  /// Once the race has ended: waits until the store has all contests, and closes it. How many came from it, the first
-  /// time. Throws UserError.
+  /// Call once the race has ended. Waits until all contests are on the disk and closes the store. Returns how many
+  /// contests came from it; 0 in later calls. Throws UserError.
   std::size_t finish() {
     shown_.reset();
     if (!store_) return 0;
@@ -94,7 +94,7 @@ class RaceStore {
     if (const std::string error = finished->finish(); !error.empty()) throw UserError(error);
     return finished->recalled();
   }
-  /// As of PartStore.
+  /// See PartStore::missing.
   std::vector<PickedContest> missing() const { return part_ ? part_->missing() : std::vector<PickedContest>(); }
 
  private:

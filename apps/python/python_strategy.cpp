@@ -26,10 +26,10 @@ using namespace nb::literals;
 namespace labmouse::python {
 namespace {
 
-/// Wrong rotations and movements are part of a contest, within what a record can hold, as for external mice.
+/// Largest rotation or movement of an answer. The contest judges wrong values, but a record must be able to hold them.
 constexpr long farthest = 1'000'000;
 
-/// The whole number of an object; nothing where it is none, or too large.
+/// The integer of an object; nothing if it is not one, or beyond `farthest`.
 std::optional<int> number_of(PyObject* object) {
   const long value = PyLong_AsLong(object);
   if (value == -1 && PyErr_Occurred() != nullptr) {
@@ -44,21 +44,21 @@ bool is_text(PyObject* object, const char* text) {
   return PyUnicode_Check(object) && PyUnicode_CompareWithASCIIString(object, text) == 0;
 }
 
-/// The action of an answer: (rotation, movement), "reset" or "forfeit"; nothing where it is none of them.
+/// The action of an answer: (rotation, movement), "reset" or "forfeit"; nothing for any other answer.
 std::optional<Action> action_of(PyObject* answer) {
   if (is_text(answer, "reset")) return Action::reset();
   if (is_text(answer, "forfeit")) return Action::forfeit(ForfeitReason::gave_up);
   if (!PyTuple_Check(answer) || PyTuple_Size(answer) != 2) return std::nullopt;
   PyObject* first = PyTuple_GetItem(answer, 0);
   PyObject* second = PyTuple_GetItem(answer, 1);
-  // As robots of the capstone project say it.
+  // The reset in the protocol of capstone robots.
   if (is_text(first, "Reset") && is_text(second, "Reset")) return Action::reset();
   const auto rotation = number_of(first), movement = number_of(second);
   if (!rotation || !movement) return std::nullopt;
   return Action::step(*rotation, *movement);
 }
 
-/// What an answer looks like, which may be anything, one that cannot be shown among them.
+/// The repr of an answer on one line. The answer may be anything, even an object whose repr raises.
 std::string repr_of(const nb::object& answer) {
   try {
     return shown(nb::repr(answer).c_str());
@@ -67,9 +67,9 @@ std::string repr_of(const nb::object& answer) {
   }
 }
 
-/// Calls an object of Python with an argument; null where it raised. Where the interpreter ends while a mouse still
-/// thinks that was left behind, Python up to 3.13 takes its thread down by unwinding it, which destructors do not
-/// survive: the thread waits for the end of the process instead.
+/// Calls an object of Python with one argument; null if it raised. If the interpreter shuts down while an abandoned
+/// mouse still runs, Python up to 3.13 ends its thread by a forced unwind, which would terminate the process in a
+/// destructor. The thread sleeps until the process ends instead.
 nb::object called(nb::handle callable, nb::handle argument) {
   std::array<PyObject*, 2> arguments = {nullptr, argument.ptr()};
   const auto call = [&] {
@@ -86,8 +86,8 @@ nb::object called(nb::handle callable, nb::handle argument) {
 #endif
 }
 
-/// Keeps the interpreter's lock: to take it once a decision costs more than the decision. Python lets other threads in
-/// while it runs a mouse's own code.
+/// Keeps the GIL for the whole contest: taking it for each decision costs more than the decision. Other threads still
+/// run, since Python switches threads while it runs a mouse's code.
 class PythonStrategy final : public DrivingStrategy {
  public:
   PythonStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
@@ -122,7 +122,7 @@ class PythonStrategy final : public DrivingStrategy {
     tell(carried_, [&] { carried_(static_cast<double>(time) / 1e6); });
   }
 
-  /// Nothing: what it believes nobody sees.
+  /// An empty map: labmouse cannot see what the object knows.
   const Knowledge& knowledge() const override { return knowledge_; }
   StrategyReport report() override {
     return {.last_words = last_words_,
@@ -153,7 +153,7 @@ class PythonStrategy final : public DrivingStrategy {
       return Action::forfeit(reason_);
     }
     if (action->kind == Action::Kind::forfeit) {
-      // After a run in seconds it is asked whether there is more to do.
+      // In seconds, a mouse is asked again after its run, and 'forfeit' then means that it is done.
       reason_ = has_run_ ? ForfeitReason::finished : action->reason;
       if (!has_run_) last_words_ = "it answered 'forfeit'";
       return Action::forfeit(reason_);
@@ -162,7 +162,7 @@ class PythonStrategy final : public DrivingStrategy {
     return *action;
   }
 
-  /// Calls a method that a mouse need not have; what it raises ends the contest with the next decision.
+  /// Calls an optional method of the mouse. If it raises, the next decision is a forfeit.
   template <class Telling>
   void tell(const nb::object& method, Telling telling) {
     if (reason_ != ForfeitReason::none || is_stopped() || !method.is_valid() || method.is_none()) return;
@@ -175,7 +175,8 @@ class PythonStrategy final : public DrivingStrategy {
 
   bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
 
-  /// Keeps what it raised: a sentence, then the traceback. Once the race is stopped, that was the end of it.
+  /// Keeps the exception as last words: one sentence, then the traceback. In a stopped race the reason is always
+  /// `interrupted`, because the exception is the interrupt.
   void give_up(ForfeitReason reason, nb::python_error& error) {
     reason_ = is_stopped() ? ForfeitReason::interrupted : reason;
     std::string kind = nb::cast<std::string>(nb::str(error.type().attr("__name__")));

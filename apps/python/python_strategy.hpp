@@ -11,8 +11,8 @@
 
 namespace labmouse::python {
 
-/// What makes the mice of one name: called with a briefing once a contest, it gives an object that decides. Held by
-/// threads that do not hold the interpreter's lock.
+/// Owns the callables that make one mouse: `maker` takes the briefing of a contest and returns an object that decides;
+/// `elsewhere` is as in OwnMouse. Threads without the GIL may own and destroy it.
 class MouseMaker {
  public:
   MouseMaker(nanobind::object maker, nanobind::object elsewhere)
@@ -25,7 +25,7 @@ class MouseMaker {
     elsewhere_.reset();
   }
 
-  /// Only with the interpreter's lock.
+  /// Call with the GIL.
   const nanobind::object& maker() const { return maker_; }
   const nanobind::object& elsewhere() const { return elsewhere_; }
 
@@ -33,8 +33,8 @@ class MouseMaker {
   nanobind::object maker_, elsewhere_;
 };
 
-/// The strategy of one contest. It holds the interpreter's lock from its making to its end, which are to be in the same
-/// thread. Once `stop`, which may be null, is true, it decides no more: its forfeit is an interruption.
+/// Makes the strategy of one contest. It holds the GIL from construction to destruction, which must happen in the same
+/// thread. Once `stop` (may be null) is true, it forfeits with the reason `interrupted`.
 std::unique_ptr<DrivingStrategy> make_python_strategy(const std::shared_ptr<const MouseMaker>& maker,
                                                       const Briefing& briefing, const std::atomic<bool>* stop);
 

@@ -1,4 +1,4 @@
-// Races: many mice on many mazes.
+// Binds races: many mice on many mazes.
 #include <fmt/format.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
@@ -40,19 +40,19 @@ using namespace nb::literals;
 namespace labmouse::python {
 namespace {
 
-/// A race that was held, or as much of it as was done.
+/// A finished race, or the part of a stopped one that was run.
 struct HeldRace {
   Race race;
   std::vector<SkippedFile> skipped;
-  std::size_t from_store = 0;  ///< contests that were not held, because the store had them
+  std::size_t from_store = 0;  ///< contests that were taken from the store and not run
 };
 
-/// A race that is going on.
+/// A race that runs in a thread.
 class RunningRace {
  public:
-  /// Contests that take about as long as each other: the name of the mouse, and how many cells the maze has.
+  /// Contests of similar duration: the name of the mouse, and the number of cells of the maze.
   using Kind = std::pair<std::string, int>;
-  /// Contests, and the seconds that they took.
+  /// The number of contests, and their total time in seconds.
   using Spent = std::pair<int, double>;
 
   RunningRace(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world, std::optional<int> runs,
@@ -139,7 +139,7 @@ class RunningRace {
   std::optional<RaceStore> store_;
   std::map<Kind, Spent> spent_;
   Clock::time_point told_;
-  Work work_;  // last: its thread ends before the others do
+  Work work_;  // last, so that its thread ends before the members that it uses
 };
 
 std::vector<std::string> names(const HeldRace& held, bool mice) {
@@ -190,7 +190,7 @@ std::size_t position(const Race& race, const std::string& mouse) {
   throw UserError(fmt::format("no mouse '{}' is in this race", mouse));
 }
 
-/// The paired difference of two mice, as keyword arguments.
+/// The paired difference of two mice, as the fields of labmouse.Comparison.
 nb::dict compare(const HeldRace& held, const std::string& mouse, const std::string& against) {
   const MousePair pair =
       pair_of(maze_scores(held.race, position(held.race, mouse)), maze_scores(held.race, position(held.race, against)),
@@ -219,9 +219,9 @@ nb::dict compare(const HeldRace& held, const std::string& mouse, const std::stri
   return fields;
 }
 
-/// How many contests are new in the target.
+/// Merges stores into the target. Returns how many contests are new in it. Throws UserError.
 std::int64_t merge(const std::vector<std::string>& paths, const std::string& target) {
-  // A race over a cluster merges each group of contests into the store that it opened, and so checked, before.
+  // The target needs no check: a race on a cluster has opened it before, which checks it.
   const Merge merged = merge_stores(paths, target, TargetCheck::done_before);
   if (!merged.error.empty()) throw UserError(merged.error);
   if (!merged.conflicts.empty()) throw UserError(fmt::format("{}", fmt::join(merged.conflicts, "\n")));
@@ -262,11 +262,12 @@ void bind_races(nb::module_& module) {
       .def("stop", [](RunningRace& running) { running.work().stop(); })
       .def("missing", &RunningRace::missing)
       .def("spent", &RunningRace::spent,
-           "Contests and seconds by the name of the mouse and the cells of the maze, of a race in one thread that has "
-           "ended.")
+           "The number of contests and their seconds, by the name of the mouse and the number of cells of the maze. "
+           "Valid for a race in one thread, once it has ended.")
       .def("result", &RunningRace::result);
   module.def("merge_stores", &merge, "paths"_a, "target"_a, nb::call_guard<nb::gil_scoped_release>(),
-             "As `labmouse store merge`; returns how many contests are new in the target. Raises Error.");
+             "Merges stores as `labmouse store merge` does. Returns how many contests are new in the target. Raises "
+             "Error if stores conflict or cannot be read or written.");
 }
 
 }  // namespace labmouse::python

@@ -1,4 +1,4 @@
-// One contest, and its record.
+// Binds single contests and their records.
 #include "labmouse/contest/record.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ using namespace nb::literals;
 namespace labmouse::python {
 namespace {
 
-/// A contest that was held: a race of one.
+/// A finished contest, kept as a race with one mouse and one maze.
 struct HeldContest {
   Race race;
   ContestOutput held;
@@ -35,7 +35,7 @@ struct HeldContest {
   const ContestResult& result() const { return race.results.front(); }
 };
 
-/// A contest that is going on.
+/// A contest that runs in a thread.
 class RunningContest {
  public:
   RunningContest(const GivenMice& mice, NamedMaze maze, const GivenWorld& world, std::uint64_t seed) {
@@ -69,7 +69,7 @@ class RunningContest {
  private:
   std::shared_ptr<HeldContest> held_;
   std::vector<std::string> remarks_;
-  Work work_;  // last: its thread ends before the others do
+  Work work_;  // last, so that its thread ends before the members that it uses
 };
 
 template <class Field>
@@ -77,7 +77,7 @@ void append(std::string& bytes, const Field& field) {
   bytes.append(reinterpret_cast<const char*>(&field), sizeof field);
 }
 
-/// The steps of a contest in steps, packed as labmouse._records.STEP has them; None in worlds without steps.
+/// The steps of a contest as bytes in the layout of labmouse._records.STEP; None in worlds without steps.
 nb::object steps_of(const HeldContest& held) {
   const std::optional<RunRecord>& record = held.held.run;
   if (!record) return nb::none();

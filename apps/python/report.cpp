@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 namespace labmouse::python {
 namespace {
 
-/// A folder that goes with its owner.
+/// A new temporary folder, removed by the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
     static std::atomic<unsigned> folders{0};
     std::error_code error;
     const fs::path place = fs::temp_directory_path(error);
-    // Another process of that number may have left its folder when it was killed.
+    // The name may be taken: an earlier process with the same id may have been killed before it removed its folder.
     do path_ = (place / fmt::format("labmouse-{}-{}", process_number(), folders++)).string();
     while (!error && !fs::create_directory(path_, error));
     if (!error) fs::permissions(path_, fs::perms::owner_all, error);

@@ -1,4 +1,4 @@
-// The page with a race in it, for notebooks.
+// Makes the HTML page that shows a race or a contest, for notebooks.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace labmouse::python {
 
-/// One HTML file with the race and the records of these contests of it. Throws UserError where the package has no page.
+/// One HTML file with the race and the records of these contests. Throws UserError if the package was built without
+/// the page.
 std::string report_of(const Race& race, const std::vector<std::pair<ContestResult, ContestOutput>>& contests);
 
 }  // namespace labmouse::python

@@ -1,4 +1,4 @@
-// Robots: their numbers, the text of their files, the curves of their turns, and how they drive on an open floor.
+// Binds robots for labmouse.fit: parameters, robot files, turn curves, and drives on an open floor without noise.
 #include <fmt/format.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
@@ -28,7 +28,7 @@ using namespace nb::literals;
 namespace labmouse::python {
 namespace {
 
-/// By tick.
+/// One value per tick (1 ms).
 using Ticks = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
 Robot robot_or_error(const std::string& name) {
@@ -37,7 +37,7 @@ Robot robot_or_error(const std::string& name) {
   return std::move(found.robot);
 }
 
-/// Its name, and JSON of all its numbers by the keys of robot files.
+/// The robot's name, and JSON of its parameters by the keys of robot files.
 std::pair<std::string, std::string> robot_numbers(const std::string& name) {
   const Robot robot = robot_or_error(name);
   Json parameters = robot_json(robot, RobotParts::with_body)["parameters"];
@@ -48,14 +48,15 @@ std::pair<std::string, std::string> robot_numbers(const std::string& name) {
   return {robot.name, parameters.dump()};
 }
 
-/// What each number of a robot file may be: the lowest and the highest value.
+/// The lowest and the highest allowed value of each key of robot files.
 std::map<std::string, std::pair<double, double>> robot_ranges() {
   std::map<std::string, std::pair<double, double>> ranges;
   for (const RobotKey& key : robot_keys()) ranges[std::string(key.name)] = {key.low, key.high};
   return ranges;
 }
 
-/// The text of a robot file with a remark behind each number, and the first problem of that robot, if any.
+/// The text of a robot file, and the first problem of that robot or an empty text. `parameters`: JSON; `remarks`:
+/// the comment behind each number, by key; `otherwise`: the comment behind all others.
 std::pair<std::string, std::string> robot_file(const std::string& parameters,
                                                const std::map<std::string, std::string>& remarks,
                                                const std::string& otherwise) {
@@ -74,7 +75,7 @@ TurnShape shape_of(const std::string& name, double speed, const std::array<doubl
   return shape_at(*turn, speed, {limits[0], limits[1], limits[2], limits[3]}, cell);
 }
 
-/// Width, length of the curve, and length with its straights, in mm.
+/// Width of the turn, length of its curve, and length with the straights before and after, in mm.
 std::array<double, 3> turn_curve(const std::string& name, double speed, const std::array<double, 4>& limits,
                                  double cell) {
   const TurnShape shape = shape_of(name, speed, limits, cell);
@@ -88,7 +89,8 @@ double turn_clearance(const std::string& name, double speed, const std::array<do
 
 using Course = std::pair<std::vector<double>, std::vector<double>>;
 
-/// Drives a robot that has hardware; each tick is one of `ticks`.
+/// Drives a robot and returns its path and heading by tick. `stronger`: share by which its right motor is stronger;
+/// `tick` makes one tick. Throws UserError for a robot without hardware.
 template <class Tick>
 Course driven(const std::string& name, double stronger, std::size_t ticks, Tick tick) {
   const Robot robot = robot_or_error(name);
@@ -119,18 +121,23 @@ Course drive_speeds(const std::string& robot, const Ticks& speed, const Ticks& s
 }  // namespace
 
 void bind_robots(nb::module_& module) {
-  module.def("robot_numbers", &robot_numbers, "name"_a, "A robot's name, and JSON of its numbers. Raises Error.");
+  module.def("robot_numbers", &robot_numbers, "name"_a,
+             "A robot's name, and JSON of its parameters. Raises Error if there is no such robot.");
   module.def("robot_ranges", &robot_ranges, "The lowest and the highest value of each key of robot files.");
   module.def("robot_file", &robot_file, "parameters"_a, "remarks"_a, "otherwise"_a,
              "The text of a robot file, and the first problem of that robot or ''.");
   module.def("turn_curve", &turn_curve, "turn"_a, "speed"_a, "limits"_a, "cell"_a,
-             "Width, length of the curve, and length with its straights of a turn at a speed in mm/s, in mm.");
+             "Width of a turn, length of its curve, and length with its straights, in mm; `speed` is in mm/s.");
   module.def("turn_clearance", &turn_clearance, "turn"_a, "speed"_a, "limits"_a, "cell"_a,
              "Distance in mm from the path to the nearest wall or post; 0 where the curve does not fit.");
-  module.def("drive_duties", &drive_duties, "robot"_a, "stronger"_a, "left"_a, "right"_a,
-             "Way (mm) and angle (rad) by tick of a robot under duties, on an open floor and without noise.");
-  module.def("drive_speeds", &drive_speeds, "robot"_a, "speed"_a, "speeding"_a, "turning"_a, "twisting"_a,
-             "The same of a robot whose controller follows speeds (mm/s, mm/s², rad/s, rad/s²).");
+  module.def(
+      "drive_duties", &drive_duties, "robot"_a, "stronger"_a, "left"_a, "right"_a,
+      "Distance (mm) and heading (rad, to the left) of a robot by tick (1 ms) for given PWM duties of its motors, "
+      "on an open floor and without noise. `stronger`: share by which the right motor is stronger.");
+  module.def(
+      "drive_speeds", &drive_speeds, "robot"_a, "speed"_a, "speeding"_a, "turning"_a, "twisting"_a,
+      "The same for a robot whose controller follows speed and its derivative (mm/s, mm/s²) and yaw rate and its "
+      "derivative (rad/s, rad/s²).");
 }
 
 }  // namespace labmouse::python

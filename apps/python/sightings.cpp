@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t readings = max_side;
 
-/// Never freed: Python ends before its modules' memory does.
+/// Never freed: the interpreter ends before the static variables of this module are destroyed.
 std::array<std::atomic<PyObject*>, readings * readings * readings> made{};
 PyObject* sighting_type = nullptr;
 
@@ -33,7 +33,7 @@ nb::handle sighting_of(const Sighting& seen) {
 void bind_sightings(nb::module_& module) {
   module.def(
       "set_sighting_type", [](nb::type_object type) { sighting_type = type.release().ptr(); }, nb::arg("type"),
-      "Takes the class of which readings are made.");
+      "Sets the class of sightings, called with (left, ahead, right).");
 }
 
 }  // namespace labmouse::python

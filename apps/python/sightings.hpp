@@ -1,4 +1,4 @@
-// What a mouse in Python is shown.
+// Wall readings as objects of Python.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -7,8 +7,8 @@
 
 namespace labmouse::python {
 
-/// The labmouse.Sighting of a reading. There is one object for each reading, made when it is first seen and kept: it
-/// never changes, and to make it takes longer than all else that is done for a decision.
+/// The labmouse.Sighting of a reading, a borrowed reference. Each distinct reading is made once and kept for ever:
+/// sightings are immutable, and making one takes longer than all other work of a decision.
 nanobind::handle sighting_of(const Sighting& seen);
 
 }  // namespace labmouse::python

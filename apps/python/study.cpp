@@ -1,4 +1,4 @@
-// Studies: mice compared in pairs on mazes that they have not learned from.
+// Binds studies: paired comparisons of mice on mazes that they were not trained on (cross-validation).
 #include "labmouse/lab/studies/study.hpp"
 
 #include <fmt/format.h>
@@ -26,17 +26,17 @@ using namespace nb::literals;
 namespace labmouse::python {
 namespace {
 
-/// A study that was held, or the folds of it that were done.
+/// A finished study, or the folds of a stopped one that were run.
 struct HeldStudy {
   Study study;
   std::vector<SkippedFile> skipped;
-  std::size_t from_store = 0;  ///< contests that were not held, because the store had them
+  std::size_t from_store = 0;  ///< contests that were taken from the store and not run
 };
 
-/// Folds; whether mice learn; contests in a maze, or what is usual in the world; the seed; and jobs.
+/// Number of folds; whether mice learn; runs per maze, or none for the world's default; seed; number of threads.
 using GivenNumbers = std::tuple<int, bool, std::optional<int>, std::uint64_t, int>;
 
-/// A study that is going on.
+/// A study that runs in a thread.
 class RunningStudy {
  public:
   RunningStudy(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world,
@@ -78,7 +78,7 @@ class RunningStudy {
   std::shared_ptr<HeldStudy> held_;
   std::vector<std::string> remarks_;
   std::optional<RaceStore> store_;
-  Work work_;  // last: its thread ends before the others do
+  Work work_;  // last, so that its thread ends before the members that it uses
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ nb::object object_of(const Value& value) {
         else if constexpr (std::is_same_v<ContestOutput, JsonText>)
           return read_json(held.text);
         else if constexpr (std::is_same_v<ContestOutput, std::string>)
-          // Names may come from files that are no UTF-8.
+          // Names may come from files that are not in UTF-8.
           return nb::steal(PyUnicode_DecodeUTF8(held.data(), static_cast<Py_ssize_t>(held.size()), "replace"));
         else
           return nb::cast(held);

@@ -1,4 +1,4 @@
-// The lab's figures as Python has them.
+// Converts figures and JSON to objects of Python.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -7,10 +7,10 @@
 
 namespace labmouse::python {
 
-/// None, a truth, a number, a text; of lists and objects what they hold.
+/// The value as None, bool, int, float or str; JSON as lists and dictionaries.
 nanobind::object object_of(const Value& value);
 
-/// What a text of JSON says, as lists and dictionaries.
+/// Parses JSON with Python's json.loads. Call with the GIL.
 nanobind::object read_json(const std::string& text);
 
 }  // namespace labmouse::python

@@ -1,4 +1,4 @@
-// Long work in a thread of its own, so that Python can show how far it is and hear Ctrl-C.
+// Runs long work in a thread of its own, so that Python can show progress and handle Ctrl-C.
 #pragma once
 
 #include <atomic>
@@ -15,18 +15,18 @@ class Work {
   Work() = default;
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
-  /// Stops it and waits for its end, without the interpreter's lock.
+  /// Asks the work to stop and waits for its end, with the GIL released.
   ~Work();
 
-  /// Once. What `body` throws is thrown again by finish().
+  /// Starts the work; call once. finish() rethrows what `body` throws.
   void start(std::function<void()> body);
 
-  /// Waits so many seconds at most, without the interpreter's lock; whether it has ended.
+  /// Waits at most `seconds`, with the GIL released. Returns whether the work has ended.
   bool wait(double seconds);
-  /// Waits for its end, without the interpreter's lock.
+  /// Waits for the end of the work, with the GIL released.
   void finish();
 
-  /// From any thread: one contest of so many is done.
+  /// Counts one more contest of `all` as done. Thread-safe.
   void advance(std::size_t all);
   std::size_t done() const { return done_; }
   std::size_t all() const { return all_; }

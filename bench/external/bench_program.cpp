@@ -1,5 +1,5 @@
-// An external mouse that costs as little as an external mouse can: bench_program echo | external mouse | ask | burst |
-// ahead.
+// The external mice of external_bench.cpp, each as fast as possible: bench_program echo | guest | ask N | burst N |
+// ahead N.
 #include <unistd.h>
 
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 
 std::array<char, 1U << 16U> bytes;
 
-/// Reads what is there; empty at the end.
+/// Reads the available bytes; empty at the end of the stream.
 std::string_view hear() {
   const ssize_t count = read(STDIN_FILENO, bytes.data(), bytes.size());
   return {bytes.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
@@ -22,7 +22,7 @@ bool say(std::string_view text) {
   return write(STDOUT_FILENO, text.data(), text.size()) == static_cast<ssize_t>(text.size());
 }
 
-/// The other side of a bare ping-pong.
+/// Answers each line with a move: the other side of the bare ping-pong.
 void echo() {
   while (!hear().empty() && say("move 90 0\n")) {
   }

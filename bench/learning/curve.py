@@ -1,4 +1,4 @@
-"""Draws how the mouse of the package learned, beside built-in mice on the same mazes: docs/learning.svg.
+"""Draws the training curve of the package's mouse, with built-in mice on the same mazes: docs/learning.svg.
 
     build/bench-learning/bin/python bench/learning/curve.py docs/learning.svg
 """

@@ -1,8 +1,9 @@
-"""How well the learned mouse does beside built-in ones: the table of docs/how-to/train-with-gymnasium.md.
+"""Compares the learned mouse with built-in ones: the table of docs/how-to/train-with-gymnasium.md.
 
     build/bench-learning/bin/python bench/learning/mice.py
 
-On the first 400 mazes of 'test', which neither training nor choosing has seen. A failed contest counts 100.
+Uses the first 400 mazes of 'test', which were used neither for training nor for the choice of a policy. A failed
+contest counts as 100 steps.
 """
 
 import labmouse

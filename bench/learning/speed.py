@@ -1,11 +1,12 @@
-"""How fast environments for mazes step on one core: labmouse.learn beside MiniGrid and mazemdp, in one run.
+"""Compares the speed of maze environments on one core: labmouse.learn, MiniGrid and mazemdp.
 
     python3 -m venv build/bench-learning
     build/bench-learning/bin/pip install --require-hashes -r bench/learning/requirements.txt
     build/bench-learning/bin/pip install --no-deps build/dist/labmouse-*.whl
     build/bench-learning/bin/python bench/learning/speed.py
 
-Figures are steps a second of processor time, the best of three rounds, random valid actions; the drawing of the actions counts.
+Measures steps per second of processor time with random actions, the best of three rounds, including the time to draw
+the actions.
 """
 
 import argparse
@@ -39,7 +40,7 @@ def ours(observation: str, mazes: Any, rounds: int, batch: int = 4096, steps: in
         for _ in range(steps):
             envs.step(envs.draw_valid_actions(actions))
 
-    play()  # contests have gone apart
+    play()  # now the contests are at different steps
     return best(steps * batch, play, rounds), envs.nbytes_per_env
 
 

@@ -1,4 +1,5 @@
-"""The array job of docs/how-to/clusters-and-stores.md: its parts, merged, are the race of one machine; as a script, and on a real Slurm."""
+"""The array job of docs/how-to/clusters-and-stores.md: its merged parts equal the race on one machine. It runs as a
+script and on a real Slurm."""
 
 import contextlib
 import os
@@ -13,7 +14,7 @@ import pytest
 ORDER = dict(mice="flood,random", mazes=["contest-01", "contest-02"], runs=100)
 SECONDS = 60
 DAEMONS = ["munged", "slurmctld", "slurmd"]
-#: One node with two processors, whatever the machine has, which looks for jobs at once.
+#: One node with two processors, whatever the machine has. It starts jobs without delay.
 CONFIGURATION = """
 ClusterName=lab
 SlurmctldHost={host}(127.0.0.1)
@@ -46,7 +47,7 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """With the script of the page."""
+    """A working folder with the script of the page."""
     page = (Path(__file__).resolve().parents[2] / "docs" / "how-to" / "clusters-and-stores.md").read_text(encoding="utf-8")
     script = next(block for block in page.split("```sh\n") if "--shard" in block.split("```")[0])
     (tmp_path / "race.sh").write_text(script.split("```")[0])
@@ -97,7 +98,7 @@ def slurm(tmp_path_factory):
     files = {"key-file": "key", "socket": "socket", "pid-file": "pid", "log-file": "log", "seed-file": "seed"}
     environment = {**os.environ, "SLURM_CONF": str(configuration)}
     started = []
-    # It returns once it listens; the others wait for each other.
+    # munged returns once it listens; the other daemons wait for each other.
     subprocess.run(["munged", "--force", *(f"--{option}={own}/munge.{ending}" for option, ending in files.items())], check=True,
                    timeout=SECONDS)
     try:

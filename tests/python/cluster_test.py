@@ -1,6 +1,6 @@
-"""Races on a real cluster of processes: the same results as without, and nothing lost when parts of it are killed.
+"""Races on a real cluster of processes give the same results as without, and lose nothing when parts of it are killed.
 
-Nothing is killed by the clock: a moment is a decision of a mouse, a line of the client or a call, drawn with a fixed seed.
+No test kills by a timer: the moment is a decision of a mouse, a line of the client or a call, by a fixed seed.
 """
 
 import collections
@@ -55,7 +55,7 @@ class Processes:
         self.address = self.start(SCHEDULER, "0")
 
     def start(self, program, *words):
-        """Returns the first line that it prints: then it is there."""
+        """Starts a process and waits until it is ready. Returns the first line that it prints."""
         process = subprocess.Popen([sys.executable, "-B", "-c", program, *words], stdout=subprocess.PIPE, text=True,
                                    env=self.environment)
         self.all.append(process)
@@ -68,12 +68,12 @@ class Processes:
             assert self.start(WORKER, self.address, self.folder)
 
     def restart_scheduler(self):
-        """At the same address; its workers go with it."""
+        """Restarts the scheduler at the same address. This kills its workers, too."""
         self.kill()
         assert self.start(SCHEDULER, self.address.rpartition(":")[2]) == self.address
 
     def reap(self, pid):
-        """Waits for the end of one that was killed otherwise."""
+        """Waits for the end of a process that something else has killed."""
         [process] = [process for process in self.all if process.pid == pid]
         process.wait(SECONDS)
         process.stdout.close()
@@ -113,7 +113,7 @@ def other(tmp_path):
 
 
 def before_call(patch, number, event, owner, name, after=False):
-    """Calls `event` once, with the call of that number of owner.name: before it, or after it."""
+    """Patches owner.name so that its call with this number (from 1) also calls `event`, before or after it."""
     real, calls = getattr(owner, name), []
 
     def call(*words, **named):
@@ -134,13 +134,13 @@ def results(race):
 
 
 def kept(store):
-    """Contests of a store, as another program sees them; each can be there once only."""
+    """The number of contests in a store, read by a connection of its own. The store cannot have one twice."""
     with contextlib.closing(sqlite3.connect(store, timeout=60)) as reading:
         return reading.execute("SELECT count(*) FROM contests").fetchone()[0]
 
 
 class Turner:
-    """Goes ahead where it can."""
+    """Goes ahead if it can, and otherwise turns right."""
 
     uses_chance = True
 
@@ -149,7 +149,7 @@ class Turner:
 
 
 class Quitter(Turner):
-    """Soon gives up."""
+    """Gives up after 30 decisions."""
 
     left = 30
 
@@ -235,7 +235,7 @@ def test_what_the_store_has_is_preferred(client, tmp_path):
 
 @contextlib.contextmanager
 def another_user():
-    """Who may not write to our files, also where the tests run as root."""
+    """A context without the right to write to our files, even if the tests run as root."""
     if os.geteuid() == 0:
         os.seteuid(65534)
     try:
@@ -276,14 +276,14 @@ def test_what_is_wrong_is_said_before_anything_is_sent(client, tmp_path):
 
 
 class Deadly:
-    """Takes its process with it."""
+    """Ends its own process."""
 
     def decide(self, seen):
         os._exit(1)
 
 
 class Murderer:
-    """Takes the worker with it, which is the parent of its process."""
+    """Kills the worker, which is the parent of its process."""
 
     def decide(self, seen):
         os.kill(os.getppid(), signal.SIGKILL)
@@ -305,19 +305,19 @@ def test_a_mouse_that_kills_workers_is_named(other, tmp_path):
 
 
 class Victim(Turner):
-    """Kills its worker with the decision of that number in its process, once in a folder."""
+    """Kills its worker at decision number `moment` in its process, once per folder."""
 
     def __init__(self, moment, folder):
         self.moment = moment
         self.folder = folder
-        # What a contest leaves in its own variables is gone with it; this is the interpreter's.
+        # The user's variables are reset before each contest; those of the module sys are not.
         self.decided = sys.__dict__.setdefault("decided_in_a_test", collections.Counter())
 
     def decide(self, seen):
         self.decided[self.folder] += 1
         killed = Path(self.folder, "killed")
         if self.decided[self.folder] == self.moment:
-            # Both workers may come here at once: then one of them makes the link.
+            # Both workers may come here at the same time; only one can make the link.
             with contextlib.suppress(FileExistsError):
                 killed.symlink_to(str(os.getppid()))
                 os.kill(os.getppid(), signal.SIGKILL)
@@ -340,8 +340,8 @@ def test_no_contest_is_lost_with_a_worker(tmp_path):
         for kill in range(KILLS):
             folder = tmp_path / str(kill)
             folder.mkdir()
-            # One of both workers holds a half of the contests at least, with a thousand decisions each, in a process for
-            # each order of sets.
+            # One of the two workers runs at least 6 of the 12 contests, with 1000 decisions each, in a process for each
+            # hash order.
             moment = moments.randint(1, 6000 // labmouse._workers.HASH_ORDERS)
             mice = {"victim": victim(moment, str(folder))}
             spread = cluster.race(client, mice, store=folder / "a.db", label="v1", **order)
@@ -383,7 +383,7 @@ def test_a_scheduler_may_be_restarted(other, tmp_path, monkeypatch, owner, name)
 
     calls = before_call(monkeypatch, 2, restart, owner, name)
     spread = cluster.race(client, "random", store=tmp_path / "a.db", **order)
-    # How often it asks how many workers there are is up to the time that a race takes.
+    # The number of calls depends on the time that the race takes.
     assert len(calls) >= 2
     assert results(spread).equals(results(labmouse.race("random", **order)))
     assert kept(tmp_path / "a.db") == len(spread.table)
@@ -398,7 +398,7 @@ def test_a_race_ends_with_its_scheduler(tmp_path, monkeypatch):
     assert kept(tmp_path / "a.db") > 0
 
 
-#: A race that says what it has kept, and is sent a signal with a line of its or with a merge.
+#: A race that prints how many contests each merge kept, and sends itself a signal at a given line or merge.
 CLIENT = """
 import os, signal, sys, distributed
 from labmouse import cluster
@@ -449,17 +449,17 @@ def test_a_client_that_was_killed_goes_on(client, tmp_path):
     moments = random.Random(20260102)
     before = killed = runs = 0
     while killed < KILLS:
-        # Many early ones, where it is all new.
+        # Many early moments, in which the store is new.
         ran = client_with(client, store, runs // 4, "line", int(10 ** moments.uniform(0, 3.5)), signal.SIGKILL)
         runs += 1
         assert runs < 2 * KILLS
         now = kept(store) if store.exists() else 0
-        # The last line is that of a race that was not killed.
+        # Lines of digits are counts of merges; a race that was not killed prints another line at its end.
         added = [int(line) for line in ran.stdout.splitlines() if line.isdigit()]
         assert now >= before + sum(added)
         before = now
         killed += ran.returncode == -signal.SIGKILL
-    # What a killed merge has left, the next one removes.
+    # The next merge removes the temporary files of a killed one.
     left = [path.name for path in tmp_path.iterdir() if "merging" in path.name]
     assert len(left) <= 4, left
     order = dict(mazes=MAZES, runs=1000, seed=0)

@@ -1,4 +1,4 @@
-"""The package and the command under test are those of PYTHONPATH and PATH: scripts/test-python sets both."""
+"""Fixtures. The tested package and command are those of PYTHONPATH and PATH, which scripts/test-python sets."""
 
 import subprocess
 
@@ -8,7 +8,7 @@ import pytest
 
 @pytest.fixture
 def command():
-    """Runs the command with these words; gives its standard output, or its standard error where it fails."""
+    """Runs the command with these words. Returns its standard output or, if it fails, its standard error."""
 
     def run(*words: str) -> str:
         ran = subprocess.run(["labmouse", *words], capture_output=True, text=True, check=False)
@@ -19,7 +19,7 @@ def command():
 
 @pytest.fixture
 def programs():
-    """For mice that are programs: skips the test where the package was built without them."""
+    """Skips a test of external mice if the package was built without them."""
     with pytest.raises(labmouse.Error) as error:
         labmouse.race("program:no-such-program")
     if "starts no programs" in str(error.value):

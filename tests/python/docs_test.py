@@ -1,7 +1,7 @@
-"""The Python of the documentation runs, prints what the page says, and passes mypy --strict.
+"""The Python examples of the documentation run, print what the page says, and pass mypy --strict.
 
-The blocks of a page marked `python` are one program. A block marked `text` right below one is what that prints, with
-`...` for any lines, or for the rest of a line: as in tests/docs/run_examples.py.
+All blocks of a page marked `python` are one program. A block marked `text` directly below one is its output, with `...`
+for any lines or for the rest of a line, as in tests/docs/run_examples.py.
 """
 
 import contextlib
@@ -24,7 +24,7 @@ PAGES = [page for page in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.
 
 
 def blocks_of(page):
-    """Each block of Python, with the line of the page where it begins and what it prints, if the page says so."""
+    """For each block of Python: the line of the page where it begins, its code, and its output or None."""
     text = page.read_text(encoding="utf-8")
     for found in BLOCK.finditer(text):
         yield text.count("\n", 0, found.start()) + 1, found[1], found[2]

@@ -1,4 +1,4 @@
-"""What a user gets wrong is one line, which says what it is about: an error of labmouse, not of its compiled part."""
+"""A mistake of the user raises labmouse.Error with one line that says what it is about, never an error of nanobind."""
 
 import labmouse
 import numpy
@@ -26,7 +26,7 @@ def stepped_alone(action):
     env.step(action)
 
 
-#: What is done, and words that its line has to have: what was given or what it is about, and what to give instead.
+#: Wrong calls, and the words that each message must contain: the wrong value or its subject, and what to give instead.
 WRONG = {
     "an unknown mouse": (lambda: labmouse.race("flod"), ["'flod'", "'flood'"]),
     "an unknown mouse beside one of Python": (lambda: labmouse.race({"a": Still, "b": "flod"}), ["'flod'", "'flood'"]),

@@ -1,4 +1,4 @@
-"""Fits of logs and turns: known numbers come back within their standard errors, and what a log does not tell is refused."""
+"""Fits of logs and turns recover known parameters within standard errors, and refuse what a log does not determine."""
 
 import dataclasses
 import math
@@ -31,7 +31,7 @@ IR_GAIN, IR_FALL, FACE = 500.0, 14.0, 42.0
 
 
 class Simulator:
-    """A mouse of a few lines, other than the body of the physical world, so that what is fitted is not fitted to itself."""
+    """A simple simulated mouse, independent of the body of the physical world: so its code does not test itself."""
 
     def __init__(self, seed: int, lag: float = 0.0, inverse_square: bool = False) -> None:
         self.dice, self.lag, self.inverse_square = np.random.default_rng(seed), lag, inverse_square
@@ -69,7 +69,7 @@ class Simulator:
         left, right, left_way, right_way, turning, wall = np.array(self.rows).T
         noise = self.dice.normal(size=(4, len(wall)))
         places, place = np.unique(wall, return_inverse=True)
-        # A ruler is read to a fifth of a mm, and no two places of a wall reflect alike.
+        # Distances are measured to 0.2 mm, and the reflectance varies by 2 % between places.
         farther = places - FACE + 0.2 * self.dice.normal(size=len(places))
         level = IR_GAIN * np.exp(-farther / IR_FALL)
         if self.inverse_square:
@@ -89,14 +89,14 @@ class Simulator:
 
 @pytest.fixture(scope="module")
 def robot():
-    """kerise, with the counts and the track of the simulated mouse."""
+    """The parameters of kerise, with the mm per count and the track of the simulated mouse."""
     changes = {"sensors.count": 0.1, "body.half_track": 20.0, "motors.sag": 0.0, "noise.encoder_scale": 0.002, "sensors.side_angle": math.pi / 2}
     return fit.base_numbers("kerise") | changes
 
 
 @pytest.fixture(scope="module")
 def driven(tmp_path_factory):
-    """A log of kerise as its file has it (no variation between mice), in a contest maze."""
+    """A log of a nominal kerise (no variation between mice) in a contest maze."""
     path = tmp_path_factory.mktemp("logs") / "run.csv"
     words = "drive --robot kerise --fast --mazes contest-01 --runs 1 --seed 2 --variation 0 --log".split()
     subprocess.run(["labmouse", *words, str(path)], check=True, capture_output=True)
@@ -109,7 +109,7 @@ def test_a_drive_of_the_physical_world_gives_its_robot_back(driven, tmp_path):
     numbers = fitted.numbers()
     keys = [f"motors.{axis}_{number}" for axis in ("drive", "turn") for number in ("gain", "time", "dead_zone")]
     for key in [*keys, "motors.turning", "noise.gyro", "sensors.infrared_gain", "sensors.infrared_fall"]:
-        # The 99 % of Student's distribution for 20 blocks.
+        # The 99 % quantile (two-sided) of Student's t distribution with 19 degrees of freedom: 20 blocks.
         assert abs(numbers[key].value - base[key]) < 2.86 * numbers[key].error, key
     assert numbers["motors.drive_gain"].error < 0.005 * base["motors.drive_gain"]
     assert numbers["sensors.count"].error < 0.001 * base["sensors.count"]
@@ -162,7 +162,7 @@ def test_a_motor_of_the_second_order_is_less_certain_or_refused(robot):
 def test_a_motion_that_no_model_explains_is_less_certain(robot):
     log = Simulator(1).drive(25)
     plain = fit.fit_log(log, robot).drive
-    pushed = np.floor(10.0 * np.sin(2.0 * math.pi * log.times / 250.0))  # counts, by a hand
+    pushed = np.floor(10.0 * np.sin(2.0 * math.pi * log.times / 250.0))  # counts: a hand pushes the mouse
     for side in ("left_count", "right_count"):
         log.values[side] = log[side] + pushed
     found = fit.fit_log(log, robot).drive
@@ -178,7 +178,7 @@ def test_infrared_is_recovered_and_another_law_refused(robot):
     assert abs(found.gain.value - IR_GAIN) < 3.0 * found.gain.error < 60.0
     other = fit.fit_infrared(Simulator(3, inverse_square=True).stand(12, 20.0), robot)
     assert other.refusal and other.bends and not other.gain.known
-    # Walls that reflect by chance follow no law.
+    # Walls whose reflectance alternates between places follow no law.
     log = Simulator(3).stand(12, 20.0)
     places, place = np.unique(log["wall_left"], return_inverse=True)
     log.values["ir_left"] = log["ir_left"] * (1.0 + 0.4 * (-1.0) ** np.arange(len(places)))[place]
@@ -224,16 +224,16 @@ def test_counts_follow_from_known_places_or_the_whole_way():
     assert 0.0 < places.count.error < 2e-4
     whole = fit.fit_count(log, 2000.0, 4.0)
     assert whole.count.error / whole.count.value == pytest.approx(0.002, abs=1e-4)
-    # A count more or less on a short way.
+    # On a short distance, the error is one count.
     short = fit.Log(ticks[:21], {side: np.floor(ticks[:21]) for side in ("left_count", "right_count")})
     few = fit.fit_count(short, 10.0, 0.001).count
     assert few.error / few.value == pytest.approx(1.0 / 20.0)
-    # Errors that add up on the way, 3 mm from place to place.
+    # Cumulative errors of 3 mm from place to place.
     slips = np.repeat(np.cumsum(np.random.default_rng(1).normal(scale=3.0, size=11)), 20)[:201]
     slipping = fit.fit_count(fit.Log(ticks, {**log.values, "way": way + slips})).count
     assert abs(slipping.value - 10.0 / 41.0) < 3.0 * slipping.error
     assert slipping.error > 0.003 * slipping.value
-    log.values["way"][100] += 300.0  # one place was read wrongly
+    log.values["way"][100] += 300.0  # one position is wrong
     assert fit.fit_count(log).count.value == pytest.approx(10.0 / 41.0, abs=2e-3)
 
 
@@ -246,10 +246,10 @@ def test_noise_that_is_not_white_is_less_certain(robot):
         zero = np.zeros(1000)
         log = fit.Log(np.arange(1000.0), {"gyro": np.round((0.05 + np.array(values)) / unit) * unit, "left": zero, "right": zero})
         motion = fit.motion_of(log, robot)
-        assert abs(motion.angle[900] - motion.angle[100]) < 0.01  # its bias is no turning
+        assert abs(motion.angle[900] - motion.angle[100]) < 0.01  # the bias is removed
         return fit.fit_gyro(log, motion).noise
 
-    assert noise(0.0, 0.02).value == pytest.approx(0.01, rel=0.07)  # without what rounding adds
+    assert noise(0.0, 0.02).value == pytest.approx(0.01, rel=0.07)  # the variance of rounding is subtracted
     assert noise(0.0).value == pytest.approx(0.01, abs=3.0 * noise(0.0).error)
     assert noise(0.0).error < 0.001
     assert noise(0.6).error > 2.0 * noise(0.0).error
@@ -266,8 +266,8 @@ def test_motion_goes_on_between_rows_and_duties_hold():
     values = {"left": [0.5, 0, 0], "right": [0.1, 0, 0], "left_count": [0, 40, 40], "right_count": [0, 80, 80], "gyro": [0, 2, 2]}
     motion = fit.motion_of(log_of([0, 4, 8], **values), PLAIN)
     assert motion.ticks == 9 and motion.by_gyro
-    assert motion.way[[2, 8]] == pytest.approx([3.0, 6.0])  # 30 and 60 counts in the mean
-    assert motion.left[[3, 4]] == pytest.approx([0.5 * 0.97, 0.0])  # the battery yields at 0.3 of full load
+    assert motion.way[[2, 8]] == pytest.approx([3.0, 6.0])  # mean of both wheels: 30 and 60 counts
+    assert motion.left[[3, 4]] == pytest.approx([0.5 * 0.97, 0.0])  # sag of 10 % times the mean duty 0.3
     assert motion.angle[4] == pytest.approx(0.001 * (0.5 + 1.0 + 1.5 + 2.0))
 
 
@@ -302,7 +302,7 @@ def test_several_logs_are_pooled():
     alike = fit.pooled([of(3000.0, 10.0), of(3010.0, 20.0)])["motors.drive_gain"]
     assert alike.value == pytest.approx(3002.0)
     assert alike.error == pytest.approx(80.0**0.5)
-    # They differ by ten of their errors: so does the mouse from day to day.
+    # The logs differ by ten of their errors, because the mouse varies between them.
     apart = fit.pooled([of(3000.0, 10.0), of(3100.0, 10.0)])["motors.drive_gain"]
     assert apart.error == pytest.approx(50.0)
     assert fit.pooled([of(3000.0, 10.0)])["motors.drive_gain"] == fit.Estimate(3000.0, 10.0)
@@ -394,7 +394,7 @@ def test_what_is_wrong_with_columns_is_named(columns, period, words):
     assert [word for word in words if word not in str(error.value)] == []
 
 
-#: As their author published them (kerise-v4, 2021).
+#: The turns that the author of kerise-v4 published in 2021.
 PUBLISHED = """# turns of a half-size robot
 turn  speed    x        y    before
 S90   265.749  44       44   1
@@ -422,7 +422,7 @@ def test_published_turns_give_the_published_limits(tmp_path):
 
 
 def turns_within(limits, cell=180.0):
-    """All turns at some speed, as a robot with these limits drives them."""
+    """The turns of a robot with these limits, at given speeds."""
     turns = []
     for name, speed in (("45", 900.0), ("90", 800.0), ("135", 750.0), ("180", 700.0), ("V90", 700.0), ("S90", 500.0)):
         width, length, whole = turn_curve(name, speed, list(limits), cell)
@@ -441,7 +441,7 @@ def test_limits_of_turns_are_recovered_with_as_few_numbers_as_explain_them(limit
 
 def test_a_limit_that_no_turn_reaches_has_its_lowest_value():
     found = fit.fit_turns(turns_within((20_000.0, 300.0, 9.0, 0.0)), 180.0)
-    # The fastest turn needs 900 mm/s times 9 rad/s.
+    # The fastest turn needs a lateral acceleration of 900 mm/s * 9 rad/s = 8100 mm/s².
     assert found.reached == (False, True, True, False)
     assert found.limits[0] == pytest.approx(8150.0, abs=60.0)
 

@@ -1,4 +1,4 @@
-"""What tells mice in Python apart in a store: all that decides how they play, and their names; and nothing else."""
+"""The identity of a mouse in Python in a store covers its name and all that decides how it plays, and nothing else."""
 
 import functools
 import importlib
@@ -21,7 +21,7 @@ table = {"wait": 1}
 
 
 class Waiter:
-    """Waits for so many steps."""
+    """Waits for `wait` steps, then gives up."""
 
     wait = 1
 
@@ -118,7 +118,7 @@ def by_literal(number):
 
 
 def by_closure_of_an_installed_module(number):
-    # As of a module that makes policies.
+    # As in an installed module with a factory of policies.
     space = vars(textwrap)
     exec("def made_by_a_test(number):\n    return lambda: number", space)
     ask = space.pop("made_by_a_test")(number)
@@ -179,7 +179,7 @@ WAYS = [by_closure, by_default, by_type, by_attribute, by_global, by_part_of_a_g
 
 
 def held(mouse, store, name="mouse", **options):
-    """The steps of its contest, and whether the store had it."""
+    """Runs a contest. Returns its steps, and whether it came from the store."""
     race = labmouse.race({name: mouse}, MAZE, store=store, **options)
     return int(race.table["search_steps"][0]) - 1, race.from_store > 0
 
@@ -225,7 +225,7 @@ def race(file=None, before="", after=""):
 for change in {changes!r}:
     race(*change)
 """
-#: A mouse with a base class in another file, a helper that it imports, one that it imports when it plays, and a file of data.
+#: A mouse with a base class in another file, an imported helper, and modules that are imported only during a contest.
 FILES = {
     "mine/__init__.py": "",
     "mine/mouse.py": """
@@ -266,7 +266,7 @@ CHANGES = [
 
 
 def raced_elsewhere(folder, hash_seed, changes):
-    """Steps of contests in another process, each with a change of the files, and how many were in the store."""
+    """Runs a contest in another process for each change of the files: a list of (steps, contests from the store)."""
     code = PROGRAM.format(folder=str(folder), changes=changes)
     environment = {**os.environ, "PYTHONHASHSEED": hash_seed, "PYTHONDONTWRITEBYTECODE": "1"}
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=environment)
@@ -279,7 +279,7 @@ def test_another_process_knows_it_again(tmp_path):
     for name, text in FILES.items():
         (tmp_path / name).write_text(textwrap.dedent(text))
     assert raced_elsewhere(tmp_path, "1", [()]) == [(111, 0)]
-    # Comments, and where lines are, do not count.
+    # Comments and line numbers do not count.
     remark = ("mine/mouse.py", "unrelated = 1", "# mine\n\nunrelated = 2")
     assert raced_elsewhere(tmp_path, "2", [remark, *(change[:3] for change in CHANGES)]) == [
         (111, 1), *((change[3], 0) for change in CHANGES)]
@@ -304,7 +304,7 @@ def test_what_reads_something_from_outside_states_a_version(tmp_path, monkeypatc
             held(mouse, store)
         assert not labmouse.race(mouse, MAZE).from_store
     assert [held(Reader, store, label="v1") for _ in range(2)] == [(1, False), (1, True)]
-    # A file that the code names counts with what stands in it.
+    # The content of a file that the code names counts.
     data.write_text("2")
     assert held(Reader, store, label="v1") == (2, False)
     Reader.version = 1

@@ -1,4 +1,4 @@
-"""labmouse.learn: the contests are those of races, and Gymnasium's own checks pass."""
+"""The environments of labmouse.learn have the same contests as races, and pass Gymnasium's own checks."""
 
 import json
 import os
@@ -28,7 +28,7 @@ OBSERVATIONS = ("sighting", "belief", "bits")
 
 
 class Replayed:
-    """Plays the actions of a list: what the races make of the same contest."""
+    """Plays the actions of a list, to repeat a contest of an environment in a race."""
 
     def __init__(self, numbers):
         self.actions = iter(numbers)
@@ -54,7 +54,7 @@ def test_both_environments_are_registered():
 @settings(deadline=None, max_examples=25)
 @given(st.integers(0, 2**62), st.data())
 def test_the_return_is_minus_the_score_of_the_race(seed, data):
-    """To the last bit, for whatever was done; and -100 for a failed contest."""
+    """Exactly, for any actions; it is -100 for a failed contest."""
     env = learn.ContestEnv(SMALL, budget=60)
     _, info = env.reset(seed=seed)
     maze = SMALL[info["maze"]]
@@ -140,7 +140,7 @@ def test_copies_do_not_change():
     for _ in range(5):
         envs.step(envs.draw_valid_actions())
     assert all((now == then).all() for now, then in zip(arrays, before))
-    first[0] = 0  # and are their owner's
+    first[0] = 0  # copies are writable
 
 
 def test_memory_outlives_its_environment():
@@ -167,7 +167,7 @@ def test_part_of_a_batch_begins_anew():
     assert envs.sightings[:, learn.COLUMNS.index("steps_left")].tolist() == [1000, 999, 1000]
 
 
-#: A shell has it ignored in what runs in its background.
+#: A shell starts background processes with SIGINT ignored.
 HEARS = "import os, signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 MADE = HEARS + """
 import threading, time
@@ -253,7 +253,7 @@ def test_every_action_has_its_number():
 
 
 def test_sets_share_no_maze():
-    """By content, in a size with so few mazes that each set has made the same one many times."""
+    """In a size with so few mazes that each set makes the same one many times."""
     sets = {split: {learn.MazeSet(split, kind="wilson", size=3)[n] for n in range(400)} for split in ("train", "validation", "test")}
     assert not sets["train"] & sets["test"] and not sets["train"] & sets["validation"] and not sets["validation"] & sets["test"]
     assert all(learn.split_of(maze) == split for split, mazes in sets.items() for maze in mazes)

@@ -1,4 +1,4 @@
-"""Mice in Python in worlds in seconds: they see what happens to them, and hear that they were carried to the start."""
+"""Mice in Python in the worlds in seconds: they get readings, and a call when they are put back to the start."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ log = []
 
 
 class Feeler:
-    """Keeps to the wall on its right, and begins again where it is carried to the start."""
+    """Follows the wall on its right, and begins again when it is put back to the start."""
 
     def __init__(self, told):
         self.told = told
@@ -106,7 +106,7 @@ def test_a_process_that_dies_on_its_way_is_a_forfeit():
 
 
 class Teller:
-    """Notes what it hears and sees."""
+    """Raises an error with the time limit of its briefing."""
 
     def __init__(self, told):
         self.told = told
@@ -126,7 +126,7 @@ def test_rules_that_changed_are_told_as_they_are_now(tmp_path):
 
 
 def test_a_robot_that_changed_drives_as_it_does_now(tmp_path):
-    """The score of a mouse in Python is that of the same way by a robot of that speed."""
+    """A mouse in Python is driven with the present content of the robot file, in this process and in another."""
     text = (Path(__file__).resolve().parents[2] / "robots" / "classic.toml").read_text()
     robot, times = tmp_path / "mine.toml", []
     for speed in (500, 250):

@@ -1,4 +1,4 @@
-"""Mazes as Python's objects."""
+"""Mazes as objects of Python."""
 
 import pickle
 
@@ -35,7 +35,7 @@ def test_a_maze_with_one_wall_changed_is_another(maze, data):
     x = data.draw(st.integers(0, maze.width - 1))
     north[y, x] = not north[y, x]
     assert labmouse.Maze.from_walls(north, maze.east, goals=maze.goals) != maze
-    assert maze.north[y, x] != north[y, x]  # an array that was given is nobody else's
+    assert maze.north[y, x] != north[y, x]  # each access returns a new array
 
 
 def test_arrays_have_rows_from_the_south():

@@ -1,4 +1,4 @@
-"""Mice that are written in Python."""
+"""Mice written in Python, in this process and in worker processes."""
 
 import json
 import sys
@@ -8,7 +8,7 @@ import labmouse
 import numpy
 import pytest
 
-#: A mouse that explores at random, from the seed that it is told, and resets when it likes: walks of all kinds.
+#: A mouse that moves at random by the seed of its briefing, and resets at random.
 SOURCE = textwrap.dedent('''
     import random
 
@@ -21,7 +21,7 @@ SOURCE = textwrap.dedent('''
                 return "reset"
             return self.dice.choice((-90, 0, 90)), self.dice.choice((-3, -2, -1, 0, 1, 2, 3)) + (seen.ahead > 5)
 ''')
-#: The same mouse as a program.
+#: The same mouse as a program with the line protocol.
 PROGRAM = SOURCE + textwrap.dedent('''
     import types
     told = types.SimpleNamespace()
@@ -156,7 +156,7 @@ def test_it_races_as_well_in_several_processes(options, columns):
 
 
 class Feeler:
-    """Keeps to the wall on its right, and resets in the goal; in seconds it is done after its run."""
+    """Follows the wall on its right, resets in the goal, and gives up when asked again (in seconds, after its run)."""
 
     def __init__(self, told):
         self.told, (self.x, self.y) = told, told.start
@@ -214,7 +214,7 @@ def test_a_class_is_no_program_for_mms():
 
 
 def test_mice_that_exist_here_alone_race_here(monkeypatch, tmp_path):
-    """Other processes cannot import their module any more."""
+    """The file of the mouse's module is deleted, so that other processes cannot import it."""
     (tmp_path / "gone.py").write_text(SOURCE)
     monkeypatch.syspath_prepend(tmp_path)
     import gone
@@ -283,14 +283,14 @@ def test_what_it_did_before_it_died_is_in_its_record(debug):
 def test_the_time_of_its_decisions_is_its_own(jobs):
     class Thoughtful:
         def decide(self, seen):
-            return 0, min(range(20000))  # no machine does that in 20 microseconds
+            return 0, min(range(20000))  # takes more than 20 microseconds on any machine
 
     assert labmouse.race(Thoughtful, "contest-01", budget=20, jobs=jobs).table["microseconds_per_decision"][0] > 20
 
 
 def test_the_time_of_its_decisions_is_not_that_of_the_way_to_its_process():
     table = labmouse.race(answering((0, 0)), budget=100).table
-    assert table["microseconds_per_decision"].min() < 5  # a way there and back takes at least twice as long
+    assert table["microseconds_per_decision"].min() < 5  # a round trip between processes takes at least twice as long
 
 
 def test_an_object_is_refused_for_its_class():

@@ -1,4 +1,4 @@
-"""Every public name says what it is, and is typed."""
+"""Every public name has a docstring and types."""
 
 import inspect
 import subprocess
@@ -15,7 +15,7 @@ PUBLIC = [(module, name) for module in (labmouse, learn, cluster) for name in mo
 
 
 def members_of(thing):
-    """The public members that a class defines itself, and its making."""
+    """The public members that a class itself defines."""
     for name, member in vars(thing).items():
         if not name.startswith("_") and (callable(member) or isinstance(member, (property, classmethod, staticmethod))):
             yield name, member
@@ -38,7 +38,7 @@ def test_every_public_name_says_what_it_is(module, name):
 
 
 def test_nothing_is_named_to_install_that_nobody_owns_on_an_index():
-    # The name of this package on an index may belong to anybody: what is missing is installed from the source folder.
+    # This package is not on an index, where anybody could take its name: hints must install from the source folder.
     program = "import sys; sys.modules['gymnasium'] = None; import labmouse.learn"
     failed = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
     assert failed.returncode == 1 and "'.[learn]'" in failed.stderr
@@ -47,7 +47,7 @@ def test_nothing_is_named_to_install_that_nobody_owns_on_an_index():
 
 
 def test_the_stub_is_that_of_the_compiled_part():
-    # mypy, editors and the documentation site read it; docs/contributing/building.md has the command that writes it.
+    # mypy, editors and the documentation site read the stub. docs/contributing/building.md has the command for it.
     stubs = pytest.importorskip("nanobind.stubgen").StubGen(labmouse._native)
     stubs.put(labmouse._native)
     assert resources.files("labmouse").joinpath("_native.pyi").read_text(encoding="utf-8") == stubs.get()

@@ -1,4 +1,4 @@
-"""Races: the numbers of the command, in every world; and what stops them."""
+"""Races have the same numbers as the command, in every world, and can be stopped."""
 
 import io
 import json
@@ -13,14 +13,14 @@ import pytest
 WORLDS = {
     "steps": (["ariadne,flood,random"], ["--world", "steps", "--runs", "3"], {"runs": 3}),
     "seconds": (["certify,ariadne"], ["--world", "seconds", "--robot", "half"], {"robot": "half"}),
-    # As many runs as are usual there.
+    # The default number of runs.
     "physical": (["certify,flood"], ["--world", "physical", "--noise", "2"], {"noise": 2}),
 }
 MAZES = ["contest-01", "contest-05"]
 
 
 def without_times(table):
-    """All but the columns that differ from race to race."""
+    """The table without columns of measured times, which differ from race to race."""
     return table[[name for name in table.columns if "microseconds" not in name]]
 
 
@@ -46,7 +46,7 @@ def test_a_race_in_mms_gives_the_numbers_of_the_command(programs, command, tmp_p
     words = ["--world", "mms", "--line-limit", "200"]
     printed = command("race", "--mice", spec, "--mazes", *MAZES, *words, "--format", "csv")
     race = labmouse.race(spec, MAZES, world="mms", line_limit=200)
-    # The last column is the time by the clock.
+    # The last column is a measured wall-clock time.
     lines = [[line.rsplit(",", 1)[0] for line in text.splitlines()] for text in (race.to_csv(), printed)]
     assert lines[0] == lines[1]
     assert len(race.table) == len(MAZES)
@@ -151,7 +151,7 @@ def test_a_notebook_shows_the_leaderboard():
     assert {len(row) for row in rows} == {len(first)}
     assert [row[1:] for row in rows] == [line.split()[-len(row) + 1:] for row in rows for line in str(race).splitlines()
                                          if line.startswith(row[0])]
-    for part in str(race).split("\n\n")[0], *str(race).splitlines()[-3:]:  # what is above and below
+    for part in str(race).split("\n\n")[0], *str(race).splitlines()[-3:]:  # the lines above and below the table
         assert part in "".join(shown.itertext())
 
 
@@ -265,7 +265,7 @@ def test_ctrl_c_is_raised_at_once_with_what_is_done(request, held):
     wait = 1.0
     if "guest" in held:
         request.getfixturevalue("programs")
-        wait = 3.0  # a busy machine takes long to try a program out, before the race
+        wait = 3.0  # before the race, a busy machine takes long to try an external mouse
     ran = subprocess.run([sys.executable, "-c", STOPPED.format(held=held, wait=wait)], capture_output=True, text=True, timeout=60, check=False)
     assert ran.returncode == 0, ran.stderr
     complete, rounds, seconds = ran.stdout.split()

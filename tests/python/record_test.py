@@ -1,4 +1,4 @@
-"""One contest: its record, its picture and its replay."""
+"""The record, the picture and the replay of one contest."""
 
 import json
 import os

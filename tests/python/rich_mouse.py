@@ -1,4 +1,4 @@
-"""Mice for semantics_test.py: one with all kinds of things in its module, and one with dice."""
+"""Mice for semantics_test.py: one whose module has all kinds of objects, and one that is stochastic."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ class Rich(Base[int]):
 
 
 class Dicer:
-    """Random in all ways that a process has."""
+    """Depends on the order of a set and on the global generators of random and numpy."""
 
     def decide(self, seen):
         words = list({"north", "east", "south", "west", "up", "down"})

@@ -1,4 +1,4 @@
-"""What a contest of a mouse in Python begins with: the same, however many processes there are and whatever was held before."""
+"""Contests of a mouse in Python start from the same state, for any number of processes and after any other contests."""
 
 import io
 import os

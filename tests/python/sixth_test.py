@@ -1,4 +1,4 @@
-"""A package with a world that nothing but its own file and the list of worlds knows (tests/sixth) offers it and races in it."""
+"""A package with a sixth world (tests/sixth), which only its own file and the list of worlds name, can race in it."""
 
 import os
 import pathlib
@@ -12,7 +12,7 @@ SIX_WORLDS = pathlib.Path(labmouse.__file__).parents[2] / "tests/python"
 
 
 def printed(program: str) -> "list[str]":
-    """What a program prints that has the package with six worlds."""
+    """The words that a program prints which uses the package with six worlds."""
     if not (SIX_WORLDS / "labmouse").is_dir():
         pytest.skip("the package with six worlds is built with the tests: LABMOUSE_TESTS")
     environment = {**os.environ, "PYTHONPATH": str(SIX_WORLDS)}

@@ -1,4 +1,4 @@
-"""Studies: the numbers of the command."""
+"""Studies have the same numbers as the command."""
 
 import json
 

@@ -1,6 +1,6 @@
-"""A laboratory for mice that explore mazes they have never seen.
+"""A laboratory for micromice, which explore mazes that they have never seen.
 
-The package runs the same library as the command `labmouse`, and gives the same numbers: docs/reference/python.md.
+The package runs the same library as the command `labmouse` and gives the same numbers: docs/reference/python.md.
 """
 
 import os
@@ -45,6 +45,6 @@ __all__ = [
 def mazes(*paths: Union[str, "os.PathLike[str]"]) -> "list[Maze]":
     """The mazes of files, folders and patterns, sorted by name; without a path, all built-in mazes.
 
-    Raises Error where a path that is named directly is no maze.
+    Raises Error if a file that is named directly is not a maze.
     """
     return mazes_of(paths) if paths else find_mazes([])

@@ -1,4 +1,4 @@
-"""The command `labmouse`: runs the program that came with the package."""
+"""The command `labmouse`: runs the program in the package's folder `bin`."""
 
 import os
 import sys
@@ -6,7 +6,7 @@ from pathlib import Path
 
 
 def main() -> None:
-    """Runs the program in place of this process, with the same arguments."""
+    """Replaces this process by the program, with the same arguments (on Windows: runs it and returns its exit code)."""
     name = "labmouse.exe" if os.name == "nt" else "labmouse"
     program = str(Path(__file__).parent / "bin" / name)
     os.environ.setdefault("LABMOUSE_PYTHON", sys.executable)

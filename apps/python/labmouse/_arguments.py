@@ -1,4 +1,4 @@
-"""What users give, looked at before it goes to the compiled part, which would answer with its own signatures."""
+"""Checks of arguments. Without them, a wrong argument gives nanobind's message, a list of C++ signatures."""
 
 import operator
 import os
@@ -7,12 +7,12 @@ from typing import Any
 
 from ._native import Error
 
-#: What no compiled number is beyond.
+#: The largest unsigned 64-bit number.
 LARGEST_SEED = 2**64 - 1
 
 
 def whole(name: str, value: Any, low: int, high: int) -> int:
-    """A whole number within these limits; raises Error with its name."""
+    """The value as an int from `low` to `high`. Raises Error, with the argument's name, for any other value."""
     try:
         number = operator.index(value)
     except TypeError:
@@ -23,12 +23,12 @@ def whole(name: str, value: Any, low: int, high: int) -> int:
 
 
 def runs_given(runs: Any) -> "int | None":
-    """Contests in a maze; None for as many as are usual in the world. Raises Error."""
+    """Checks `runs`, the number of contests per maze; None stands for the world's default. Raises Error."""
     return None if runs is None else whole("runs", runs, 1, 1_000_000)
 
 
 def path(name: str, value: Any) -> str:
-    """A path as text; raises Error with its name."""
+    """The path as a str. Raises Error, with the argument's name, if it is not a path."""
     try:
         return os.fsdecode(value)
     except TypeError:
@@ -36,7 +36,7 @@ def path(name: str, value: Any) -> str:
 
 
 def shown(value: Any) -> str:
-    """What a user gave, in a few words on one line."""
+    """A value as at most 80 characters on one line, for messages."""
     if hasattr(value, "dtype") and hasattr(value, "shape"):
         return f"an array of {value.dtype} of the shape {value.shape}"
     words = " ".join(reprlib.repr(value).split())

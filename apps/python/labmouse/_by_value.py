@@ -1,7 +1,7 @@
-"""Mice as they are at one moment, as bytes: with their closures, the globals that they use, and modules of the user's own.
+"""Pickles mice by value, with their closures, the globals that they use, and the user's own modules.
 
-cloudpickle sends what was written in a notebook by value. Here, so is what lies in files of the user, and module objects
-and the functions in them share one set of globals again where they are made.
+cloudpickle pickles only notebook code by value, and refers to code in files by its module. Here, code in the user's
+files goes by value, too. After unpickling, a module object and its functions share one dictionary of globals again.
 """
 
 import functools
@@ -20,13 +20,13 @@ import cloudpickle  # type: ignore[import-untyped,unused-ignore]
 from ._modules import global_names, installed_with, is_of_own, is_own
 
 _LOCK, _RLOCK = type(threading.Lock()), type(threading.RLock())
-#: What a module is made with where it is made again, and what belongs to the import alone.
+#: Attributes that are set when a module is made again, and attributes that belong to the import and are not sent.
 _FIRST = ("__package__", "__path__", "__file__", "__doc__")
 _LEFT_OUT = ("__getattr__", "__builtins__", "__loader__", "__spec__", "__cached__", "__name__")
 
 
 class _Shell:
-    """Stands for an empty module of that name."""
+    """Pickles as an empty module of that name."""
 
     def __init__(self, space: "dict[str, Any]") -> None:
         self.name = space.get("__name__", "")
@@ -36,7 +36,7 @@ class _Shell:
 
 
 class _Globals(dict):  # type: ignore[type-arg]
-    """Stands for the globals of such a module, or of one that is installed."""
+    """Pickles as the globals of such a module, or of an installed one."""
 
     def __init__(self, space: "dict[str, Any]") -> None:
         super().__init__(stands_for=space.get("__name__", ""))
@@ -45,7 +45,8 @@ class _Globals(dict):  # type: ignore[type-arg]
 
 
 def _module(name: str, first: "dict[str, Any]") -> ModuleType:
-    """An empty module, which code that is run later finds by its name. What it is sent without, its file has."""
+    """Makes an empty module and registers it in sys.modules, but not as __main__ or over an installed module. A
+    variable that could not be sent is then looked up by importing the module's file."""
     module = ModuleType(name)
     vars(module).update(first)
     known = sys.modules.get(name)
@@ -77,13 +78,13 @@ def _cached(function: Callable[..., Any], size: "int | None", typed: bool) -> An
 
 
 def _shared_dice() -> "list[tuple[ModuleType, str]]":
-    """The random numbers that all of a process share: never by value, since each contest seeds them."""
+    """The global random generators of the process. They are never sent by value, since each contest seeds them."""
     numpy = sys.modules.get("numpy.random.mtrand")
     return [(random, "_inst"), *([(numpy, "_rand")] if numpy is not None else [])]
 
 
 def reduced(thing: Any) -> "tuple[Any, ...] | None":
-    """How to make things again that pickle does not know, as of __reduce__; None of others. Locks are open there."""
+    """The __reduce__ value of an object that pickle cannot handle, or None for all others. Locks arrive unlocked."""
     if isinstance(thing, functools._lru_cache_wrapper):
         given = thing.cache_parameters()
         return _cached, (thing.__wrapped__, given["maxsize"], given["typed"])
@@ -107,7 +108,7 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc,unused-ignore]
         self.dice = _shared_dice()
 
     def reducer_override(self, thing: Any) -> Any:
-        """As of pickle."""
+        """Overrides pickle.Pickler.reducer_override."""
         if isinstance(thing, _Globals):
             return vars, (thing.shell,)
         if isinstance(thing, _Shell):
@@ -133,7 +134,7 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc,unused-ignore]
         return super().reducer_override(thing)
 
     def _function(self, function: FunctionType) -> Any:
-        """As cloudpickle has it, with the globals that bodies of classes in it use."""
+        """Reduces a function as cloudpickle does, and adds the globals that class bodies inside it use."""
         space = function.__globals__
         known = self._globals_of(space)
         parts = self._dynamic_function_reduce(function)
@@ -144,7 +145,7 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc,unused-ignore]
         return parts
 
     def _globals_of(self, space: "dict[str, Any]") -> _Globals:
-        """Functions find theirs in globals_ref, by the address of the dictionary."""
+        """The stand-in for these globals. cloudpickle looks it up in globals_ref by the id of the dictionary."""
         known = self.globals_ref.get(id(space))
         if not isinstance(known, _Globals):
             known = self.globals_ref[id(space)] = _Globals(space)
@@ -156,7 +157,7 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc,unused-ignore]
 
 
 def _can_leave(thing: Any) -> bool:
-    """Whether a variable of a module can; code cannot be left out."""
+    """Whether a variable of a module can be pickled. Always True for code, which must not be left out."""
     if isinstance(thing, (FunctionType, type, ModuleType)):
         return True
     try:
@@ -167,8 +168,8 @@ def _can_leave(thing: Any) -> bool:
 
 
 def dumps(thing: Any) -> bytes:
-    """A thing by value. Raises where a part of it cannot leave this process: connections, generators. Modules of the user's own
-    go without such variables."""
+    """Pickles an object by value, without variables of the user's modules that cannot be pickled. Raises if any other
+    part cannot be pickled, such as a connection or a generator."""
     file = io.BytesIO()
     try:
         _Pickler(file, False).dump(thing)
@@ -179,6 +180,6 @@ def dumps(thing: Any) -> bytes:
 
 
 def loads(data: bytes) -> Any:
-    """The thing anew: no class of it is one of those that were made before."""
+    """Unpickles an object. Its classes are new ones, even if the same bytes were unpickled before."""
     cloudpickle.cloudpickle._DYNAMIC_CLASS_TRACKER_BY_ID.clear()
     return pickle.loads(data)

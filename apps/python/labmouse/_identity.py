@@ -1,8 +1,8 @@
-"""What decides how a mouse in Python plays, as a digest: for stores of contests.
+"""The identity of a mouse in Python for stores of contests: a digest of all that decides how it plays.
 
-The digest covers what a process that plays its contests is sent, so it is another one where a mouse may play otherwise: code,
-closures, attributes, the globals that code uses, base classes and modules of the user's own, by their content; installed
-packages by their versions. Names of files and lines do not count.
+The digest changes whenever the mouse may play differently. It covers the content of code, closures, attributes, globals
+that code uses, base classes and the user's modules, and the versions of installed packages. File names and line numbers
+do not count.
 """
 
 import copyreg
@@ -22,7 +22,7 @@ from ._modules import global_names, installed_with, is_of_own, is_own, own_file_
 from ._packages import imports_of, versions_of
 from ._workers import HASH_ORDERS
 
-#: Global names and attributes by which code may come to what is no part of it, such as files and the clock.
+#: Names, attributes and modules by which code may reach things outside of it, such as files and the clock.
 _OUTSIDE_NAMES = frozenset({"open", "exec", "eval", "__import__", "input"})
 _OUTSIDE_ATTRIBUTES = frozenset({
     "environ", "environb", "getenv", "read_text", "read_bytes", "fromfile", "memmap", "load", "loadtxt", "genfromtxt", "read_csv",
@@ -32,17 +32,18 @@ _OUTSIDE_MODULES = frozenset({
     "time", "datetime", "subprocess", "socket", "ctypes", "urllib", "http", "requests", "sqlite3", "shelve", "dbm", "mmap",
     "multiprocessing", "tempfile", "glob", "fileinput", "runpy", "pathlib", "io", "gzip", "bz2", "lzma", "zipfile", "tarfile",
     "secrets", "uuid"})
-#: The same of random numbers.
+#: Attributes and modules by which code may reach random numbers.
 _CHANCE_ATTRIBUTES = frozenset({"random", "seed", "default_rng", "RandomState", "SystemRandom", "urandom", "uuid4", "secrets"})
 _CHANCE_MODULES = ("random", "secrets", "uuid", "numpy.random")
-#: A longer text is no name of a file.
+#: A longer string constant is not taken for a file name.
 _LONGEST_NAME = 300
-#: What every class has, or what says how it was used.
+#: Attributes that every class has, or that depend on how it was used.
 _NO_PART_OF_A_CLASS = frozenset({"__dict__", "__weakref__", "_abc_impl", "__firstlineno__", "__static_attributes__"})
 
 
 class Walk:
-    """Goes through all that a thing consists of, and remembers what it met."""
+    """Walks through an object and all its parts. Computes their `digest`, and notes names of things `outside` of the
+    code, the use of random numbers (`chance`), installed `packages`, and files of imported modules (`sources`)."""
 
     def __init__(self) -> None:
         self.digest = hashlib.sha256()
@@ -84,7 +85,7 @@ class Walk:
             self.go(part)
 
     def _apart(self, thing: Any) -> str:
-        """The digest of a part that has no place among the others."""
+        """The digest of a part of an unordered set, computed apart so that the parts can be sorted."""
         other = Walk()
         other.outside, other.packages, other.sources = self.outside, self.packages, self.sources
         other._in_modules = self._in_modules
@@ -163,7 +164,7 @@ class Walk:
             self._installed(module.__name__)
             return
         self._add("module", module.__name__)
-        # What cannot leave this process is no part of it elsewhere: locks, open files.
+        # Variables that cannot be pickled, such as open files, are not sent and so do not count as unknown.
         self._in_modules += 1
         for name in sorted(vars(module)):
             if not (name.startswith("__") and name.endswith("__")):
@@ -190,13 +191,13 @@ class Walk:
             self._add("named", parts)
             self._reference(type(thing))
             return
-        # Items of lists and dictionaries come one by one.
+        # The last two parts of a __reduce__ value are iterators over items.
         whole = [part if number < 3 or part is None or callable(part) else list(part) for number, part in enumerate(parts)]
         self._kept.append(whole)
         self._several("object", [type(thing), *whole])
 
     def _installed(self, name: str) -> None:
-        """A module that other processes import: by the version of its package, or by its file where nobody installed it."""
+        """Adds a module that other processes import, by the version of its package or by the content of its file."""
         self._add("installed", name)
         top = name.partition(".")[0]
         if name == "random" or name.startswith(_CHANCE_MODULES[1:]):
@@ -232,7 +233,7 @@ class Walk:
                 self._named_file(part, file)
 
     def _named_file(self, text: str, beside: "str | None") -> None:
-        """What stands in a file that code names."""
+        """Adds the content of a file, if a string constant is the path of one, from here or beside the code's file."""
         if not text or len(text) > _LONGEST_NAME or "\0" in text or "." not in text and "/" not in text:
             return
         for folder in ("", os.path.dirname(beside or "")):
@@ -240,7 +241,7 @@ class Walk:
                 self._file(os.path.join(folder, text))
 
     def _import(self, name: str) -> None:
-        """A module that code imports when it runs: other processes read its source."""
+        """Adds a module that code imports when it runs, with its source file and what that imports."""
         try:
             spec = importlib.util.find_spec(name)
         except (ImportError, ValueError, AttributeError):
@@ -264,7 +265,7 @@ class Walk:
 
 @functools.lru_cache(maxsize=None)
 def _labmouse() -> str:
-    """What this package itself does for mice in Python."""
+    """A digest of the Python files of this package, for mice that use it."""
     digest = hashlib.sha256()
     for file in sorted(Path(__file__).parent.rglob("*.py")):
         digest.update(file.read_bytes())
@@ -272,7 +273,7 @@ def _labmouse() -> str:
 
 
 def identity_of(walk: Walk, name: str, maker: Any, label: "str | None") -> str:
-    """A text that is another one where a mouse may play otherwise."""
+    """The identity of a mouse as text. It differs if the mouse may play differently."""
     kind = str(getattr(maker, "__qualname__", type(maker).__qualname__))
     lines = ["python", f"name {name!r}", f"made by {kind!r}", f"digest {walk.digest.hexdigest()}",
              f"interpreter {platform.python_implementation()} {platform.python_version()}", f"orders {HASH_ORDERS}"]

@@ -1,4 +1,4 @@
-"""Mice that are written in Python, and what the library takes for a mouse."""
+"""Mice written in Python, and the conversion of mice to the types of the compiled part."""
 
 import contextlib
 import inspect
@@ -16,7 +16,7 @@ from ._workers import Workers
 
 
 class Sighting(NamedTuple):
-    """What a mouse reads: the number of open cells in three directions, up to the next wall; 0 to 63 each."""
+    """A sensor reading: the number of open cells up to the next wall in three directions, 0 to 63 each."""
 
     left: int
     ahead: int
@@ -25,30 +25,36 @@ class Sighting(NamedTuple):
 
 _native.set_sighting_type(Sighting)
 
-#: What a mouse answers: a turn in degrees clockwise (-90, 0 or 90) and then cells to go (-3 to 3, negative backwards);
-#: 'reset', back to the start for the speed run; or 'forfeit', it gives up.
+#: The answer of a mouse: (rotation in degrees clockwise: -90, 0 or 90; movement in cells: -3 to 3, negative backwards);
+#: 'reset' to go back to the start for the speed run; or 'forfeit' to give up.
 Action = Union[tuple[int, int], Literal["reset", "forfeit"]]
 
 
 class Mouse(Protocol):
-    """A mouse in Python. There is a new one for each contest.
+    """A mouse in Python. Each contest makes a new one.
 
-    It may have two more methods, which worlds in seconds call: `carried(self, seconds)`, it was carried to the start so many
-    seconds after the contest began; and `show(self, x, y, heading, seen)`, what it reads on a way on which it is driven, or in a
-    cell that it passes. Its class may have `uses_chance`, whether it has several contests in a maze, in place of what labmouse
-    finds in its code; and `version`, for stores, where it depends on what lies outside of its code.
+    Worlds in seconds call two more methods, if the mouse has them:
+
+    - `carried(self, seconds)`: the mouse was put back to the start, `seconds` after the contest began.
+    - `show(self, x, y, heading, seen)`: a reading where the mouse does not decide, such as in a cell that it passes.
+
+    Its class may have two attributes:
+
+    - `uses_chance`: whether the mouse is stochastic and so runs several contests per maze. Without it, labmouse derives
+      this from the code.
+    - `version`: any value, for stores. Change it when something outside of the code changes that the mouse depends on.
     """
 
     def decide(self, seen: Sighting) -> Action:
-        """The next action, given what the mouse sees in its present pose. Called once a step until the contest ends."""
+        """Returns the next action for the reading in the present pose. Called once per step until the contest ends."""
         ...
 
 
-#: What makes the mouse of a contest: a class, or a function. It is called with the briefing if it takes an argument.
+#: A class or function that makes the mouse of a contest. It gets the briefing if it takes a positional argument.
 MouseMaker = Union[Callable[[], Mouse], Callable[[Briefing], Mouse]]
-#: A mouse of a race: a SPEC as on the command line ('flood:stride=1', 'program:python3 mouse.py'), or what makes one.
+#: A mouse of a race: a SPEC as on the command line ('flood:stride=1', 'program:python3 mouse.py') or a MouseMaker.
 AnyMouse = Union[str, MouseMaker]
-#: Mice of a race: one, several, or several under names of their own.
+#: Mice of a race: one, several, or a mapping from names to mice.
 Mice = Union[AnyMouse, Iterable[AnyMouse], Mapping[str, AnyMouse]]
 
 _Own = tuple[str, "Maker", bool]
@@ -56,15 +62,16 @@ _Native = tuple[list[tuple[str, str]], list[tuple[str, object, bool, object, str
 
 
 class Given(NamedTuple):
-    """Mice in their kinds."""
+    """The mice of a call, SPECs and mice in Python apart."""
 
     specs: "list[tuple[str, str]]"
-    """Names, where the user gave one, and SPECs."""
+    """(name, SPEC); the name is '' if the user gave none."""
     own: "list[_Own]"
-    """Mice in Python: name, maker, and whether they are stochastic."""
+    """Mice in Python: (name, maker, whether it is stochastic)."""
 
     def native(self, workers: "Workers | None", label: "str | None" = None, stored: bool = False) -> "_Native":
-        """The mice as the compiled part takes them; raises Error where nothing is known of one that is to be stored."""
+        """The mice as the compiled part takes them. `stored`: also computes identities for a store; raises Error if
+        the identity of a mouse cannot be determined."""
         own: list[tuple[str, object, bool, object, str]] = []
         for number, (name, maker, uses_chance) in enumerate(self.own):
             elsewhere = workers.elsewhere(number) if workers is not None else None
@@ -82,7 +89,7 @@ def _takes_briefing(maker: Callable[..., Mouse]) -> bool:
 
 
 def seed_chance(seed: int) -> None:
-    """Seeds the random numbers that all of the process shares: those of `random`, and of `numpy.random` where it is loaded."""
+    """Seeds the global generators of the process: `random`, and `numpy.random` if it is loaded."""
     random.seed(seed)
     numpy = sys.modules.get("numpy")
     if numpy is not None:
@@ -91,7 +98,7 @@ def seed_chance(seed: int) -> None:
 
 @contextlib.contextmanager
 def kept_chance() -> "Iterator[None]":
-    """Leaves these random numbers as they were."""
+    """A context that restores the state of these generators at its end."""
     before = random.getstate()
     numpy = sys.modules.get("numpy")
     numbers = numpy.random.get_state() if numpy is not None else None
@@ -104,7 +111,7 @@ def kept_chance() -> "Iterator[None]":
 
 
 class Maker:
-    """Makes the mouse of a contest from its briefing, whether or not the user's class takes one."""
+    """Seeds the global generators and makes the mouse of a contest. The user's class need not take a briefing."""
 
     def __init__(self, maker: Callable[..., Mouse]) -> None:
         self.maker = maker
@@ -116,7 +123,8 @@ class Maker:
 
 
 def _identity(name: str, made: Maker, label: "str | None") -> str:
-    """What tells a mouse from another in a store; raises Error where that cannot be known and the user does not say it."""
+    """The text by which a store tells this mouse from others. Raises Error if it depends on things that labmouse cannot
+    see and the user gives neither version nor label."""
     from ._identity import Walk, identity_of
 
     walk = Walk().go(made.maker)
@@ -128,7 +136,7 @@ def _identity(name: str, made: Maker, label: "str | None") -> str:
 
 
 def _uses_chance(maker: Any) -> bool:
-    """What the mouse says of itself; otherwise whether its code comes to random numbers or to the seed."""
+    """The attribute `uses_chance`; without it, whether the mouse's code can reach random numbers or the seed."""
     from ._identity import Walk
 
     stated = getattr(maker, "uses_chance", None)
@@ -148,7 +156,7 @@ def _name_of(maker: Any) -> str:
 
 
 def given(mice: "Mice | None") -> Given:
-    """The mice by their kinds; raises Error where something is no mouse."""
+    """Checks the argument `mice` and splits it by kind. Raises Error if something is not a mouse."""
     if mice is None:
         return Given([], [])
     if isinstance(mice, str):
@@ -171,5 +179,5 @@ def given(mice: "Mice | None") -> Given:
 
 
 def _python() -> str:
-    """What runs robots of the capstone project: the python3 of PATH, or this one where there is none."""
+    """The interpreter of capstone robots: '' for the python3 of PATH or, if there is none, the path of this one."""
     return "" if shutil.which("python3") else os.fspath(sys.executable)

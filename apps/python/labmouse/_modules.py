@@ -1,4 +1,4 @@
-"""Which modules are the user's own: they are sent to other processes by value, and tell one mouse from another."""
+"""Decides which modules are the user's own: these are sent to other processes by value, and identities include them."""
 
 import dis
 import functools
@@ -15,7 +15,7 @@ _GLOBAL = ("LOAD_GLOBAL", "STORE_GLOBAL", "DELETE_GLOBAL", "LOAD_NAME", "LOAD_FR
 
 @functools.lru_cache(maxsize=None)
 def _installed() -> "tuple[str, ...]":
-    """Folders of what was installed, and of Python itself."""
+    """The folders of installed packages and of Python itself."""
     folders = [sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")]
     folders += [*site.getsitepackages(), site.getusersitepackages()]
     return tuple(os.path.join(os.path.realpath(folder), "") for folder in folders if folder)
@@ -27,7 +27,7 @@ def _is_installed(file: str) -> bool:
 
 
 def is_own(module: ModuleType) -> bool:
-    """Whether a module of Python source was written by the user: neither Python's, nor labmouse's, nor installed."""
+    """Whether a module is the user's own Python source: not part of Python, not of labmouse, not installed."""
     name = module.__name__
     top = name.partition(".")[0]
     if name == "__main__":
@@ -42,16 +42,16 @@ def is_own(module: ModuleType) -> bool:
 
 
 def is_of_own(thing: object) -> bool:
-    """Whether a function or class was written in a module of the user's own, or cannot be found in the module that it names.
+    """Whether a function or class must be sent by value: its module is the user's own, or does not contain it.
 
-    Closures of installed modules, and classes that `exec` makes in a space without a name, are such.
+    The latter holds for closures of installed modules and for classes that `exec` makes in a namespace without a name.
     """
     module = sys.modules.get(getattr(thing, "__module__", None) or "")
     return module is None or is_own(module) or not _has(module, thing)
 
 
 def _has(module: ModuleType, thing: object) -> bool:
-    """What has no name is held for a part of the module."""
+    """Whether a thing can be found in the module by its qualified name. True if it has no name."""
     place: Any = module
     for name in getattr(thing, "__qualname__", "").split("."):
         place = getattr(place, name, None) if name else thing
@@ -59,13 +59,14 @@ def _has(module: ModuleType, thing: object) -> bool:
 
 
 def installed_with(space: "dict[str, Any]") -> "ModuleType | None":
-    """The module of these globals, where it is none of the user's own: decorators make functions that belong to both."""
+    """The module of these globals if it is not the user's own, otherwise None. Functions that decorators of installed
+    modules make are sent by value, but have such globals."""
     module = sys.modules.get(space.get("__name__", ""))
     return module if module is not None and vars(module) is space and not is_own(module) else None
 
 
 def own_file_of(name: str, spec: "ModuleSpec | None" = None) -> "str | None":
-    """The file of a module that nobody installed, of Python source or compiled; None of others."""
+    """The file of a module, source or compiled; None if it is installed, or part of Python or labmouse."""
     if name.partition(".")[0] in sys.stdlib_module_names or name.partition(".")[0] == "labmouse":
         return None
     file = spec.origin if spec is not None else getattr(sys.modules.get(name), "__file__", None)
@@ -74,7 +75,7 @@ def own_file_of(name: str, spec: "ModuleSpec | None" = None) -> "str | None":
 
 @functools.lru_cache(maxsize=4096)
 def global_names(code: CodeType, nested: bool = True) -> "frozenset[str]":
-    """The names that code looks up among globals, also in the bodies of classes; in what is defined in it, too."""
+    """The global names that code uses, class bodies included. `nested`: also those of functions defined in it."""
     found = {str(instruction.argval) for instruction in dis.get_instructions(code) if instruction.opname in _GLOBAL}
     for part in code.co_consts if nested else ():
         if isinstance(part, CodeType):

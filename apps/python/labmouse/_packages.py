@@ -1,4 +1,4 @@
-"""What code imports, and which versions of packages are installed."""
+"""Finds what code imports, and the versions of installed packages."""
 
 import dis
 import functools
@@ -11,7 +11,7 @@ from typing import Any
 
 
 def imports_of(code: CodeType, package: str) -> "set[str]":
-    """The modules that code imports, and what it imports from them, since that may be modules, too."""
+    """The modules that code imports. `from a import b` adds a.b, too, if that is a module."""
     found: set[str] = set()
     level: Any = 0
     before: "list[Any]" = [None, None]
@@ -46,7 +46,7 @@ def _distributions() -> "dict[str, list[str]]":
 
 
 def versions_of(packages: "set[str]") -> "list[str]":
-    """The versions of packages, and of all that they require, as far as it is installed."""
+    """Lines "name version" of packages and of all that they require; the version is "none" if it is not installed."""
     waiting = {name for package in packages for name in _distributions().get(package, [package])}
     found: dict[str, str] = {}
     while waiting:

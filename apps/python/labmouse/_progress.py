@@ -1,4 +1,4 @@
-"""Long work: a bar on standard error or in a notebook, and Ctrl-C."""
+"""Waits for long work, with a progress bar on standard error or in a notebook, and handles Ctrl-C."""
 
 import sys
 from collections.abc import Callable
@@ -7,12 +7,12 @@ from typing import Any, Protocol, TypeVar
 from ._workers import Workers
 
 
-#: Python hears of Ctrl-C between waits for compiled work.
+#: Length of one wait for compiled work, in s. Python handles Ctrl-C only between waits.
 _SECONDS_A_WAIT = 0.01
 
 
 class Running(Protocol):
-    """Work in a thread of its own."""
+    """Work that runs in a thread of the compiled part, counted in contests."""
 
     @property
     def remarks(self) -> "list[str]": ...
@@ -25,7 +25,7 @@ class Running(Protocol):
 
 
 class WithResult(Running, Protocol):
-    """Such work that holds contests."""
+    """Such work with a result."""
 
     def result(self) -> Any: ...
 
@@ -40,7 +40,7 @@ def _in_notebook() -> bool:
 
 
 class _Bar:
-    """Shows how much of the work is done, where somebody looks."""
+    """A progress bar, in a notebook or on a terminal."""
 
     def __init__(self, progress: "bool | None") -> None:
         self.notebook = _in_notebook()
@@ -73,7 +73,7 @@ class _Bar:
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C while contests were held. What is done by then is in `partial`: a Race, a Study or a Record that is not complete."""
+    """Raised by Ctrl-C while contests run. `partial` has what was done: an incomplete Race, Study or Record."""
 
     def __init__(self, partial: Any) -> None:
         super().__init__(f"{partial!r} is in the attribute `partial`")
@@ -81,7 +81,7 @@ class Interrupted(KeyboardInterrupt):
 
 
 def finish(running: Running, progress: "bool | None", workers: "Workers | None" = None) -> bool:
-    """Waits for the end of the work, with a bar; whether Ctrl-C stopped it and its workers: then what is done counts."""
+    """Waits for the end of the work with a progress bar. Returns whether Ctrl-C stopped it and its workers."""
     for remark in running.remarks:
         print(remark, file=sys.stderr)
     bar = _Bar(progress)
@@ -103,7 +103,7 @@ def finish(running: Running, progress: "bool | None", workers: "Workers | None" 
 def result_of(
     start: "Callable[[], WithResult]", make: "Callable[[Any], Result]", progress: "bool | None", workers: "Workers | None"
 ) -> Result:
-    """What is made of the result of the work that `start` begins. Ends the workers. Ctrl-C raises Interrupted with what is done."""
+    """Starts work, waits for it, and returns make(its result). Closes the workers. Ctrl-C raises Interrupted."""
     try:
         running = start()
         stopped = finish(running, progress, workers)

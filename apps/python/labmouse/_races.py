@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class FinishRate(NamedTuple):
-    """By how much `mouse` finishes more contests than `against`, as a share of all: above 0, `mouse` is better."""
+    """Difference of two finish rates (shares of contests), `mouse` minus `against`. Above 0, `mouse` is better."""
 
     mean: float
     low: float
@@ -29,10 +29,10 @@ class FinishRate(NamedTuple):
 
 
 class Comparison(NamedTuple):
-    """Two mice on the same mazes: the paired differences of their mean scores, `mouse` minus `against`.
+    """Paired differences of the mean scores of two mice on the same mazes, `mouse` minus `against`.
 
-    Failed contests count the failure score of the world or, where it has none, the score at the time limit. Nothing is
-    corrected for the number of comparisons: of many pairs of equal mice, one in twenty differs by chance.
+    A failed contest counts with the failure score of the world or, if it has none, with the score at the time limit.
+    Nothing is corrected for multiple comparisons: of many pairs of equal mice, one in twenty differs by chance.
     """
 
     mouse: str
@@ -40,7 +40,7 @@ class Comparison(NamedTuple):
     mazes: int
     """Mazes that both have run."""
     mean: float
-    """In the world's unit, steps, seconds or points; below 0, `mouse` is better."""
+    """Mean difference in the unit of the world: steps, seconds or points. Below 0, `mouse` is better."""
     low: float
     """The 95 % interval of the mean, over the mazes."""
     high: float
@@ -56,11 +56,11 @@ class Comparison(NamedTuple):
     """'better' or 'worse' of `mouse` if p is below 0.05 and the interval excludes 0; otherwise 'no difference shown', or
     'too few mazes' for fewer than eight."""
     finish_rate: "FinishRate | None"
-    """None where failed contests have a score."""
+    """None in worlds in which failed contests have a score."""
 
 
 class Race:
-    """A race that was held; `race` makes it. Shown in a notebook as its leaderboard."""
+    """The results of a race; `race` returns it. A notebook shows its leaderboard."""
 
     def __init__(self, held: _native.HeldRace, from_store: "int | None" = None) -> None:
         self._held = held
@@ -68,12 +68,12 @@ class Race:
 
     @property
     def complete(self) -> bool:
-        """Whether all contests were held: False where Ctrl-C stopped the race before."""
+        """Whether all contests were run: False if Ctrl-C stopped the race."""
         return self._held.complete
 
     @property
     def from_store(self) -> int:
-        """Contests that were not held, because the store had them."""
+        """The number of contests that were taken from the store and not run."""
         return self._from_store
 
     @property
@@ -83,13 +83,16 @@ class Race:
 
     @property
     def mice(self) -> "list[str]":
-        """The names of the mice, in their order."""
+        """The names of the mice, in the order of the race."""
         return self._held.mice
 
     @property
     def table(self) -> "pandas.DataFrame":
-        """One line a contest, with the columns of `labmouse race --format csv`: docs/reference/results.md has their units, and of seconds
-        docs/reference/worlds-and-rules.md. Of a race that was stopped early, there is a column `stopped`, which is True."""
+        """One row per contest, with the columns of `labmouse race --format csv`.
+
+        docs/reference/results.md describes the columns and their units; docs/reference/worlds-and-rules.md has those of
+        the worlds in seconds. If the race was stopped early, there is also a column `stopped`, always True.
+        """
         import pandas
 
         table = pandas.DataFrame(self._held.contest_columns())
@@ -97,38 +100,39 @@ class Race:
 
     @property
     def standings(self) -> "pandas.DataFrame":
-        """One line a mouse, best first, with the fields of a mouse in `labmouse race --format json`."""
+        """One row per mouse, best first, with the fields of a mouse in `labmouse race --format json`."""
         import pandas
 
         return pandas.DataFrame(self._held.standing_columns())
 
     @property
     def mazes(self) -> "pandas.DataFrame":
-        """One line a maze, with its bound: the best possible score there. Microseconds where a column ends in `_us`; otherwise
-        steps or points, as the world has it."""
+        """One row per maze, with its bound, the best possible score there.
+
+        Columns that end in `_us` are in microseconds, others in the world's unit (steps or points).
+        """
         import pandas
 
         return pandas.DataFrame(self._held.maze_columns())
 
     def compare(self, mouse: str, against: str) -> Comparison:
-        """The paired difference of two mice of the race, maze by maze. Raises Error where one is not in it."""
+        """Compares two mice of the race by name, paired by maze. Raises Error if one is not in the race."""
         fields = self._held.compare(mouse, against)
         rate = fields.pop("finish_rate")
         return Comparison(**fields, finish_rate=None if rate is None else FinishRate(*rate))
 
     def to_csv(self, path: "str | os.PathLike[str] | None" = None) -> "str | None":
-        """What `labmouse race --format csv` prints: written to a file, or returned where no path is given.
+        """Writes the output of `labmouse race --format csv` to a file; without a path, returns it.
 
-        Of a race that was stopped early, there is a column `stopped`, as in the table. Raises Error where the file cannot be
-        written.
+        If the race was stopped early, there is also a column `stopped`. Raises Error if the file cannot be written.
         """
         text = self._held.csv()
         return _saved(text if self.complete else _marked(text), path)
 
     def to_json(self, path: "str | os.PathLike[str] | None" = None) -> "str | None":
-        """What `labmouse race --format json` prints: written to a file, or returned where no path is given.
+        """Writes the output of `labmouse race --format json` to a file; without a path, returns it.
 
-        Raises Error where the file cannot be written.
+        Raises Error if the file cannot be written.
         """
         return _saved(self._held.json(), path)
 
@@ -151,7 +155,7 @@ class Race:
 
 
 def _marked(text: str) -> str:
-    """Lines of CSV with a column that says that they are not all."""
+    """Adds a column `stopped` with the value true to CSV."""
     marked = io.StringIO()
     lines = csv.reader(io.StringIO(text, newline=""))
     csv.writer(marked, lineterminator="\n").writerows([*line, "true" if number else "stopped"] for number, line in enumerate(lines))
@@ -183,25 +187,27 @@ def race(
     label: "str | None" = None,
     **settings: Setting,
 ) -> Race:
-    """Races mice on mazes, with the numbers of `labmouse race`.
+    """Races mice on mazes, with the same numbers as `labmouse race`.
 
-    mice: SPECs, classes with `decide(self, seen)`, or a dictionary of both by names; None for all built-in ones.
+    mice: SPECs, classes with `decide(self, seen)`, or a dictionary from names to both; None for all built-in mice.
     mazes: mazes, files, folders or patterns; None for all built-in mazes.
-    world: 'steps', 'seconds', 'physical', 'failures' or 'mms'; None for the one that suits the mice. `robot` and `rules` are
-        settings of those in seconds (a built-in name or a file), `budget` (steps of a contest) of 'steps';
-        other settings have the names of the command line's options.
-    runs: contests in each maze of a stochastic mouse, and of each mouse in 'physical' and 'failures'; None for
-        20, and 3 in 'physical'. seed: for all random choices.
-    jobs: threads, and processes of mice in Python; 0 for as many as there are processors. Results do not depend on it: each
-        contest of a mouse in Python begins with the state of your variables at the call, and leaves them alone.
-    out: a folder for the records, a picture for each mouse and maze, and the results, as `--out` leaves it; what an
-        earlier race left there is replaced with `overwrite`, and an error without.
-    progress: whether to show a bar; None for where standard error is a terminal, and in notebooks.
-    store: a file that keeps all contests; those that are there are not run again. Others may use it at the same time.
-    label: in the store, stands for the files of external mice, and for what mice in Python read from elsewhere: give another one when
-        that changes.
+    world: 'steps', 'seconds', 'physical', 'failures' or 'mms'; None for the first one that takes the mice.
+        `robot` and `rules` (a built-in name or a file) are settings of the worlds in seconds, `budget` (steps per
+        contest) is one of 'steps'. Other settings have the names of the command line's options.
+    runs: contests per maze of a stochastic mouse, and of every mouse in 'physical' and 'failures'; None for 20, and
+        for 3 in 'physical'.
+    seed: for all random choices, 0 to 2**64 - 1.
+    jobs: number of threads, and of processes for mice in Python; 0 for one per processor. Results do not depend on it:
+        each contest of a mouse in Python starts with your variables as they were at the call, and does not change them.
+    out: folder for records, a picture per mouse and maze, and the results, as `--out` writes them.
+    overwrite: whether to replace the files of an earlier race in `out`; otherwise they are an error.
+    progress: whether to show a progress bar; None to show it on a terminal and in notebooks.
+    store: file that keeps all contests; a contest that it has is not run again. Several programs may use it at once.
+    label: stands for the files of external mice, and for what mice in Python read from elsewhere, in the store. Give
+        another label when these change.
 
-    Raises Error. Ctrl-C stops the race and raises Interrupted, a KeyboardInterrupt that has what is done as `partial`.
+    Raises Error for a wrong argument. Ctrl-C stops the race and raises Interrupted, a KeyboardInterrupt whose `partial`
+    is the Race so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)

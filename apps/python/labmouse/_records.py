@@ -1,4 +1,4 @@
-"""One contest, step by step."""
+"""Runs one contest and keeps its record."""
 
 import os
 from typing import TYPE_CHECKING, Any
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import numpy
     import numpy.typing
 
-#: The fields of a step as numpy has them: see Record.steps.
+#: The numpy dtype of a step, see Record.steps. The compiled part packs steps in this layout.
 STEP = [
     ("step", "<i4"),
     ("run", "u1"),
@@ -33,14 +33,14 @@ STEP = [
 
 
 class Replay:
-    """The page with one contest in it, which its player shows: one HTML file."""
+    """An HTML page that plays one contest; a single file."""
 
     def __init__(self, html: str, height: int) -> None:
         self.html = html
         self.height = height
 
     def save(self, path: "str | os.PathLike[str]") -> None:
-        """Writes the page to a file that any browser opens, without a server. Raises Error where it cannot be written."""
+        """Writes the page to a file that any browser opens, without a server. Raises Error if it cannot be written."""
         _native.write_file(_path("path", path), self.html)
 
     def _repr_html_(self) -> str:
@@ -51,14 +51,14 @@ class Replay:
 
 
 class Record:
-    """A contest that was held; `run` makes it. Shown in a notebook as its picture."""
+    """The record of a contest; `run` returns it. A notebook shows its picture."""
 
     def __init__(self, held: _native.HeldContest) -> None:
         self._held = held
 
     @property
     def complete(self) -> bool:
-        """Whether the contest came to its end: False where Ctrl-C stopped it."""
+        """Whether the contest ended by itself: False if Ctrl-C stopped it."""
         return self._held.complete
 
     @property
@@ -88,32 +88,32 @@ class Record:
 
     @property
     def score(self) -> "float | None":
-        """Steps, seconds or points, as the world has it; lower is better. None where the contest was not finished."""
+        """The score in the world's unit (steps, seconds or points); lower is better. None if it did not finish."""
         return self._held.score
 
     @property
     def bound(self) -> "float | None":
-        """The best possible score in the maze, in the same unit; None where no mouse can score."""
+        """The best possible score in the maze, in the same unit; None if no mouse can finish there."""
         return self._held.bound
 
     @property
     def last_words(self) -> str:
-        """What the mouse had to say at its end: of a mouse in Python, the traceback of what it raised."""
+        """The last message of the mouse, or ''. For a mouse in Python that raised, it has the traceback."""
         return self._held.last_words
 
     @property
     def figures(self) -> "dict[str, Any]":
-        """All figures of the contest, as `labmouse race --format json` has them."""
+        """The fields of the contest in `labmouse race --format json`, by name."""
         return self._held.figures()
 
     @property
     def steps(self) -> "numpy.typing.NDArray[numpy.void]":
-        """One element a step, a structured array that cannot be written to; of the world of steps alone.
+        """The steps of a contest in the world of steps: a read-only structured array with one element per step.
 
-        step: count of the clock from 1. run: 0 search, 1 speed run. x, y, heading: the pose before the step,
-        headings being 0 north, 1 east, 2 south, 3 west. left, ahead, right: open cells that the mouse saw.
-        kind: 0 step, 1 reset, 2 forfeit. rotation: degrees clockwise, and movement: cells, as the mouse asked for
-        them. blocked: whether a wall ended the movement early. Raises Error in other worlds.
+        step: number of the step, from 1. run: 0 search run, 1 speed run. x, y, heading: the pose before the step;
+        headings are 0 north, 1 east, 2 south, 3 west. left, ahead, right: open cells in the reading. kind: 0 step,
+        1 reset, 2 forfeit. rotation (degrees clockwise) and movement (cells): as the mouse asked for them. blocked:
+        whether a wall ended the movement early. Raises Error in other worlds.
         """
         import numpy
 
@@ -124,20 +124,23 @@ class Record:
 
     @property
     def svg(self) -> str:
-        """The picture of the contest."""
+        """The picture of the contest as SVG."""
         return self._held.svg
 
     @property
     def text(self) -> str:
-        """The record as a file has it: JSON Lines, docs/reference/records.md."""
+        """The content of the record file: JSON Lines, see docs/reference/records.md."""
         return self._held.record
 
     def save(self, path: "str | os.PathLike[str]") -> None:
-        """Writes the record to a file, which `labmouse replay` reads. Raises Error where it cannot be written."""
+        """Writes the record to a file, which `labmouse replay` reads. Raises Error if it cannot be written."""
         _native.write_file(_path("path", path), self.text)
 
     def replay(self, height: int = 720) -> Replay:
-        """The page with this contest, `height` pixels high. Raises Error where the package has no page."""
+        """An HTML page that plays this contest; a notebook shows it `height` pixels high.
+
+        Raises Error if the package was built without the page.
+        """
         return Replay(self._held.report(), height)
 
     def __repr__(self) -> str:
@@ -161,13 +164,13 @@ def run(
     progress: "bool | None" = False,
     **settings: Setting,
 ) -> Record:
-    """Holds one contest of one mouse in one maze, with the numbers of `labmouse run`.
+    """Runs one contest of one mouse in one maze, with the same numbers as `labmouse run`.
 
-    The arguments are those of `race`; `seed` is the contest's own.
-    debug: runs the contest of a mouse in Python in this process, where a debugger finds it, its prints are seen, and what it
-        leaves in variables stays. Then sets of texts have the order that they have here; all else is as in a race.
+    The arguments are those of `race`; `seed` is the seed of the contest itself.
+    debug: runs a mouse in Python in this process. Then a debugger can stop in it, its prints are shown, and its changes
+        to variables stay. The order of sets of str is that of this process; all else is as in a race.
 
-    Raises Error. Ctrl-C raises Interrupted, which has the record so far as `partial`.
+    Raises Error for a wrong argument. Ctrl-C raises Interrupted, whose `partial` is the Record so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who, where, seed = given(mouse), maze_of(maze), whole("seed", seed, 0, LARGEST_SEED)

@@ -1,4 +1,4 @@
-"""What nobody can beat: the bound of a maze, and its fastest route in seconds."""
+"""The best possible score in a maze (its bound), and the fastest route of a robot in seconds."""
 
 import json
 import os
@@ -18,9 +18,10 @@ def bound(
     budget: "int | None" = None,
     **settings: Setting,
 ) -> "float | None":
-    """The best possible score in a maze: that of a mouse that knows it. None where no goal can be reached.
+    """The best possible score in a maze, that of a mouse that knows the maze. None if no goal can be reached.
 
-    In the unit of the world: steps ('steps'), seconds ('seconds', 'physical') or points ('mms'). The settings are those of `race`.
+    Its unit is that of the world: steps ('steps'), seconds ('seconds', 'physical') or points ('mms'). The settings are
+    those of `race`. Raises Error if the world refuses the maze or a setting is wrong.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     return _native.bound(maze_of(maze), chosen)
@@ -31,12 +32,12 @@ class Route:
 
     def __init__(self, found: "tuple[str, str, str]") -> None:
         self._json, self._table, self.svg = found
-        #: All of it, as `labmouse route --format json` has it.
+        #: The route of this maze, as in the output of `labmouse route --format json`.
         self.data: dict[str, Any] = json.loads(self._json)["mazes"][0]
 
     @property
     def seconds(self) -> float:
-        """From rest at the start to the goal."""
+        """Time in s from rest at the start to the goal."""
         return float(self.data["time_us"]) / 1e6
 
     def __str__(self) -> str:
@@ -52,6 +53,7 @@ class Route:
 def route(maze: AnyMaze, robot: "str | os.PathLike[str]" = "classic") -> Route:
     """The fastest route in seconds, as `labmouse route` finds it.
 
-    robot: a built-in one, or a file whose name has a slash or ends in .toml. Raises Error where there is no route.
+    robot: a built-in one, or a file whose name has a slash or ends in .toml. Raises Error if there is no route or no
+        such robot.
     """
     return Route(_native.route(maze_of(maze), path("robot", robot)))

@@ -1,4 +1,4 @@
-"""Studies: mice compared in pairs on mazes that they have not learned from."""
+"""Studies: paired comparisons of mice on mazes that they were not trained on (cross-validation)."""
 
 import io
 import json
@@ -17,41 +17,41 @@ if TYPE_CHECKING:
 
 
 class Study:
-    """A study that was held; `study` makes it. Shown in a notebook as its picture."""
+    """The results of a study; `study` returns it. A notebook shows its picture."""
 
     def __init__(self, held: _native.HeldStudy, from_store: "int | None" = None) -> None:
         self._held = held
         self._from_store = held.from_store if from_store is None else from_store
-        #: All of it, as `labmouse study --format json` has it.
+        #: The output of `labmouse study --format json`.
         self.data: dict[str, Any] = json.loads(held.json())
 
     @property
     def complete(self) -> bool:
-        """Whether all folds were done: False where Ctrl-C stopped the study before."""
+        """Whether all folds were run: False if Ctrl-C stopped the study."""
         return self._held.complete
 
     @property
     def from_store(self) -> int:
-        """Contests that were not held, because the store had them."""
+        """The number of contests that were taken from the store and not run."""
         return self._from_store
 
     @property
     def table(self) -> "pandas.DataFrame":
-        """One line a maze, with its fold, its bound and the mean score of each mouse: steps, seconds or points."""
+        """One row per maze: its fold, its bound, and the mean score of each mouse in steps, seconds or points."""
         import pandas
 
         return pandas.read_csv(io.StringIO(self._held.csv()))
 
     @property
     def comparisons(self) -> "pandas.DataFrame":
-        """One line a pair of mice: the mean of the paired differences, its interval, p-values and verdict."""
+        """One row per pair of mice: the mean of the paired differences, its interval, p-values and verdict."""
         import pandas
 
         return pandas.DataFrame(self.data["comparisons"])
 
     @property
     def svg(self) -> str:
-        """The picture of the differences and the scores."""
+        """The picture of the differences and the scores, as SVG."""
         return self._held.svg()
 
     def __str__(self) -> str:
@@ -83,10 +83,13 @@ def study(
     label: "str | None" = None,
     **settings: Setting,
 ) -> Study:
-    """Compares mice as `labmouse study` does: each maze is held out once, in one of the folds.
+    """Compares mice by cross-validation, as `labmouse study` does: each maze is held out in one of the folds.
 
-    Mice that learn are taught anew for each fold, from the mazes of the others, unless `learning` is False. The other
-    arguments are those of `race`. Raises Error. Ctrl-C raises Interrupted, which has the folds that are done as `partial`.
+    folds: number of folds, at least 2.
+    learning: whether mice that learn are trained for each fold, on the mazes of all other folds.
+
+    The other arguments are those of `race`. Raises Error for a wrong argument. Ctrl-C raises Interrupted, whose
+    `partial` is the Study of the folds that are done.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)

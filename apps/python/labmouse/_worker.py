@@ -1,4 +1,4 @@
-"""A process that holds contests of mice in Python: see _workers.py."""
+"""The main program of a worker process, which runs contests of mice in Python: see _workers.py."""
 
 import os
 import pickle
@@ -11,7 +11,7 @@ from ._by_value import loads
 from ._modules import is_own
 from ._native import Strategy
 
-#: What such a process runs: it is first told where modules are, this one among them.
+#: The code that a worker process starts with. It first receives sys.path, by which it finds this module.
 PROGRAM = """
 import pickle, sys
 sys.path[:] = pickle.load(sys.stdin.buffer)
@@ -21,7 +21,7 @@ main()
 
 
 class _Surroundings:
-    """What a contest may change in this process, as it was before."""
+    """sys.path, environment, working folder and modules of this process, to restore before each contest."""
 
     def __init__(self) -> None:
         self.path, self.environment = list(sys.path), dict(os.environ)
@@ -32,7 +32,7 @@ class _Surroundings:
         self.modules = set(sys.modules)
 
     def restore(self) -> None:
-        """What contests have imported from files of the user's own is imported anew by the next."""
+        """Restores all of it. Removes the user's modules that contests imported; later contests import them again."""
         sys.path[:] = self.path
         if dict(os.environ) != self.environment:
             os.environ.clear()
@@ -48,11 +48,11 @@ class _Surroundings:
 
 
 def _maker(mouse: bytes) -> "Callable[..., Any]":
-    """What makes the mouse; what raises in its place where it cannot be made here."""
+    """Unpickles the maker of a mouse. If that fails, returns a maker that raises the reason."""
     try:
         maker: Callable[..., Any] = loads(mouse)
         if b"numpy" in mouse:
-            import numpy.random  # noqa: F401  so that it is there to be seeded
+            import numpy.random  # noqa: F401  seed_chance seeds it only if it is loaded
         return maker
     except Exception as error:  # what a user's object raises can be anything
         reason = error
@@ -64,7 +64,7 @@ def _maker(mouse: bytes) -> "Callable[..., Any]":
 
 
 def _decide(strategy: Strategy, questions: BinaryIO, answer: "Callable[[object], None]") -> None:
-    """Answers the questions of a contest, until it has ended."""
+    """Serves the requests of one contest until it ends."""
     answer(strategy.started)
     while True:
         what, words = pickle.load(questions)
@@ -80,18 +80,18 @@ def _decide(strategy: Strategy, questions: BinaryIO, answer: "Callable[[object],
 
 
 def _end_with(parent: int) -> None:
-    """A mouse that never answers does not outlive the race."""
+    """Ends this process when its parent is gone, even if a mouse never answers."""
     while os.getppid() == parent:
         time.sleep(1)
     os._exit(1)
 
 
 def main() -> None:
-    """Reads mice and contests until the input ends."""
+    """Reads mice and contests from standard input until it ends."""
     threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     questions = sys.stdin.buffer
     answers = os.fdopen(os.dup(1), "wb")
-    # What a mouse prints is no answer, and what it would read is no question to it.
+    # Redirect standard output to standard error and empty standard input: a mouse must not write or read our protocol.
     os.dup2(2, 1)
     sys.stdin = open(os.devnull, encoding="utf-8")
 
@@ -99,7 +99,7 @@ def main() -> None:
         try:
             pickle.dump(thing, answers)
             answers.flush()
-        except BrokenPipeError:  # nobody listens any more
+        except BrokenPipeError:  # the parent is gone
             os._exit(1)
 
     mice: list[bytes] = []

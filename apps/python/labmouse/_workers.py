@@ -1,7 +1,7 @@
 """Processes that run contests of mice in Python.
 
-Each contest begins with the mouse, its globals and the modules of the user's own as they were when the race began. So it
-does not matter which contests were held before it, in which process, or how many processes there are.
+Each contest starts with the mouse, its globals and the user's modules as they were when the race began. So results do
+not depend on earlier contests, on the process, or on the number of processes.
 """
 
 import atexit
@@ -19,26 +19,27 @@ from ._worker import PROGRAM
 #: Kind, rotation, movement and reason.
 Decision = tuple[int, int, int, int]
 
-#: What is raised where a process has ended, or where its pipes are closed.
+#: The exceptions of a pipe whose process has ended or that is closed.
 _GONE = (EOFError, OSError, ValueError, pickle.UnpicklingError)
-#: Sets of texts are in one of so many orders, by the seed of the contest. Each order needs processes of its own.
+#: Number of values of PYTHONHASHSEED, which decides the order of sets of str. The contest's seed chooses one. A process
+#: has one value for its life, so each value needs its own processes.
 HASH_ORDERS = 2
 
 
 class _Worker:
-    """A process that holds contests, one after the other."""
+    """A process that runs contests, one after the other."""
 
     def __init__(self, order: int) -> None:
         self.order = order
         self.surroundings = _surroundings()
         self.parent = os.getpid()
-        # A session of its own: Ctrl-C is for the process that races.
+        # A session of its own, so that Ctrl-C reaches only the process that runs the race.
         self.process = subprocess.Popen([sys.executable, "-c", PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         start_new_session=os.name == "posix",
                                         env={**os.environ, "PYTHONHASHSEED": str(order)})
 
     def begin(self) -> None:
-        """To be called once before anything is sent."""
+        """Sends sys.path. Call it once, before anything else is sent."""
         self.send(sys.path)
 
     def send(self, thing: object, at_once: bool = False) -> None:
@@ -64,7 +65,7 @@ class _Worker:
 
 
 def _surroundings() -> object:
-    """What a process was started with: it serves later races with the same."""
+    """The surroundings a process inherits. It can serve a later race only if they are the same then."""
     try:
         folder = os.getcwd()
     except OSError:
@@ -73,7 +74,7 @@ def _surroundings() -> object:
 
 
 class _Idle:
-    """Processes that wait for the next race, since to start one takes longer than most contests."""
+    """Idle processes, kept for the next race because starting one takes longer than most contests."""
 
     def __init__(self) -> None:
         self.lock = threading.Lock()
@@ -114,28 +115,28 @@ class Contest:
     def __init__(self, workers: "Workers", mouse: int, briefing: Briefing) -> None:
         self.workers = workers
         self.worker = workers.take(briefing.seed)
-        #: Whether its process has died, as the last words say.
+        #: Whether its process has died; then the last words have its exit code.
         self.died = False
-        #: The last words and the time of all decisions are known once the contest has ended.
+        #: Last message of the mouse, and the time of all decisions in microseconds; known once the contest has ended.
         self.last_words = ""
         self.microseconds: "float | None" = None
         self.started: bool = self._asked(("begin", mouse, briefing), True)
 
     def decide(self, left: int, ahead: int, right: int) -> "Decision | None":
-        """What the mouse answers to a reading; None once its process has died or the race is stopped."""
+        """Returns the mouse's decision for a reading; None once its process has died or the race is stopped."""
         decision: "Decision | None" = self._asked(("decide", (left, ahead, right)), None)
         return decision
 
     def show(self, *seen: Any) -> None:
-        """As of Strategy: x, y, heading and the reading."""
+        """Calls Strategy.show with x, y, heading and the reading."""
         self._tell(("show", seen))
 
     def carried(self, microseconds: int) -> None:
-        """As of Strategy."""
+        """Calls Strategy.carried."""
         self._tell(("carried", (microseconds,)))
 
     def end(self) -> None:
-        """Gives the process back; more calls do nothing."""
+        """Ends the contest and gives the process back. Further calls do nothing."""
         ended = self._asked(("end", ()), None)
         if ended is not None and self.worker is not None:
             self.last_words, self.microseconds = ended
@@ -167,23 +168,23 @@ class Contest:
 
 
 class Workers:
-    """The processes of one race. Threads call it, one process each."""
+    """The worker processes of one race. Thread-safe; each thread uses one process at a time."""
 
     def __init__(self, mice: "list[bytes]", most: int) -> None:
         self.mice = mice
         self.most = most
         self.closed = False
-        #: Of the lists and of `closed`; nobody who has it waits for anything.
+        #: Protects the lists and `closed`. Never held during a blocking call.
         self.lock = threading.Lock()
         self.busy: list[_Worker] = []
         self.free: list[_Worker] = []
 
     def elsewhere(self, mouse: int) -> "Callable[[Briefing], Contest]":
-        """What the compiled part calls for each contest of the mouse of that number."""
+        """The callable that the compiled part calls for each contest of the mouse with this index."""
         return partial(Contest, self, mouse)
 
     def close(self) -> None:
-        """Ends the processes that are busy, whatever they do."""
+        """Kills the busy processes, and keeps the free ones for the next race."""
         with self.lock:
             self.closed = True
             busy, free = list(self.busy), self.free
@@ -193,7 +194,7 @@ class Workers:
         _idle.put(free, self.most * HASH_ORDERS)
 
     def take(self, seed: int) -> "_Worker | None":
-        """A process that has nothing to do and knows the mice; None once the race is stopped."""
+        """A free process that has received the mice; None once the race is stopped."""
         order = seed % HASH_ORDERS
         with self.lock:
             if self.closed:
@@ -214,12 +215,12 @@ class Workers:
             if is_new:
                 worker.begin()
             worker.send(("mice", self.mice))
-        except _GONE:  # whoever asks next hears of it
+        except _GONE:  # the next request reports it
             pass
         return worker
 
     def give_back(self, worker: _Worker) -> None:
-        """Takes a process that is at the end of its contest."""
+        """Marks a process as free after its contest; ends it if the race is stopped."""
         with self.lock:
             self.busy.remove(worker)
             if not self.closed:
@@ -228,7 +229,7 @@ class Workers:
         worker.end()
 
     def died(self, worker: _Worker) -> "str | None":
-        """Why a process is no more; None where it was stopped with the race."""
+        """Removes a dead process. Returns why it died, or None if the race was stopped."""
         with self.lock:
             self.busy.remove(worker)
             closed = self.closed
@@ -237,13 +238,13 @@ class Workers:
 
 
 def processors() -> int:
-    """How many this process may use."""
+    """The number of processors that this process may use."""
     affinity = getattr(os, "sched_getaffinity", None)
     return len(affinity(0)) if affinity is not None else os.cpu_count() or 1
 
 
 def snapshot(mice: "list[tuple[str, Any, bool]]") -> "list[bytes]":
-    """The makers of mice as they are now; raises Error where one cannot leave this process."""
+    """Pickles the makers of mice with their present state. Raises Error if one cannot be pickled."""
     from ._by_value import dumps
 
     found = []
@@ -257,5 +258,5 @@ def snapshot(mice: "list[tuple[str, Any, bool]]") -> "list[bytes]":
 
 
 def for_mice(mice: "list[tuple[str, Any, bool]]", jobs: int) -> Union[Workers, None]:
-    """Processes for these mice; None where there are none."""
+    """The worker processes for a race of these mice with `jobs` threads (0: one per processor); None without mice."""
     return Workers(snapshot(mice), jobs or processors()) if mice else None

@@ -1,4 +1,4 @@
-"""The worlds of contests, and mazes, as the compiled part takes them."""
+"""Converts the arguments for worlds and mazes to the types of the compiled part."""
 
 import os
 from collections.abc import Iterable
@@ -14,7 +14,7 @@ Setting = Union[str, int, bool, float, "os.PathLike[str]", None]
 
 
 def world_with(world: "str | None", settings: "dict[str, Setting]") -> "tuple[str, dict[str, str]]":
-    """A world with those of its settings that are given."""
+    """The name of a world and its settings as text, without those that are None. Raises Error."""
     if not isinstance(world or "", str):
         raise Error(f"world is the name of a world, not {shown(world)}")
     return world or "", {name.replace("_", "-"): _text(value) for name, value in settings.items() if value is not None}
@@ -27,7 +27,7 @@ def _text(value: Setting) -> str:
 
 
 def mazes_of(mazes: "Mazes | None") -> "list[Maze]":
-    """The mazes; none for all built-in ones. Raises Error where a path leads to none."""
+    """The mazes as a list; empty if `mazes` is None, which means all built-in ones. Raises Error if none is found."""
     if mazes is None:
         return []
     several = list(mazes) if isinstance(mazes, Iterable) and not isinstance(mazes, (str, os.PathLike)) else [mazes]
@@ -44,5 +44,5 @@ def mazes_of(mazes: "Mazes | None") -> "list[Maze]":
 
 
 def maze_of(maze: AnyMaze) -> Maze:
-    """One maze."""
+    """The maze, read from its file if a path is given. Raises Error."""
     return maze if isinstance(maze, Maze) else Maze(path("a maze", maze))

@@ -1,6 +1,6 @@
-"""Races, studies and sweeps on the machines of a cluster of Dask: docs/how-to/clusters-and-stores.md.
+"""Races, studies and sweeps on a Dask cluster: docs/how-to/clusters-and-stores.md.
 
-It needs Dask: `pip install '.[cluster]'` in the source folder of labmouse.
+Needs Dask: run `pip install '.[cluster]'` in the source folder of labmouse.
 """
 
 import asyncio
@@ -36,44 +36,44 @@ __all__ = ["race", "study", "sweep"]
 _Contest = tuple[str, str, int]
 _Running = Union[_native.RunningRace, _native.RunningStudy]
 
-#: What contests that take about as long as each other have in common: the mouse, and how many cells the maze has.
+#: Contests of similar duration: (name of the mouse, number of cells of the maze).
 _Kind = tuple[str, int]
-#: By kinds: contests, and the seconds that they took.
+#: For each kind: the number of contests, and their total time in s.
 _Spent = dict[_Kind, tuple[int, float]]
 
-#: What a task should take: long beside what a scheduler needs for one, short beside what a dead worker costs.
+#: Duration of a task: long compared with the scheduler's overhead, short compared with the loss of a dead worker.
 _SECONDS_A_TASK = 1.0
-#: Towards the end tasks become smaller, down to this, so that all workers end at about the same time.
+#: Duration of the last tasks. They are shorter, so that all workers end at about the same time.
 _SECONDS_A_LAST_TASK = 0.1
-#: Contests of a kind in a task: so many where none was measured, and later so many times as many as were.
+#: Limit of contests of a kind in a task: this number while none was measured, later this factor times those measured.
 _FIRST = 4
-#: So long the client waits for a task that has ended, before it looks after the others; Ctrl-C ends the wait.
+#: Time in s that the client waits for a finished task, before it checks the cluster and submits tasks again.
 _SECONDS_A_WAIT = 0.1
-#: So often the scheduler is asked for its workers, and so long it has for an answer or for a result, which is a small file.
+#: Interval at which the scheduler is asked for its workers, and timeout of an answer or of a result (a small file).
 _SECONDS_BETWEEN_QUESTIONS = 1.0
 _SECONDS_FOR_AN_ANSWER = 10.0
 
 
-#: All contests of a study, in which mice are taught as well.
+#: The one kind of all contests of a study, whose time includes the training of mice.
 _ANY: _Kind = ("", 0)
 
 
 class _Plan(NamedTuple):
-    """A race or a study, as any machine can hold a part of it."""
+    """A race or a study in a form that can be sent to workers, each of which runs a part of it."""
 
     specs: "list[tuple[str, str]]"
     own: "list[tuple[str, bytes, bool, str]]"
-    """Mice in Python: name, what makes it as bytes, whether it is stochastic, and its identity in stores."""
+    """Mice in Python: (name, pickled maker, whether it is stochastic, identity in stores)."""
     label: str
     world: "tuple[str, dict[str, str]]"
     runs: "int | None"
     seed: int
     folds: "tuple[int, bool] | None"
-    """Of a study: how many, and whether mice learn."""
+    """For a study: (number of folds, whether mice learn); None for a race."""
 
     def begin(self, mazes: "list[Maze]", store: "tuple[str, list[_Contest] | None, str]", jobs: int = 0) -> "_Part":
-        """Holds contests. store: its path; those to hold where it does not have them, or None for all; and whether it is to
-        "keep" contests, to "read" alone, so that none is held, or to be "sent" on."""
+        """Starts the contests. store: (path, contests to run if it does not have them or None for all, use). The use is
+        "keep", "read" (runs none) or "send" (a temporary file, whose content goes to the client)."""
         workers = Workers([data for _, data, _, _ in self.own], jobs or processors()) if self.own else None
         own = [(name, None, uses_chance, workers.elsewhere(number), identity)
                for number, (name, _, uses_chance, identity) in enumerate(self.own) if workers is not None]
@@ -86,7 +86,7 @@ class _Plan(NamedTuple):
         return _Part(running, workers)
 
     def missing(self, mazes: "list[Maze]", store: str) -> "tuple[list[_Contest], int]":
-        """The contests that the store does not have, and how many it has."""
+        """The contests that the store does not have, and the number of those that it has."""
         with self.begin(mazes, (store, [], "keep")) as running:
             while not running.wait(0.1):
                 pass
@@ -95,7 +95,7 @@ class _Plan(NamedTuple):
 
 
 class _Part:
-    """Contests that are being held, with the processes of mice in Python."""
+    """Running contests and their worker processes for mice in Python, which the context ends."""
 
     def __init__(self, running: _Running, workers: "Workers | None") -> None:
         self.running = running
@@ -110,7 +110,7 @@ class _Part:
 
 
 def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[bytes, _Spent]":
-    """A task of a worker: a store with these contests, and the seconds that they took."""
+    """The task of a Dask worker: runs contests. Returns the content of a store with them, and their times."""
     begin = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         store = os.path.join(folder, "part.db")
@@ -119,14 +119,14 @@ def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[
             while not running.wait(1.0):
                 pass
             running.result()
-        # What a task takes besides is the smaller, the more contests it has.
+        # Times exclude the overhead of a task, whose share falls with the number of contests.
         spent = running.spent() if isinstance(running, _native.RunningRace) else {_ANY: (len(picked), time.perf_counter() - begin)}
         del running, part  # closes the store
         return Path(store).read_bytes(), spent
 
 
 class _Spread:
-    """Contests on their way to workers and back into the store, which nobody else writes to."""
+    """Distributes contests to workers and merges their results into the store. Only this client writes to the store."""
 
     def __init__(self, client: "Client", plan: _Plan, mazes: "list[Maze]", store: str, patience: float) -> None:
         self.client: Any = client
@@ -137,7 +137,7 @@ class _Spread:
         self.by_name = {maze.name: maze for maze in mazes}
         self.cells = {maze.name: maze.width * maze.height for maze in mazes}
         missing, self.from_store = plan.missing(mazes, store)
-        # By mazes, so that few tasks compute the bound of the same one.
+        # Sorted by maze: each task computes the bounds of its mazes again.
         self.waiting = collections.deque(sorted(missing, key=lambda contest: (contest[1], contest[0], contest[2])))
         self.all = self.from_store + len(missing)
         self.done = self.from_store
@@ -151,7 +151,7 @@ class _Spread:
         self.had_workers = time.monotonic()
 
     def wait(self, seconds: float) -> bool:
-        """Goes on until a task has ended, or for so long; whether all contests are in the store."""
+        """Submits tasks and merges finished ones; may wait for one. Returns whether all contests are in the store."""
         if not self.futures and not self.waiting:
             return True
         self._count_threads()
@@ -168,7 +168,7 @@ class _Spread:
         return False
 
     def stop(self) -> None:
-        """Takes back what is not done."""
+        """Cancels all tasks that are not done."""
         from distributed.client import ClosedClientError
 
         self.waiting.clear()
@@ -177,7 +177,7 @@ class _Spread:
         self.futures.clear()
 
     def _count_threads(self) -> None:
-        """Raises Error where nobody holds contests: the scheduler is gone, or has had no workers for too long."""
+        """Counts the workers' threads. Raises Error if the scheduler is gone or has had no workers for too long."""
         again = "what was done is kept: start again to go on"
         if self.client.status in ("closed", "closing"):
             raise Error(f"{self.store}: the scheduler is gone; {again}")
@@ -186,7 +186,7 @@ class _Spread:
             return
         self.asked = now
         self.threads = 0
-        # Where it is just being lost, it may be back at the next question.
+        # A connection that breaks now may be back at the next call.
         with contextlib.suppress(OSError, asyncio.TimeoutError):
             if self.client.status == "running":
                 self.threads = sum(self.client.nthreads(callback_timeout=_SECONDS_FOR_AN_ANSWER).values())
@@ -206,7 +206,7 @@ class _Spread:
             self._send(picked)
 
     def _seconds_of(self, contest: _Contest) -> float:
-        """What a contest is expected to take; those of which little is known have few in a task."""
+        """Expected time of a contest in s. Kinds with few measurements get a high value, so that tasks stay small."""
         mouse, maze, _ = contest
         number, seconds = self.spent.get(_ANY if self.plan.folds else (mouse, self.cells[maze]), (1.0, 0.0))
         return max(seconds / number, _SECONDS_A_TASK / (_FIRST * number))
@@ -216,7 +216,7 @@ class _Spread:
         self._await(future, picked)
 
     def _mazes_of(self, picked: "list[_Contest]") -> "list[Maze]":
-        """Those that these contests need: a study deals all mazes into its folds."""
+        """The mazes that these contests need. A study needs all of them to make its folds."""
         return self.mazes if self.plan.folds else [self.by_name[name] for name in sorted({maze for _, maze, _ in picked})]
 
     def _await(self, future: Any, picked: "list[_Contest]") -> None:
@@ -224,7 +224,7 @@ class _Spread:
         future.add_done_callback(self.finished.put)
 
     def _part(self, future: Any) -> "list[tuple[list[_Contest], bytes]]":
-        """What came back; nothing where it has to be done again."""
+        """The contests of a finished task with their store; empty if the contests are run again."""
         from distributed import KilledWorker
 
         picked = self.futures.pop(future, None)
@@ -233,10 +233,10 @@ class _Spread:
         try:
             data, spent = future.result(timeout=_SECONDS_FOR_AN_ANSWER)
         except (OSError, asyncio.TimeoutError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
-            if future.status == "error":  # of the task itself
+            if future.status == "error":  # the task itself raised it
                 raise
             if isinstance(error, asyncio.TimeoutError):
-                # Its worker died with it, and it is run again; or the way is slow.
+                # The worker died with the result and Dask runs the task again, or the network is slow.
                 self._await(future, picked)
             else:  # the scheduler was restarted
                 self.waiting.extendleft(reversed(picked))
@@ -269,7 +269,7 @@ class _Spread:
             self._check([contest for picked, _ in parts for contest in picked])
 
     def _check(self, came: "list[_Contest]") -> None:
-        """Raises Error where the workers held other contests than this machine would."""
+        """Raises Error if the workers ran other contests than this machine would: their mice have other identities."""
         if not set(came).isdisjoint(self.plan.missing(self._mazes_of(came), self.store)[0]):
             raise _other_contests(self.store)
 
@@ -300,7 +300,7 @@ def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store:
         stopped = finish(spread, progress)
     finally:
         spread.stop()
-    # All of it is in the store now; after Ctrl-C, what is done.
+    # The store has all contests now or, after Ctrl-C, those that are done.
     with plan.begin(field, (kept, None, "read")) as running:
         finish(running, False)
         held = running.result()
@@ -326,14 +326,14 @@ def race(
     patience: float = 300.0,
     **settings: Setting,
 ) -> Race:
-    """Races mice on mazes as `labmouse.race`, with the same numbers, on the workers of a `distributed.Client`.
+    """Races mice on mazes on the workers of a `distributed.Client`, with the same numbers as `labmouse.race`.
 
-    store: a file of this machine that keeps all contests; those that are there are not run again. A race that was
-        killed goes on where it was when it is started again.
-    patience: so many seconds it waits for workers where the cluster has none; then it raises Error.
+    store: file on this machine that keeps all contests; a contest that it has is not run again. So a race that was
+        killed continues when it is started again.
+    patience: seconds to wait while the cluster has no workers, before it raises Error.
 
     The other arguments are those of `labmouse.race`. All machines need the same labmouse, and the files of external mice,
-    robots and rules under the same paths. Raises Error. Ctrl-C raises Interrupted, which has what is done as `partial`.
+    robots and rules under the same paths. Raises Error. Ctrl-C raises Interrupted, whose `partial` is the Race so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     held, from_store, stopped = _spread(client, mice, mazes, store, label, (runs, seed), None, progress, patience, chosen)
@@ -362,10 +362,10 @@ def study(
     patience: float = 300.0,
     **settings: Setting,
 ) -> Study:
-    """Compares mice as `labmouse.study`, with the same numbers, on the workers of a `distributed.Client`.
+    """Compares mice on the workers of a `distributed.Client`, with the same numbers as `labmouse.study`.
 
-    Mice that learn are taught on this machine and again in each task. `store` and `patience` are as of `race`, the other arguments are
-    those of `labmouse.study`. Raises Error. Ctrl-C raises Interrupted, which has the folds that are done as `partial`.
+    Mice that learn are trained on this machine and again in each task. `store` and `patience` are as in `race`, all
+    other arguments as in `labmouse.study`. Raises Error. Ctrl-C raises Interrupted; its `partial` is the Study so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     held, from_store, stopped = _spread(client, mice, mazes, store, label, (runs, seed), (folds, learning), progress, patience, chosen)
@@ -386,7 +386,8 @@ def sweep(
 ) -> Race:
     """Races a mouse with all combinations of values of its parameters: `sweep(client, 'flood', {'stride': [1, 2]}, ...)`.
 
-    mouse: a SPEC of one mouse. The other arguments are those of `race`. Raises Error.
+    mouse: the SPEC of one mouse. vary: a list of values for each parameter, by its name. The other arguments are those
+    of `race`. Raises Error.
     """
     for name, values in vary.items():
         if isinstance(values, str) or not isinstance(values, Iterable):

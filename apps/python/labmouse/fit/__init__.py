@@ -1,6 +1,6 @@
-"""Robots from logs of a mouse and from measured turns: docs/how-to/robot-from-a-log.md has the method and examples.
+"""Identifies robots from logs of a real mouse or from measured turns: docs/how-to/robot-from-a-log.md has the method.
 
-It needs SciPy, and for plots matplotlib: `pip install '.[fit]'` in the source folder of labmouse.
+Needs SciPy, and matplotlib for plots: run `pip install '.[fit]'` in the source folder of labmouse.
 
     log = read_log("run.csv", "time=ms,left=pwm_l/255,right=pwm_r/255,left_count=enc_l,right_count=enc_r,gyro=gz*0.00107")
     fit = fit_log(log, base_numbers("kerise"))

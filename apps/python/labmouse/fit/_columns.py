@@ -1,4 +1,4 @@
-"""Which column of a log is what: the roles, and the text of `--columns`."""
+"""The roles of the columns of a log, and the parser of `--columns`."""
 
 import difflib
 import math
@@ -10,7 +10,7 @@ from .. import Error
 
 @dataclass(frozen=True)
 class Role:
-    """What a column of a log can be. Values must be from `low` to `high` in its unit; `gaps`: fields may be empty."""
+    """A quantity that a column can have. Values must be `low` to `high`, in `unit`; `gaps`: fields may be empty."""
 
     unit: str
     low: float
@@ -46,10 +46,10 @@ ROLES = {
 
 @dataclass(frozen=True)
 class Column:
-    """Where the values of a role are.
+    """The column of a role.
 
-    name: as in the first line of the log, or "#3" for the third column. factor: from there to the unit of the role.
-    wraps: the number of counts after which a counter begins again; 0: it does not.
+    name: as in the first line of the log, or "#3" for the third column. factor: converts its values to the unit of the
+    role. wraps: the number of counts after which the counter wraps around; 0 if it does not.
     """
 
     name: str
@@ -58,9 +58,9 @@ class Column:
 
 
 def read_columns(text: str, period: float = 0.0) -> dict[str, Column]:
-    """The columns of a text such as "time=ms,left=pwm_l/255,gyro*0.001,left_count=enc%65536", by their roles.
+    """Parses a text such as "time=ms,left=pwm_l/255,gyro*0.001,left_count=enc%65536" into columns by their roles.
 
-    period: ms from row to row where no column has the time; 0 otherwise. Raises Error with what is wrong.
+    period: ms from row to row if no column has the time; 0 otherwise. Raises Error.
     """
     columns: dict[str, Column] = {}
     for part in filter(None, (part.strip() for part in text.split(","))):

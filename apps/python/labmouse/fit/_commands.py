@@ -35,7 +35,7 @@ def _number(low: float, high: float) -> Callable[[str], float]:
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        """One line, as all errors of users."""
+        """Prints one line, as for all errors of users, and exits with code 2."""
         self.exit(2, f"error: {message}; {self.prog} --help lists all options\n")
 
 
@@ -110,7 +110,7 @@ def _fit(options: argparse.Namespace) -> int:
 
 def _of_turns(options: argparse.Namespace) -> FittedRobot:
     turns = read_turns(options.turns)
-    robot_numbers(options.base)  # what is wrong with the base is not wrong with the table
+    robot_numbers(options.base)  # an error of the base must not be reported as one of the table
     try:
         return robot_of_turns(turns, options.base, options.cell)
     except Error as error:

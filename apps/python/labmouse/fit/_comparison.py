@@ -1,4 +1,4 @@
-"""A log beside a robot that does the same: how far they differ, and where they part."""
+"""Compares a log with a simulated robot on the same drive: their differences, and where they begin to diverge."""
 
 import os
 from dataclasses import dataclass
@@ -16,23 +16,23 @@ from ._robots import base_numbers
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Curves part where they differ, in the mean of 50 ms, by more than this share of the log's peak.
+#: Curves diverge where their mean difference over 50 ms exceeds this share of the log's peak.
 PARTING_SHARE = 0.05
 
 
 @dataclass
 class Curve:
-    """A curve of both, by ticks."""
+    """One quantity of the log and of the robot, by ticks (1 ms)."""
 
     unit: str
     log: Array
     robot: Array
-    parts: Optional[int] = None  #: the tick at which they part
+    parts: Optional[int] = None  #: the tick at which they diverge; None if they do not
 
 
 @dataclass
 class Comparison:
-    """A log beside a robot."""
+    """The result of compare_log."""
 
     log_name: str
     robot_name: str
@@ -41,7 +41,7 @@ class Comparison:
     stronger: float  #: share by which its right motor was made stronger than the left one
 
     def table(self) -> "pd.DataFrame":
-        """A row for each curve: peak of the log, rms and largest difference, difference at the end, and when they part (s)."""
+        """One row per curve: peak of the log, rms, largest and last difference, and the time of divergence in s."""
         import pandas as pd
 
         rows = {}
@@ -84,11 +84,12 @@ class Comparison:
 
 
 def compare_log(log: Log, robot: "Union[str, os.PathLike[str]]") -> Comparison:
-    """Drives a robot with hardware beside a log, without noise and on an open floor.
+    """Drives a robot as in a log, without noise and on an open floor, and compares the two.
 
-    Where the log has duties, the robot's motors get these, and are made as unequal as those of the log, since no way stays straight
-    under the duties that unequal motors need. Otherwise the robot's controller follows the speeds that the mouse was to have, or
-    those that it had. Raises Error; the log must begin at rest.
+    If the log has PWM duties, the robot's motors get these. The motors are made as unequal as those of the log, because
+    duties that keep a real mouse straight make a mouse with equal motors turn. Otherwise, the robot's controller
+    follows the log's set speeds or, without these, its measured speeds. The log must begin at rest, and the robot must
+    have hardware. Raises Error.
     """
     name = os.fspath(robot)
     numbers = base_numbers(robot)
@@ -143,7 +144,7 @@ def _check(log: Log, motion: Motion) -> None:
 
 
 def _parting(log: Array, robot: Array, least: float) -> Optional[int]:
-    about = 50  # ticks, in whose mean shaking is little
+    about = 50  # ticks; their mean removes most vibration
     sums = np.concatenate([[0.0], np.cumsum(robot - log)])
     means = np.abs(sums[about:] - sums[:-about]) / about
     beyond = np.flatnonzero(means > max(least, PARTING_SHARE * float(np.abs(log).max())))

@@ -1,4 +1,4 @@
-"""Travel for a count of the encoders, from a way that is known."""
+"""Estimates the travel per encoder count from known distances."""
 
 from dataclasses import dataclass
 
@@ -10,20 +10,21 @@ from ._logs import Log
 
 @dataclass
 class CountFit:
-    """The fit of the encoders."""
+    """The result of fit_count."""
 
-    count: Estimate = Estimate()  #: mm of travel for a count, mean of both wheels
-    way: float = 0.0  #: mm that are known
-    missed: float = 0.0  #: rms mm by which places that are left out are missed; 0 where only the whole way is known
+    count: Estimate = Estimate()  #: mm of travel per count, mean of both wheels
+    way: float = 0.0  #: known distance in mm
+    missed: float = 0.0  #: rms error in mm at places left out of the fit; 0 if only the whole distance is known
     refusal: str = ""  #: why there is no fit
 
 
 def fit_count(log: Log, way: float = 0.0, way_error: float = 1.0) -> CountFit:
-    """Fits the travel.
+    """Fits the travel per count.
 
-    way, way_error: mm from the first to the last row, as measured, with its standard error; 0: use the column `way`.
-    Method: a line through the known places over the counts there, by least squares with Huber's loss. The error is the larger
-    one of two jackknives: over blocks of places, and over blocks of differences between places, where errors add up.
+    way, way_error: measured distance in mm from the first to the last row, and its standard error. With a `way` of 0,
+    the log's column `way` is used.
+    Method: a straight line of position over counts, by least squares with Huber's loss. The error is the larger one of
+    two jackknives: over blocks of positions, and over differences between positions, which covers cumulative errors.
     """
     if "left_count" not in log:
         return CountFit(refusal="the log has no counts")

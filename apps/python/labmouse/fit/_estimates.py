@@ -1,4 +1,4 @@
-"""Numbers with standard errors, and the linear least squares that give them."""
+"""Estimates with standard errors, and linear least squares with a jackknife."""
 
 from dataclasses import dataclass
 from importlib import import_module
@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number and its standard error in the same unit. An error of 0 means: the data do not determine it."""
+    """A number and its standard error, in the same unit. An error of 0 means that the number is not determined."""
 
     value: float = 0.0
     error: float = 0.0
@@ -24,14 +24,14 @@ class Estimate:
 
 
 def within(value: float, error: float, most: float) -> Estimate:
-    """The estimate; unknown unless its error is above 0 and at most `most`."""
+    """An estimate that is unknown unless its error is above 0 and at most `most`."""
     return Estimate(float(value), float(error) if 0.0 < error <= most else 0.0)
 
 
 def jackknife(without: Any) -> Any:
-    """Standard errors from the estimates without each of several blocks of the data, by their first axis.
+    """Standard errors by the delete-one-block jackknife: `without[i]` is the estimate without block i of the data.
 
-    Residuals may depend on their neighbours within a block. Source: Quenouille 1949, Tukey 1958.
+    Residuals may be correlated within a block. Source: Quenouille 1949, Tukey 1958.
     """
     values = np.asarray(without, dtype=float)
     count = len(values)
@@ -39,9 +39,10 @@ def jackknife(without: Any) -> Any:
 
 
 def fits_better(one: Array, other: Array) -> bool:
-    """Whether a model leaves less than another one, by the squares that each leaves of the same blocks when these are left out.
+    """Whether model `one` predicts better than model `other`, by their squared cross-validation errors per block.
 
-    It does if it leaves less than half, or a tenth less where the difference is above 2.5 standard deviations.
+    It does if its sum is less than half of the other's, or less than 0.9 of it with a difference above 2.5 standard
+    deviations.
     """
     count, gain = len(one), float(other.sum() - one.sum())
     deviation = np.sqrt(max(0.0, float(((other - one) ** 2).sum()) - gain * gain / count) * count / (count - 1.0))
@@ -50,10 +51,10 @@ def fits_better(one: Array, other: Array) -> bool:
 
 
 def robust_weights(rows: Array, values: Array, floor: float) -> Array:
-    """Weights of equations, shape (n,): 1 near the fit, and less for outliers as Huber's loss has it.
+    """Weights of Huber's loss for n equations, shape (n,): 1 near the fit, less for outliers.
 
-    rows: (n, k), values: (n,). Outliers are beyond 3 standard deviations (by the median of residuals), or beyond `floor`
-    where that is more; without outliers all weights are 1, and least squares stay as they are. Source: Huber 1964.
+    rows: (n, k), values: (n,). Outliers have residuals beyond 3 standard deviations (estimated by the median) and
+    beyond `floor`. Without outliers all weights are 1, which is ordinary least squares. Source: Huber 1964.
     """
     start = np.linalg.lstsq(rows, values, rcond=None)[0]
     scale = max(floor, 3.0 * 1.4826 * float(np.median(np.abs(values - rows @ start))))
@@ -66,7 +67,7 @@ def robust_weights(rows: Array, values: Array, floor: float) -> Array:
 
 
 class Blocks:
-    """Weighted linear least squares over blocks of equations: the answer to all, and those without each block.
+    """Weighted linear least squares over blocks of equations: the solution of all, and those without each block.
 
     rows: (n, k) coefficients, values: (n,), block: (n,) numbers from 0, weights: (n,) or None for 1.
     """
@@ -75,16 +76,16 @@ class Blocks:
         whole = np.column_stack([rows, values])
         weighted = whole if weights is None else whole * weights[:, None]
         number = np.asarray(block)
-        #: Of each block the sums of products, with the values as the last unknown: (blocks, k + 1, k + 1).
+        #: The normal equations of each block, with `values` as the last column: shape (blocks, k + 1, k + 1).
         self.products = np.array([whole[number == one].T @ weighted[number == one] for one in range(int(number.max()) + 1)])
 
     def __len__(self) -> int:
         return len(self.products)
 
     def solve(self, fixed: dict[int, float]) -> "Optional[tuple[Array, Array]]":
-        """The answer (k,) to all, and the answers (blocks, k) without each block; unknowns in `fixed` keep their values.
+        """The solution of all equations, shape (k,), and those without each block, shape (blocks, k).
 
-        None where the equations do not determine the others.
+        fixed: given values of unknowns, by their index. None if the equations do not determine the others.
         """
         total = self.products.sum(axis=0)
         answers = [_solution(products, fixed) for products in [total, *(total - self.products)]]
@@ -93,7 +94,7 @@ class Blocks:
         return answers[0], np.array(answers[1:])  # type: ignore[return-value]
 
     def squares(self, answers: Array) -> Array:
-        """The weighted squares that each block leaves under its own answer, shape (blocks,)."""
+        """The weighted sum of squared residuals of each block under its own solution answers[i], shape (blocks,)."""
         with_value = np.column_stack([-answers, np.ones(len(answers))])
         squares: Array = np.maximum(0.0, np.einsum("bi,bij,bj->b", with_value, self.products, with_value))
         return squares

@@ -1,4 +1,4 @@
-"""Files of users, read as far as they may be long."""
+"""Reads files of users, up to a size limit."""
 
 import os
 from typing import Union
@@ -7,7 +7,7 @@ from .. import Error
 
 
 def content_of(path: "Union[str, os.PathLike[str]]", most: int) -> bytes:
-    """All bytes of a file of at most so many MiB; raises Error with the file otherwise. Devices without an end are refused, too."""
+    """All bytes of a file. Raises Error if it has more than `most` MiB (endless devices do) or cannot be read."""
     try:
         with open(path, "rb") as file:
             content = file.read((most << 20) + 1)

@@ -1,4 +1,4 @@
-"""Noise of the gyro, from a mouse at rest."""
+"""Estimates the noise of the gyro from a mouse at rest."""
 
 from dataclasses import dataclass
 
@@ -11,21 +11,21 @@ from ._motion import Motion
 
 @dataclass
 class GyroFit:
-    """The fit of the noise."""
+    """The result of fit_gyro."""
 
-    noise: Estimate = Estimate()  #: rad/s, standard deviation of a reading, without that of rounding
+    noise: Estimate = Estimate()  #: standard deviation of a reading in rad/s, without rounding
     rest: float = 0.0  #: s at rest
-    missed: float = 0.0  #: rms share by which a quarter of the rest differs from the others
+    missed: float = 0.0  #: relative rms difference between each quarter of the rest and the others
     refusal: str = ""  #: why there is no fit
 
 
 def fit_gyro(log: Log, motion: Motion) -> GyroFit:
-    """Fits the noise.
+    """Estimates the standard deviation of the gyro's readings from rows in which the mouse stands still.
 
     Method: second differences of white noise have six times its variance, and contain neither bias nor drift; first
-    differences have twice its variance. If the two disagree, the noise is not white, and the error contains the difference.
-    The standard error is that of a jackknife over 20 blocks. Rounding adds the variance of a uniform distribution over a
-    unit of the gyro, which is subtracted (Sheppard 1898).
+    differences have twice its variance. If the two disagree, the noise is not white, and the error includes the
+    difference. The standard error is that of a jackknife over 20 blocks. Rounding adds the variance of a uniform
+    distribution over one quantization step, which is subtracted (Sheppard 1898).
     """
     if "gyro" not in log:
         return GyroFit(refusal="the log has no gyro")

@@ -1,6 +1,6 @@
-"""Gain and fall-off of infrared sensors, from readings at known distances from walls.
+"""Estimates gain and fall-off length of infrared sensors from readings at known distances from walls.
 
-The law: reading = gain * exp(-(distance - distance in the middle of a cell) / fall).
+The law: reading = gain * exp(-(distance - distance in the middle of a cell) / fall), with distances and fall in mm.
 """
 
 import math
@@ -17,31 +17,33 @@ from ._motion import Numbers
 SENSORS = ("right", "right_ahead", "left", "left_ahead")
 _WALLS = {"wall_right": (0,), "wall_left": (2,), "wall_ahead": (1, 3)}
 _LEAST_RUNS, _MOST_BLOCKS = 5, 20
-# The unknowns behind the ln of each sensor's gain: 1/fall, and those of other laws: a bend, and an offset in counts.
+# Unknowns 0 to 3 are the ln of each sensor's gain. Then follow 1/fall, and those of the alternative laws: a quadratic
+# term, and an offset in counts.
 _DISTANCE, _BEND, _OFFSET = 4, 5, 6
 
 
 @dataclass
 class InfraredFit:
-    """The fit of all sensors."""
+    """The result of fit_infrared."""
 
-    gain: Estimate = Estimate()  #: counts in the middle of a cell, mean of the sensors
-    fall: Estimate = Estimate()  #: mm
+    gain: Estimate = Estimate()  #: counts in the middle of a cell, weighted mean of the sensors
+    fall: Estimate = Estimate()  #: mm in which the reading falls by the factor e
     of_sensor: dict[str, float] = field(default_factory=dict)  #: gain in counts by the names of SENSORS
     places: int = 0  #: number of runs of rows at a wall
-    missed: float = 0.0  #: rms share by which readings at places that are left out are missed
-    bends: bool = False  #: whether readings follow another law
-    readings: "Optional[pd.DataFrame]" = None  #: what was fitted: columns sensor, farther (mm), level (counts)
+    missed: float = 0.0  #: relative rms error of readings at places left out of the fit
+    bends: bool = False  #: whether readings deviate from the law
+    readings: "Optional[pd.DataFrame]" = None  #: the fitted data: columns sensor, farther (mm), level (counts)
     refusal: str = ""  #: why there is no fit
 
 
 def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
-    """Fits the law; where sensors are, their highest reading and their noise are the robot's (keys of robot files).
+    """Fits the law to the readings of a log.
 
-    Method: ln(reading) is a line over the distance, with a gain for each sensor and one fall-off for all: least squares with
-    Huber's loss. All rows at a place of a wall share its reflectance, so a place counts once, and errors are those of a
-    jackknife over places. Where a law that bends or has an offset fits places that are left out better, errors contain what it
-    would change.
+    robot: parameters by the keys of robot files; its sensor angles, highest reading and noise are used.
+    Method: ln(reading) is linear in the distance, with a gain per sensor and one fall-off for all; least squares with
+    Huber's loss. All rows at a place of a wall share its reflectance. So a place counts once, and errors are those of a
+    jackknife over places. If a law with a quadratic term or an offset predicts places left out of the fit better, the
+    errors include the changes that it would make.
     """
     result = InfraredFit()
     readings = _readings(log, robot)
@@ -50,7 +52,7 @@ def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
         return result
     kept, runs = _readable(readings, robot, {0, 1, 2, 3}, None)
     fit: "Optional[_LawFit]" = None
-    for _ in range(5):  # which readings are usable follows from the law, so that errors do not choose
+    for _ in range(5):  # the fitted law, not the noisy reading, decides which readings are usable
         if max(runs.values(), default=0) < _LEAST_RUNS:
             break
         fit = _Problem(kept, runs, robot, fit.law if fit else None).fit()
@@ -83,10 +85,10 @@ def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
 
 
 def _parts(walls: Array) -> list[tuple[int, int, bool]]:
-    """Spans of rows at almost one distance, and whether each begins a run: one wall that the mouse passes or comes to.
+    """Splits rows into parts at almost the same distance: [begin, end) and whether the part begins a new run.
 
-    A run ends where the distance jumps by 3 mm, or changes after 10 equal rows (a mouse that is put from place to place); a
-    part ends where it has changed by 1 mm.
+    A run is one wall that the mouse passes or approaches. It ends where the distance jumps by more than 3 mm, or
+    changes after 10 equal rows (the mouse is moved by hand). A part ends where the distance has changed by 1 mm.
     """
     parts: list[tuple[int, int, bool]] = []
     same, before, begun, start, begins = 0, np.nan, 0.0, -1, False
@@ -103,8 +105,8 @@ def _parts(walls: Array) -> list[tuple[int, int, bool]]:
 
 
 def _readings(log: Log, robot: Numbers) -> "Optional[pd.DataFrame]":
-    """All readings, a row for each sensor and part: wall, run, sensor, farther (mm beyond the middle of a cell), level (counts),
-    rows. None where the log has no distances."""
+    """The mean readings by sensor and part, or None if the log has no distances from walls. Columns: wall, run, sensor,
+    farther (mm, distance beyond that in the middle of a cell), level (counts), rows."""
     cell = robot["cell"]
     face = cell / 2.0 - cell / 30.0
     rows: list[tuple[Any, ...]] = []
@@ -126,7 +128,7 @@ def _readings(log: Log, robot: Numbers) -> "Optional[pd.DataFrame]":
 
 
 def _expected(readings: "pd.DataFrame", law: Optional[Array]) -> Array:
-    """The level by a law, so that errors do not weigh themselves; without a law the level itself."""
+    """The levels that a law predicts, so that weights do not follow noise; without a law, the measured levels."""
     if law is None:
         return readings.level.to_numpy(dtype=float)
     levels: Array = np.exp(law[readings.sensor] - law[_DISTANCE] * readings.farther.to_numpy(dtype=float))
@@ -134,7 +136,7 @@ def _expected(readings: "pd.DataFrame", law: Optional[Array]) -> Array:
 
 
 def _readable(readings: "pd.DataFrame", robot: Numbers, sensors: set[int], law: Optional[Array]) -> "tuple[pd.DataFrame, dict[int, int]]":
-    """Readings that are neither lost in noise nor cut, and the number of runs of each sensor."""
+    """The readings well above the noise and below the sensor's limit, and the number of runs of each sensor."""
     level = _expected(readings, law)
     low, high = max(8.0, 5.0 * robot["noise.infrared"]), 0.9 * robot["sensors.infrared_most"]
     keep = (level >= low) & (level <= high) & (readings.level > 0.0) & readings.sensor.isin(sensors)
@@ -150,7 +152,7 @@ class _LawFit:
     fall: float
     gain_error: float
     fall_error: float
-    missed: Array  # by block, squares of ln
+    missed: Array  # by block: sum of squared errors of ln(reading), predicted without that block
 
 
 class _Problem:
@@ -158,13 +160,13 @@ class _Problem:
         self.sensors = sorted(sensor for sensor in runs if runs[sensor] >= _LEAST_RUNS)
         count = min([_MOST_BLOCKS, *(runs[sensor] for sensor in self.sensors)])
         used = readings[readings.sensor.isin(self.sensors)]
-        level, usual = _expected(used, law), 0.05  # share by which places differ
+        level, usual = _expected(used, law), 0.05  # relative variation of readings between places
         rows = np.zeros((len(used), 7))
         farther = used.farther.to_numpy(dtype=float)
         rows[np.arange(len(used)), used.sensor] = 1.0
         rows[:, _DISTANCE], rows[:, _BEND], rows[:, _OFFSET] = -farther, farther**2, 1.0 / level
         values = np.log(used.level.to_numpy(dtype=float))
-        # All readings of a run weigh as much as one that is certain: they are of the same wall.
+        # All readings of a run together have the weight of one exact reading, since they share the same wall.
         shares = readings.groupby(["wall", "run"])["level"].transform("size")[used.index].to_numpy(dtype=float)
         unsure = (robot["noise.infrared"] / level) ** 2 / used.rows.to_numpy(dtype=float)
         weights = usual**2 / (usual**2 + unsure) / shares
@@ -178,14 +180,13 @@ class _Problem:
         self.spread = max(0.01, robot["noise.infrared_gain"])
 
     def fit(self, more: Optional[int] = None) -> Optional[_LawFit]:
-        """The law, with one unknown more where that is given. None where it is not determined, or readings grow with the
-        distance."""
+        """Fits the law, with `more` as another unknown. None if it is undetermined, or readings grow with distance."""
         fixed = {i: 0.0 for i in range(7) if i not in (*self.sensors, _DISTANCE, more)}
         solved = self.blocks.solve(fixed)
         if solved is None or solved[0][_DISTANCE] <= 0.0 or (solved[1][:, _DISTANCE] <= 0.0).any():
             return None
         law, others = solved
-        # The more certain sensor weighs more; but sensors differ, however certain each of them is.
+        # Weights of a random-effects mean: each sensor's variance plus the variance between sensors.
         weights = 1.0 / (jackknife(others[:, self.sensors]) ** 2 + self.spread**2)
         weights /= weights.sum()
         gain = float(np.exp(law[self.sensors]) @ weights)
@@ -194,12 +195,12 @@ class _Problem:
         return _LawFit(law, gain, float(1.0 / law[_DISTANCE]), float(gain_error), float(fall_error), self.blocks.squares(others))
 
     def rms(self, squares: Array) -> float:
-        """As a share of readings."""
+        """The relative rms error of readings, from sums of squares."""
         return float(np.sqrt(squares.sum() / self.weight))
 
 
 def _widen(problem: _Problem, usual: float, fit: _LawFit, result: InfraredFit) -> None:
-    """Adds to the errors what other laws would change, if they fit better, and what no law explains."""
+    """Increases the errors by the changes under other laws, if they fit better, and by residuals of all laws."""
     left = problem.rms(fit.missed)
     for more in (_BEND, _OFFSET):
         other = problem.fit(more)

@@ -1,4 +1,4 @@
-"""All that a log tells of a mouse."""
+"""Fits all parameters that a log determines, and pools the fits of several logs."""
 
 import dataclasses
 import math
@@ -18,7 +18,7 @@ from ._motors import Axis, MotorFit, fit_motors
 
 @dataclass
 class LogFit:
-    """The fits of a log; each has a `refusal` where the log does not determine it. motion and log: what was fitted, for plots."""
+    """The fits of a log. A fit that the log does not determine has a `refusal`. log, motion: the data, for plots."""
 
     log: Log
     motion: Motion
@@ -29,7 +29,7 @@ class LogFit:
     infrared: InfraredFit = field(default_factory=InfraredFit)
 
     def numbers(self) -> dict[str, Estimate]:
-        """What was fitted, by the keys of robot files and in their units; times in ms."""
+        """The fitted parameters by the keys of robot files, in their units; times in ms."""
         numbers = {"sensors.count": self.count.count, "noise.gyro": self.gyro.noise}
         for axis, fit in (("drive", self.drive), ("turn", self.turn)):
             in_ms = Estimate(1e3 * fit.time.value, 1e3 * fit.time.error)
@@ -43,11 +43,12 @@ class LogFit:
 
 
 def fit_log(log: Log, robot: Numbers, *, way: float = 0.0, way_error: float = 1.0) -> LogFit:
-    """Fits a log.
+    """Fits encoders, motors, gyro and infrared sensors to a log.
 
-    robot: numbers of the base robot, with hardware (`robot_numbers`); what the log does not determine is taken from it.
-    way, way_error: mm of the whole log and its standard error, where it was measured. Millimetres are those of the fitted count.
-    Errors of the motors contain that of the count (or of the base's) or, for turning, of the gyro's scale. Raises Error.
+    robot: parameters of the base robot, with hardware (`base_numbers`), for all that the log does not determine.
+    way, way_error: measured distance of the whole log in mm, and its standard error; 0 if it was not measured.
+    Distances use the fitted mm per count. Errors of the motors include its error (or the base's) or, for turning by a
+    gyro, that of the gyro's scale. Raises Error.
     """
     count = fit_count(log, way, way_error)
     counted = {**robot, **({"sensors.count": count.count.value} if count.count.known else {})}
@@ -71,11 +72,11 @@ def _fit_motors(fit: LogFit, robot: Numbers, scale: float) -> None:
     else:
         speed, taken = rates(motion.way), None
         if motion.angle is not None:
-            # In the mean of a time in which a body shakes once, so that shaking is no turning.
+            # Averaged over about one period of the body's vibration, so that vibration does not count as turning.
             taken = np.clip(speed, -1.0, 1.0) * np.abs(rates(motion.angle, 16))
         fit.drive = fit_motors(Axis(motion.way, speed, onwards, around, 40, taken=taken, factor=robot["motors.turning"], **base["drive"]))
         fit.drive.gain = _less_sure(fit.drive.gain, scale)
-        fit.drive.taking = _less_sure(fit.drive.taking, 0.02)  # turning is not told from shaking better than that
+        fit.drive.taking = _less_sure(fit.drive.taking, 0.02)  # vibration limits the turning rate to this accuracy
     if motion.angle is None:
         fit.turn.refusal = "the log has neither gyro nor encoders"
     else:
@@ -88,10 +89,10 @@ def _less_sure(number: Estimate, share: float) -> Estimate:
 
 
 def pooled(fits: Sequence[LogFit]) -> dict[str, Estimate]:
-    """The numbers of several logs of one mouse, by the keys of robot files.
+    """Pools the fits of several logs of one mouse; the keys are those of robot files.
 
-    Means by inverse variances. Where logs differ by more than their errors, the error grows by the Birge ratio (Birge 1932), so
-    that it contains what differs from log to log.
+    Means are weighted by inverse variances. If logs differ by more than their errors, the error grows by the Birge
+    ratio (Birge 1932), so that it includes the variation between logs.
     """
     by_key: dict[str, list[Estimate]] = {}
     for fit in fits:

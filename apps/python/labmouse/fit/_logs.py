@@ -15,7 +15,7 @@ from ._columns import ROLES, Column, read_columns
 from ._estimates import Array
 from ._files import content_of
 
-#: The longest log and the longest time from row to row, in ms; the largest file in MiB.
+#: Limits: length of a log in ms, time from row to row in ms, size of the file in MiB.
 LONGEST, LONGEST_GAP, LARGEST = 600_000.0, 50.0, 128
 _EMPTY = ["", "-", "nan", "NaN"]
 
@@ -24,8 +24,8 @@ _EMPTY = ["", "-", "nan", "NaN"]
 class Log:
     """The rows of a log.
 
-    times: (rows,) ms since the first row, growing. values: by role (docs/how-to/robot-from-a-log.md) an array (rows,) in the unit of the role;
-    empty fields are NaN. name: of its file, for messages.
+    times: ms since the first row, increasing, shape (rows,). values: an array (rows,) for each role, in the role's unit
+    (docs/how-to/robot-from-a-log.md); empty fields are NaN. name: of its file, for messages.
     """
 
     times: Array
@@ -42,8 +42,8 @@ class Log:
 def read_log(path: "Union[str, os.PathLike[str]]", columns: str, *, period: float = 0.0) -> Log:
     """Reads a log, at most 10 minutes and 128 MiB.
 
-    columns: which column is what, as `--columns` has it (docs/how-to/robot-from-a-log.md). period: ms from row to row where no column has the
-    time. Raises Error with file, line and column of the first problem.
+    columns: the roles of the columns, in the form of `--columns` (docs/how-to/robot-from-a-log.md). period: ms from row
+    to row, if no column has the time. Raises Error with file, line and column of the first problem.
     """
     wanted = read_columns(columns, period)
     text = content_of(path, LARGEST).decode("utf-8-sig", errors="replace")
@@ -88,7 +88,7 @@ class _Reader:
         return [one.strip(' \t"') for one in next(csv.reader([line], delimiter=self.separator))]
 
     def _error(self, index: int, place: int, reason: str) -> Error:
-        """place: number of the field from 0."""
+        """An error at a field. index: of the line in self.lines; place: of the field, from 0."""
         line = self.lines[index]
         at = len(self.separator.join(line.split(self.separator)[:place])) + (place > 0) if self.separator != " " else 0
         if self.separator == " " and place:
@@ -140,7 +140,7 @@ class _Reader:
         what = ROLES[role]
         numbers = read.to_numpy(dtype=float, copy=True) if read.dtype.kind in "fi" else np.full(len(read), np.inf)
         empty = np.isnan(numbers)
-        if np.isinf(numbers).any() or self.has_tiny:  # some fields are no plain numbers
+        if np.isinf(numbers).any() or self.has_tiny:  # read fields again as text: some are not plain numbers
             texts = self._frame([place], dtype=str, na_filter=False)[place].str.strip(' \t"')
             numbers = pd.to_numeric(texts, errors="coerce").to_numpy(dtype=float, copy=True)
             empty = texts.isin(_EMPTY).to_numpy()
@@ -156,7 +156,7 @@ class _Reader:
             steps = np.round(np.diff(numbers, prepend=numbers[0]) / column.wraps)
             numbers = numbers - np.cumsum(steps) * column.wraps
         values: Array = column.factor * numbers
-        slack = 1e-6 * what.high  # for rounding by the factor
+        slack = 1e-6 * what.high  # for rounding in the factor
         for row in np.flatnonzero((values < what.low - slack) | (values > what.high + slack))[:1]:
             hint = f"; {what.hint}" if what.hint else ""
             self.problems.append((row, place, f"'{role}' is {values[row]:g}; it must be {what.low:g} to {what.high:g} {what.unit}".rstrip() + hint))
@@ -175,6 +175,6 @@ class _Reader:
 
 
 def _short(name: str) -> str:
-    """A name from a file, for one line of a message."""
+    """A printable name of at most 24 characters, for messages."""
     plain = "".join(c if c.isprintable() else "�" for c in name)
     return plain if len(plain) <= 24 else plain[:24] + "..."

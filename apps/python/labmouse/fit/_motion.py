@@ -1,4 +1,4 @@
-"""How a mouse moved according to its log, at every millisecond ("tick")."""
+"""The motion of a mouse by its log, resampled to ticks of 1 ms."""
 
 from dataclasses import dataclass, field
 from typing import Any, Optional
@@ -16,22 +16,23 @@ Numbers = dict[str, Any]
 
 @dataclass
 class Motion:
-    """The motion by ticks; None: the log does not have it."""
+    """The motion by ticks. An array is None if the log does not have the quantity."""
 
     ticks: int
-    left: Optional[Array] = None  #: duty of the left motor, as a share of a full battery
+    left: Optional[Array] = None  #: PWM duty of the left motor, scaled to the voltage of a full battery
     right: Optional[Array] = None  #: the same of the right one
-    way: Optional[Array] = None  #: mm of the middle of the axle, by encoders
-    angle: Optional[Array] = None  #: rad to the left
-    by_gyro: bool = False  #: whether the angle is the gyro's; otherwise it is that of encoders
+    way: Optional[Array] = None  #: travel of the middle of the axle in mm, by encoders
+    angle: Optional[Array] = None  #: heading in rad, to the left
+    by_gyro: bool = False  #: whether the angle is from the gyro; otherwise it is from encoders
     rests: list[tuple[int, int]] = field(default_factory=list)  #: spans [begin, end) without motion, 0.1 s or longer
 
 
 def motion_of(log: Log, robot: Numbers) -> Motion:
-    """The motion of a log.
+    """Computes the motion of a log.
 
-    robot: numbers by the keys of robot files; of these mm per count, track and sag are used. Duties hold from row to row,
-    all else is interpolated. The gyro's mean over all rests is taken as 0. Raises Error where a wheel is too fast.
+    robot: parameters by the keys of robot files; uses mm per count, track, full voltage and sag of the battery. Duties
+    are constant from row to row, all else is interpolated linearly. The gyro's bias is its mean over all rests. Raises
+    Error if a wheel is too fast.
     """
     ticks = np.arange(int((log.times[-1] + 1e-3) / (1e3 * TICK)) + 1)
     rows = np.searchsorted(log.times, ticks + 1e-3, side="right") - 1
@@ -45,7 +46,7 @@ def motion_of(log: Log, robot: Numbers) -> Motion:
         motion.way = (wheels[0] + wheels[1]) / 2.0
     if "left" in log:
         left, right = log["left"][rows], log["right"][rows]
-        if "volts" in log:  # the voltage under the duties of a tick is read with the next row
+        if "volts" in log:  # the voltage under a tick's duties is measured one tick later
             volts = between("volts")
             share = np.append(volts[1:], volts[-1]) / robot["motors.volts"]
         else:
@@ -63,7 +64,7 @@ def motion_of(log: Log, robot: Numbers) -> Motion:
 
 
 def rates(places: Array, about: int = 10) -> Array:
-    """The change of places by tick, (ticks,), in the mean of `about` ticks to each side, for a second."""
+    """The derivative per second, shape (ticks,): central differences over `about` ticks to each side."""
     ticks = np.arange(len(places))
     start, end = np.maximum(ticks - about, 0), np.minimum(ticks + about, len(places) - 1)
     changes: Array = (places[end] - places[start]) / (np.maximum(end - start, 1) * TICK)
@@ -92,7 +93,7 @@ def _wheels(log: Log, between: Any, count: float) -> "Optional[tuple[Array, Arra
 
 
 def _rests(motion: Motion, count: float) -> list[tuple[int, int]]:
-    """Where neither wheels nor body move and no motor is driven."""
+    """Spans [begin, end) in ticks in which neither wheels nor body move and no motor is driven."""
     about, shortest = 25, 100
     if motion.ticks <= 2 * about or (motion.way is None and motion.left is None):
         return []

@@ -1,6 +1,6 @@
-"""Gain, time constant and dead zone of the motors of an axis (driving on, or turning), from duties and motion.
+"""Estimates gain, time constant and dead zone of the motors from duties and motion, per axis (driving or turning).
 
-The model: T dv/dt = K (u - u0 sign(v)) - v, with the rate v, the duty u, the gain K, the time constant T and the dead zone u0.
+Model: T dv/dt = K (u - u0 sign(v)) - v, with rate v, PWM duty u, gain K, time constant T and dead zone u0.
 """
 
 from dataclasses import dataclass
@@ -11,57 +11,58 @@ import numpy as np
 from ._estimates import Array, Blocks, Estimate, fits_better, jackknife, within
 from ._motion import TICK
 
-# The unknowns: K/T, the same for the other axis, K u0/T, what takes more of the duty than is known, 1/T; and those of models of
-# the next order: K/T times the lag, and drag by the square of the rate.
+# The unknowns: K/T, K/T times the share of the other axis' duty, K u0/T, K/T times the correction of Axis.factor, 1/T;
+# and those of extended models: K/T times a lag, and drag by the square of the rate.
 _DUTY, _OTHER, _FRICTION, _TAKEN, _RATE, _LAG, _DRAG = range(7)
-# Ticks: of the longest and the shortest stretch; in whose mean rates are compared, those of the filter among them.
+# Ticks: the longest and the shortest stretch, and the window over which rates are averaged, including the filter.
 _LONGEST, _SHORTEST, _COMPARED = 300, 80, 56
-_MUCH = 3.0  # what is left counts as more than noise from so many times of it on
+_MUCH = 3.0  # residuals above this multiple of the noise count as unexplained
 
 
 @dataclass
 class Axis:
-    """What a log has of an axis; arrays have the shape (ticks,)."""
+    """The data of a log for one axis; arrays have the shape (ticks,)."""
 
-    place: Array  #: mm or rad
-    rate: Array  #: its change for a second
+    place: Array  #: position in mm or rad
+    rate: Array  #: its derivative per second
     duty: Array  #: of this axis
     other: Array  #: duty of the other axis, since unequal motors mix them
-    filtered: int  #: ticks, 1 to 40, in whose mean nothing swings any more
-    gain: float  #: of the base; rates below 0.6 % of it count as slow
-    time: float  #: s, of the base
-    taken: Optional[Array] = None  #: what takes of the duty, but for the factor
-    factor: float = 0.0  #: of the base
+    filtered: int  #: window of the moving average in ticks, 1 to 40, which removes vibration
+    gain: float  #: of the base robot; rates below 0.6 % of it count as slow
+    time: float  #: time constant of the base robot in s
+    taken: Optional[Array] = None  #: turning rate in rad/s with the sign of the speed; the duty loses factor * taken
+    factor: float = 0.0  #: of the base robot, duty per rad/s
 
 
 @dataclass
 class MotorFit:
-    """The fit of an axis. Rates are in mm/s (driving on) or rad/s (turning)."""
+    """The result of fit_motors. Rates are in mm/s (driving) or rad/s (turning)."""
 
     gain: Estimate = Estimate()  #: rate at full duty
-    time: Estimate = Estimate()  #: s; of the base, with error 0, where the log does not tell it
-    dead_zone: Estimate = Estimate()  #: duty
-    taking: Estimate = Estimate()  #: duty that turning takes from driving on, for a rad/s
-    mixed: Estimate = Estimate()  #: share of the other axis' duty; turning: by how much the right motor is stronger
-    time_known: bool = True  #: False where the gain is for the base's time
-    stretches: int = 0  #: number of stretches of moving one way
+    time: Estimate = Estimate()  #: time constant in s; the base's, with error 0, if the log does not determine it
+    dead_zone: Estimate = Estimate()  #: duty that friction takes
+    taking: Estimate = Estimate()  #: duty that turning takes from driving, per rad/s
+    mixed: Estimate = Estimate()  #: share of the other axis' duty; for turning, by how much the right motor is stronger
+    time_known: bool = True  #: False if the gain was fitted with the base's time constant
+    stretches: int = 0  #: number of stretches of motion in one direction
     peak: float = 0.0  #: largest rate
-    missed: float = 0.0  #: rms by which the rate on stretches that are left out is missed
-    noise: float = 0.0  #: how much of that is no motion
-    changes: float = 0.0  #: rms of the rate that was to explain
-    lag: float = 0.0  #: s by which a motor of the second order lags, where that fits better
-    drag: float = 0.0  #: duty that drag takes at the peak, where that fits better
+    missed: float = 0.0  #: rms error of the rate on stretches left out of the fit
+    noise: float = 0.0  #: rms of the part of `missed` that is measurement noise
+    changes: float = 0.0  #: rms of the rate without its mean in each stretch: what the model has to explain
+    lag: float = 0.0  #: lag in s of a motor of the second order, if that fits better
+    drag: float = 0.0  #: duty that drag takes at the peak rate, if that fits better
     refusal: str = ""  #: why there is no fit
 
 
 def fit_motors(axis: Axis) -> MotorFit:
-    """Fits an axis.
+    """Fits the motors of an axis.
 
-    Method: integrated twice, the model makes the place a sum of known curves, linear in 1/T, K/T and K u0/T, without a
-    derivative of anything measured (Garnier and Wang, "Identification of continuous-time models from sampled data", 2008). Least
-    squares over short stretches of moving one way, each with a place and a rate of its own to begin with. Errors are those of a
-    jackknife over blocks of stretches. Where a model with lag or drag fits blocks that are left out better, errors contain what it
-    would change; where even that leaves much more than noise, they grow by the share of the motion that is not explained.
+    Method: integrated twice, the model gives the position as a sum of known curves, linear in 1/T, K/T and K u0/T. So
+    no measured signal is differentiated (Garnier and Wang, "Identification of continuous-time models from sampled
+    data", 2008). Least squares over short stretches of motion in one direction, each with its own initial position and
+    rate. Errors are those of a jackknife over blocks of stretches. If a model with lag or drag predicts blocks left out
+    of the fit better, the errors include the changes that it would make. If residuals stay well above the noise even
+    then, the errors grow by the unexplained share of the motion.
     """
     result = MotorFit(peak=float(np.abs(axis.rate).max()))
     stretches = _one_way_stretches(axis.rate, max(0.05 * result.peak, 0.006 * axis.gain))
@@ -93,7 +94,7 @@ def fit_motors(axis: Axis) -> MotorFit:
 
 
 def _one_way_stretches(rate: Array, slow: float) -> list[tuple[int, int]]:
-    """Spans of at least 80 ticks in which it moves one way faster than `slow`, cut into pieces of at most 300."""
+    """Spans of at least 80 ticks with motion in one direction faster than `slow`, cut into pieces of at most 300."""
     ways = np.where(rate > slow, 1, np.where(rate < -slow, -1, 0))
     edges = np.concatenate([[0], np.flatnonzero(np.diff(ways)) + 1, [len(ways)]])
     stretches = []
@@ -106,7 +107,7 @@ def _one_way_stretches(rate: Array, slow: float) -> list[tuple[int, int]]:
 
 
 def _means(values: Array, filtered: int) -> Array:
-    """Means of so many rows: they remove shaking and errors of encoders over a turn, and keep sums of curves what they are."""
+    """Moving average over `filtered` rows, against vibration and encoder errors. It keeps linear equations valid."""
     sums = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
     means: Array = (sums[filtered:] - sums[:-filtered]) / filtered
     return means
@@ -118,7 +119,8 @@ def _rate_changes(places: Array, filtered: int) -> Array:
 
 
 def _curves(axis: Axis, begin: int, end: int) -> Array:
-    """What each part of the equation makes of the place, and the place: (ticks, 8), filtered, without line."""
+    """The contribution of each unknown to the position, and the position itself, shape (ticks, 8). Filtered, without
+    the best straight line: that removes the initial position and rate."""
     span = slice(begin, end)
     size, sign = end - begin, 1.0 if axis.rate[(begin + end) // 2] > 0.0 else -1.0
     place, rate = axis.place[span] - axis.place[begin], axis.rate[span]
@@ -126,7 +128,7 @@ def _curves(axis: Axis, begin: int, end: int) -> Array:
     pushes = np.zeros((size, 8))
     pushes[:, _DUTY], pushes[:, _OTHER] = axis.duty[span] - axis.factor * taken, axis.other[span]
     pushes[:, _FRICTION], pushes[:, _TAKEN], pushes[:, _DRAG] = -sign, -taken, -rate * np.abs(rate)
-    # As a body adds up: the duty of a tick changes the rate of the next one, and that the place.
+    # As in the simulated body: the duty of a tick changes the rate of the next one, and that rate the position.
     once = np.concatenate([np.zeros((1, 8)), np.cumsum(pushes[:-1] * TICK, axis=0)])
     curves = np.cumsum(once * TICK, axis=0)
     curves[:, _RATE] = -np.concatenate([[0.0], np.cumsum(place[:-1] * TICK)])
@@ -143,7 +145,7 @@ class _ModelFit:
     answer: Array
     numbers: Array  # gain, time, dead zone, mixed, taken
     errors: Array
-    missed: Array  # by block, squares of rates
+    missed: Array  # by block: sum of squared rate errors, predicted without that block
 
 
 class _Model:
@@ -155,13 +157,13 @@ class _Model:
         whole = np.concatenate(curves)
         self.blocks = Blocks(whole[:, :7], whole[:, 7], numbers)
         changes = [_rate_changes(one, axis.filtered) for one in curves]
-        #: Rates of the curves, as products by block: what an answer leaves of the rates follows from them.
+        #: The normal equations of the rates by block, from which the rate errors of a solution follow.
         every = np.concatenate(changes)
         self.rates = Blocks(every[:, :7], every[:, 7], np.repeat(block, [len(one) for one in changes]))
         self.ticks, self.changes = len(every), float((every[:, 7] ** 2).sum())
 
     def fit(self, fixed: dict[int, float]) -> Optional[_ModelFit]:
-        """None where the log does not determine it, or a motor would brake by being driven."""
+        """Fits the model. None if the log does not determine it, or if gain or time constant are not positive."""
         solved = self.blocks.solve(fixed)
         if solved is None:
             return None
@@ -169,7 +171,7 @@ class _Model:
         if not ((answers[:, _DUTY] > 0.0) & (answers[:, _RATE] > 0.0) & (answers[:, _RATE] < 1.0 / TICK)).all():
             return None
         duty, rate = answers[:, _DUTY], answers[:, _RATE]
-        # A rate comes nearer to a steady one by 1 - exp(-tick/T) a tick.
+        # Discrete time: each tick, a rate approaches its steady value by the factor 1 - exp(-tick/T).
         time = -TICK / np.log1p(-rate * TICK)
         numbers = np.column_stack([duty / rate, time, answers[:, _FRICTION] / duty, answers[:, _OTHER] / duty, answers[:, _TAKEN] / duty])
         return _ModelFit(solved[0], numbers[0], jackknife(numbers[1:]), self.rates.squares(solved[1]))
@@ -179,8 +181,8 @@ class _Model:
 
 
 def _choose(model: _Model, axis: Axis) -> "tuple[dict[int, float], Optional[_ModelFit]]":
-    """The first model that the log is certain of: with a time of its own or the base's, each with what takes of the duty as the
-    log has it or as the base does."""
+    """The fixed unknowns and the fit of the first model that the log determines well. The time constant is fitted or
+    the base's, and so is `taking`."""
     fixed: dict[int, float] = {}
     fit: Optional[_ModelFit] = None
     for time in ({}, {_RATE: -np.expm1(-TICK / axis.time) / TICK}):
@@ -195,7 +197,7 @@ def _choose(model: _Model, axis: Axis) -> "tuple[dict[int, float], Optional[_Mod
 
 
 def _widen(model: _Model, fixed: dict[int, float], chosen: _ModelFit, result: MotorFit, errors: Array) -> float:
-    """Adds to the errors what models of the next order would change, if they fit better; returns the least squares missed."""
+    """Increases the errors by the changes under better models with lag or drag. Returns the smallest sum of squares."""
     least = float(chosen.missed.sum())
     for more in (_LAG, _DRAG):
         other = model.fit({unknown: value for unknown, value in fixed.items() if unknown != more})
@@ -212,7 +214,7 @@ def _widen(model: _Model, fixed: dict[int, float], chosen: _ModelFit, result: Mo
 
 
 def _noise(axis: Axis, stretches: list[tuple[int, int]]) -> float:
-    """What a place has beside a smooth motion, as a rate: the median rms over pieces of 120 ticks, without a cubic."""
+    """The measurement noise as a rate: the median rms residual of a cubic fitted to pieces of 120 ticks."""
     piece, squares = 120, []
     for begin, end in stretches:
         for start in range(begin, end - piece + 1, piece):

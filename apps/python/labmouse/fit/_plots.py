@@ -25,7 +25,7 @@ def _figure(panels: int) -> tuple[Any, Any]:
 
 
 def save_plot(subject: Union[LogFit, TurnFit, Comparison], path: "Union[str, os.PathLike[str]]") -> None:
-    """Saves the plot of a fit or a comparison; the name's end says the format (.svg, .png, .pdf). Raises Error."""
+    """Saves the plot of a fit or a comparison in the format of the path's ending (.svg, .png, .pdf). Raises Error."""
     figure = plot(subject)
     try:
         figure.savefig(os.fspath(path), metadata={"Date": None} if os.fspath(path).endswith(".svg") else None)
@@ -34,14 +34,14 @@ def save_plot(subject: Union[LogFit, TurnFit, Comparison], path: "Union[str, os.
 
 
 def plot(subject: Union[LogFit, TurnFit, Comparison]) -> Any:
-    """The matplotlib.figure.Figure of a fit or a comparison. Raises Error where matplotlib is missing."""
+    """The matplotlib.figure.Figure of a fit or a comparison. Raises Error if matplotlib is missing."""
     if isinstance(subject, Comparison):
         return _of_comparison(subject)
     return _of_turns(subject) if isinstance(subject, TurnFit) else _of_log(subject)
 
 
 def _of_log(fit: LogFit) -> Any:
-    """Speed and yaw speed with what the fitted motors make of the duties, and infrared readings with their law."""
+    """Speed and yaw rate of the log and of the fitted motors under its duties, and infrared readings with their law."""
     figure, axes = _figure(3)
     motion, seconds = fit.motion, np.arange(fit.motion.ticks) * TICK
     for axis, name, motor, places in ((axes[0], "speed, mm/s", fit.drive, motion.way), (axes[1], "yaw speed, rad/s", fit.turn, motion.angle)):
@@ -91,7 +91,7 @@ def _infrared_panel(axis: Any, fit: LogFit) -> None:
 
 
 def _of_turns(fit: TurnFit) -> Any:
-    """By how much the limits miss each turn."""
+    """The relative error of each turn under the fitted limits."""
     figure, (axis,) = _figure(1)
     axis.bar([turn.name for turn in fit.turns], [100.0 * error for error in fit.errors])
     axis.set(ylabel="missed by, %")

@@ -1,4 +1,4 @@
-"""Robot files from fits."""
+"""Makes robot files from fits."""
 
 import json
 import math
@@ -17,28 +17,29 @@ from ._turns import LIMITS, Turn, TurnFit, fit_turns
 
 @dataclass
 class FittedRobot:
-    """A robot file that follows from fits."""
+    """A robot file made from fits."""
 
-    text: str  #: of the file; each number has its standard error or its source
-    warning: str  #: what speaks against it, or ''
-    numbers: dict[str, Estimate]  #: what was fitted, by the keys of robot files
-    fits: "Sequence[Union[LogFit, TurnFit]]" = ()  #: what it follows from, for plots
+    text: str  #: content of the file; each number has a comment with its standard error or its source
+    warning: str  #: why the robot may be wrong, or ''
+    numbers: dict[str, Estimate]  #: the fitted parameters by the keys of robot files
+    fits: "Sequence[Union[LogFit, TurnFit]]" = ()  #: the fits, for plots
 
 
 def robot_numbers(name: "Union[str, os.PathLike[str]]") -> tuple[str, Numbers]:
-    """The name of a robot and its numbers by the keys of robot files, in the units of these.
+    """The name of a robot, and its parameters by the keys of robot files, in their units.
 
     name: a built-in robot, or a file whose name has a slash or ends in .toml. Raises Error.
     """
     own_name, numbers = _native.robot_numbers(os.fspath(name))
-    # What was divided by its unit and multiplied again is the number that it was.
+    # Rounding undoes the error of the conversion to internal units and back.
     return own_name, {key: _rounded(value, 12) if isinstance(value, float) else value for key, value in json.loads(numbers).items()}
 
 
 def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") -> FittedRobot:
-    """The robot file of one or more logs of a mouse, with all else from the base. Raises Error where the base has no hardware.
+    """Makes the robot file of one or more logs of a mouse. All other parameters are those of the base.
 
-    Where there are several logs, numbers are pooled (`pooled`). The warning names what a log has columns for and does not show.
+    Several logs are pooled (`pooled`). The warning names a part that a log has columns for but does not determine.
+    Raises Error if the base has no hardware.
     """
     name, robot = robot_numbers(base)
     head, warnings = "", []
@@ -67,7 +68,7 @@ def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") 
 
 
 def base_numbers(base: "Union[str, os.PathLike[str]]") -> Numbers:
-    """The numbers of a base for logs. Raises Error where it has no hardware."""
+    """The parameters of a base robot for fit_log. Raises Error if it has no hardware."""
     name, robot = robot_numbers(base)
     if "motors.drive_gain" not in robot:
         raise Error(f"'{_plain(name)}' does not say what it is built of; take the rest from a robot that does, such as classic or kerise")
@@ -75,7 +76,7 @@ def base_numbers(base: "Union[str, os.PathLike[str]]") -> Numbers:
 
 
 def _head(fit: LogFit, robot: Numbers) -> list[tuple[str, bool]]:
-    """How well each part fits, or why it does not; and whether that is a warning, because the log should show it."""
+    """Lines on the quality of each fit or its refusal. True marks a warning: the log has columns for that part."""
     log = fit.log
     steps = [after - before for before, after in zip(log.times, log.times[1:])]
     mean, most = log.times[-1] / len(steps), max(steps)
@@ -117,15 +118,16 @@ def _motor_words(fit: MotorFit, unit: str) -> str:
 
 
 def cell_of(turns: Sequence[Turn]) -> float:
-    """The side of the cells that turns lie in, in mm, as far as S90 with its straights tells; otherwise 0."""
+    """The side of a cell in mm, derived from the turn S90 and its straight; 0 if turns do not have these."""
     return next((2.0 * (turn.y + turn.before) for turn in turns if turn.name == "S90" and turn.y > 0.0 and turn.before > 0.0), 0.0)
 
 
 def robot_of_turns(turns: Sequence[Turn], base: "Union[str, os.PathLike[str]]", cell: float = 0.0) -> FittedRobot:
-    """The robot file of turns, with all else from the base.
+    """Makes the robot file of turns. All other parameters are those of the base.
 
-    cell: its side in mm; 0: what S90 with its straights tells, or that of the base. Turns with speeds give limits and paths, if
-    the base has limits; turns with times alone a table of times, if the base has such a table. Raises Error.
+    cell: side of a cell in mm; 0: from the turn S90 (`cell_of`), or else the base's. Turns with speeds give limits and
+    paths; the base must have limits. Turns with times only give a table of times; the base must have such a table.
+    Raises Error.
     """
     name, robot = robot_numbers(base)
     cell = cell or cell_of(turns) or robot["cell"]
@@ -187,7 +189,7 @@ def _add_limits(turns: Sequence[Turn], robot: Numbers, remarks: dict[str, str], 
 
 
 def _rounded(value: float, digits: int = 5) -> float:
-    """Five digits are more than a log or published turns tell."""
+    """A number to so many significant digits. Five are more than a log or published turns determine."""
     return float(f"{value:.{digits}g}")
 
 

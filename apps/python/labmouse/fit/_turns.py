@@ -1,4 +1,4 @@
-"""Limits of a robot, from its published or measured turns."""
+"""Estimates the acceleration and yaw limits of a robot from its published or measured turns."""
 
 import math
 import os
@@ -19,41 +19,42 @@ COLUMNS = ("turn", "speed", "ms", "x", "y", "before", "after")
 TURNS = ("45", "90", "135", "180", "V90", "S90", "K90")
 #: The largest table in MiB.
 LARGEST = 1
-#: Turns are explained where no figure is missed by more than this share.
+#: Limits explain the turns if no size or time has a larger relative error than this.
 _GOOD = 5e-4
 LIMITS = ("lateral_acceleration", "yaw_acceleration", "yaw_speed", "yaw_jerk")
 
 
 @dataclass(frozen=True)
 class Turn:
-    """A turn; what the table does not have is 0."""
+    """A turn; a value that the table does not have is 0."""
 
     name: str  #: of TURNS; K90 is V90 in cells of twice the size
-    speed: float = 0.0  #: mm/s, all along it
-    ms: float = 0.0  #: of the whole turn, from node to node
-    y: float = 0.0  #: mm from the beginning of its curve to the end, across the direction of its beginning
-    before: float = 0.0  #: mm of straight before the curve
+    speed: float = 0.0  #: mm/s, constant
+    ms: float = 0.0  #: time of the whole turn in ms, from node to node
+    y: float = 0.0  #: lateral distance in mm between both ends of the curve, in the frame of its beginning
+    before: float = 0.0  #: length in mm of the straight before the curve
 
 
 @dataclass
 class TurnFit:
-    """The limits behind turns."""
+    """The result of fit_turns."""
 
     turns: Sequence[Turn]
-    cell: float  #: mm
-    #: Of LIMITS, in mm/s², rad/s², rad/s, rad/s³; 0 where turns are explained without a limit of yaw speed or jerk.
+    cell: float  #: side of a cell in mm
+    #: The values of LIMITS in mm/s², rad/s², rad/s, rad/s³; 0 if the turns need no limit of yaw speed or yaw jerk.
     limits: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)
-    #: Whether some turn reaches each of them; otherwise the limit may be anything from its value on.
+    #: For each limit, whether a turn reaches it; otherwise its value is only a lower bound.
     reached: tuple[bool, ...] = (False, False, False, False)
-    numbers: int = 0  #: how many limits were fitted; 0: none explain the turns
-    figures: int = 0  #: to how many figures
-    errors: list[float] = field(default_factory=list)  #: by turn the largest relative error of its size and time
+    numbers: int = 0  #: number of fitted limits; 0 if no limits could be fitted
+    figures: int = 0  #: number of sizes and times that they were fitted to
+    errors: list[float] = field(default_factory=list)  #: per turn, the largest relative error of its size and time
 
 
 def read_turns(path: "Union[str, os.PathLike[str]]") -> list[Turn]:
-    """Reads a table of turns: columns between blanks, tabs or commas, of which the first line has the names (COLUMNS).
+    """Reads a table of turns: columns separated by blanks, tabs or commas; the first line names them (COLUMNS).
 
-    "-" is no value; lines that begin with # are comments. Raises Error with file, line and column of every problem.
+    "-" is a missing value; lines that begin with # are comments. Raises Error with file, line and column of up to ten
+    problems.
     """
     text = content_of(path, LARGEST).decode("utf-8", errors="replace")
     problems: list[str] = []
@@ -104,19 +105,19 @@ def _wrong_turn(words: list[tuple[int, str]], names: list[str]) -> list[tuple[in
 
 
 class _Figures:
-    """The figures of turns that limits can be fitted to: sizes and times."""
+    """The sizes and times of turns, to which limits can be fitted."""
 
     def __init__(self, turns: Sequence[Turn], cell: float) -> None:
         self.turns = [("V90", 2.0 * cell, turn) if turn.name == "K90" else (turn.name, cell, turn) for turn in turns]
         driven = np.array([turn.speed > 0.0 for turn in turns])
         size, ms = np.array([[turn.y, turn.ms] for turn in turns]).T
-        # The straights about 180 may be of any length.
+        # The straights of a 180 may have any length: without one, its time is unknown.
         any_length = np.array([turn.name == "180" and turn.before <= 0.0 for turn in turns])
         self.known = np.column_stack([driven & (size > 0.0), driven & (ms > 0.0) & ~any_length])
         self.given = np.column_stack([size, ms])[self.known]
 
     def errors(self, limits: Array) -> Array:
-        """Relative errors, in the order of `known`."""
+        """The relative errors of all known sizes and times under these limits, in the order of `known`."""
         values, found = limits.tolist(), np.zeros(self.known.shape)
         for i, (name, cell, turn) in enumerate(self.turns):
             if self.known[i].any():
@@ -127,17 +128,17 @@ class _Figures:
         return errors
 
     def differ(self, limits: Array, limit: int, factor: float) -> bool:
-        """Whether some figure changes where a limit is so many times as high."""
+        """Whether a size or time changes if one limit (by its index) is multiplied by `factor`."""
         other = limits * np.where(np.arange(4) == limit, factor, 1.0)
         return bool((np.abs(self.errors(other) - self.errors(limits)) > 1e-9).any())
 
 
 def fit_turns(turns: Sequence[Turn], cell: float) -> TurnFit:
-    """Fits the limits to the turns that have a speed. cell: its side in mm.
+    """Fits the limits to the turns that have a speed. cell: side of a cell in mm.
 
-    The limits are the fewest that explain all figures to half a thousandth, or else the best. Method: least squares of
-    relative errors (Levenberg and Marquardt) from a grid of starts, then with a soft L1 loss beyond 3 %, so that a wrong
-    figure stands out.
+    Chooses the fewest limits that explain all sizes and times to 0.05 %; if none do, those with the smallest errors.
+    Method: least squares of relative errors (Levenberg-Marquardt) from a grid of starts, then with a soft L1 loss
+    beyond 3 %, so that a wrong number in the table stands out.
     """
     figures = _Figures(turns, cell)
     result = TurnFit(turns, cell, figures=len(figures.given), errors=[0.0] * len(turns))
@@ -164,7 +165,7 @@ def fit_turns(turns: Sequence[Turn], cell: float) -> TurnFit:
 
 
 def _best(figures: _Figures, chosen: list[int]) -> tuple[float, Array]:
-    """The least squares of errors where these limits are fitted, and the values of all four."""
+    """Fits the limits with these indices, the others are 0. Returns the sum of squared errors, and all four limits."""
     optimize: Any = import_module("scipy.optimize")
 
     def limits_of(logs: Array) -> Array:
@@ -173,7 +174,7 @@ def _best(figures: _Figures, chosen: list[int]) -> tuple[float, Array]:
         return limits
 
     def errors(logs: Array) -> Array:
-        return np.append(figures.errors(limits_of(logs)), np.zeros(4))  # the method needs as many figures as unknowns
+        return np.append(figures.errors(limits_of(logs)), np.zeros(4))  # the method needs as many equations as unknowns
 
     fastest = max(turn.speed for _, _, turn in figures.turns)
     best, answer = np.inf, np.zeros(len(chosen))
@@ -191,7 +192,7 @@ def _best(figures: _Figures, chosen: list[int]) -> tuple[float, Array]:
 
 
 def _lowest(figures: _Figures, limits: Array, limit: int) -> float:
-    """About the lowest value of a limit that no turn reaches, rounded up: to 100 mm/s², or to three digits."""
+    """The lowest value of a limit that no turn reaches, by bisection, rounded up to 100 mm/s² or to three digits."""
     low, high = -50.0, 0.0
     for _ in range(50):
         middle = (low + high) / 2.0

@@ -1,6 +1,6 @@
-"""The capstone contest as an environment for learning: docs/how-to/train-with-gymnasium.md has examples.
+"""The capstone contest as a Gymnasium environment: docs/how-to/train-with-gymnasium.md has examples.
 
-Importing it registers the environment ``labmouse/Contest-v0`` with Gymnasium.
+Importing this package registers the environment ``labmouse/Contest-v0``.
 """
 
 try:

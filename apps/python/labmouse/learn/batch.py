@@ -1,4 +1,4 @@
-"""What the single and the vector environment share: a compiled batch and the arrays that it writes to."""
+"""The common part of the single and the vector environment: a compiled batch and the arrays that it writes to."""
 
 from typing import Any, Dict, Optional
 
@@ -13,7 +13,7 @@ from .observations import OBSERVATIONS, memory_of, space_of
 
 
 def shown(array: NDArray[Any]) -> NDArray[Any]:
-    """The same memory, not to be written to."""
+    """A read-only view of an array."""
     view = array.view()
     view.flags.writeable = False
     return view
@@ -45,11 +45,11 @@ class Batch:
         self.states, self.numbers = shown(states), shown(numbers)
 
     def infos(self) -> Dict[str, NDArray[Any]]:
-        """What comes besides the observations, for all contests."""
+        """The infos of all contests, see ContestEnv."""
         return {"action_mask": self.masks, "return": self.returns, "state": self.states, "maze": self.numbers}
 
     def take(self, name: str, values: Any, kind: Any = np.int64) -> NDArray[Any]:
-        """An array of a number for each contest, in place where it is one; raises Error with its name."""
+        """Converts `values` to an array (count,), if possible without a copy. Raises Error for other values."""
         try:
             array = np.ascontiguousarray(values, dtype=kind)
         except (TypeError, ValueError):

@@ -1,4 +1,4 @@
-"""Where the mazes of an environment come from: a list, folders, or sets that are made from seeds."""
+"""The mazes of an environment: a list, folders, or generated sets."""
 
 import os
 from typing import Iterator, List, Optional, Sequence, Tuple, Union, overload
@@ -12,10 +12,10 @@ SPLITS = ("train", "validation", "test")
 
 
 class MazeSet:
-    """Mazes by number, made when they are asked for; equal numbers give equal mazes on every machine.
+    """A sequence of generated mazes, made on access. The same number gives the same maze on every machine.
 
-    The sets 'train', 'validation' and 'test' of one kind and size share no maze: the content of a maze
-    says to which of them it belongs, not its seed, so this holds even for sizes with few mazes.
+    The sets 'train', 'validation' and 'test' of one kind and size share no maze. A hash of a maze's content,
+    not its seed, decides to which set it belongs, so this holds even for sizes with few mazes.
 
     Args:
         split: 'train', 'validation' or 'test'.
@@ -25,7 +25,7 @@ class MazeSet:
         count: mazes have the numbers 0 to count - 1; None: any number below 2**63.
 
     Raises:
-        labmouse.Error: where there are no such mazes.
+        labmouse.Error: if there are no such mazes.
     """
 
     def __init__(
@@ -80,7 +80,7 @@ Mazes = Union[MazeSet, str, "os.PathLike[str]", Maze, Sequence[Union[Maze, str, 
 
 
 def source_of(mazes: Mazes) -> Union[MazeFamily, List[Maze]]:
-    """What the compiled part takes: a family or a list of mazes."""
+    """Converts `mazes` to the types of the compiled part: a family or a list."""
     if isinstance(mazes, str) and mazes in SPLITS:
         mazes = MazeSet(mazes)
     if isinstance(mazes, MazeSet):

@@ -1,4 +1,4 @@
-"""A trained policy as a mouse of races: it sees what every mouse sees, and keeps its belief itself."""
+"""A trained policy as a mouse for labmouse.race. It gets only readings, and computes its observations itself."""
 
 import json
 import os
@@ -17,10 +17,10 @@ _HEADINGS = ("north", "east", "south", "west")
 
 
 class Belief:
-    """What the environment shows as 'bits' and 'sighting', kept from readings and own actions alone.
+    """The observations 'bits' and 'sighting' of the environment, computed from readings and the mouse's own actions.
 
     Args:
-        briefing: what a mouse knows before the contest: width, height, start, heading, goals, budget.
+        briefing: an object with width, height, start, heading, goals and budget.
     """
 
     def __init__(self, briefing: Any) -> None:
@@ -44,7 +44,7 @@ class Belief:
         grid[self.y, self.x] |= 1 << 8
 
     def see(self, left: int, ahead: int, right: int) -> None:
-        """Learns a reading, and writes it with the pose to the row."""
+        """Adds a reading to the bits, and writes it with the pose to the row."""
         grid = self.bits[0]
         for turn, cells in ((-1, left), (0, ahead), (1, right)):
             side = (self.heading + turn) % 4
@@ -61,7 +61,7 @@ class Belief:
         self.rows[0, :9] = row
 
     def act(self, number: int) -> None:
-        """Takes an action that is known to be free."""
+        """Applies an action. Its way must be known to be free of walls."""
         self.left -= 1
         if number == RESET:
             if self.goal_entered and not self.speed_run:
@@ -79,7 +79,7 @@ class Belief:
 
 
 class LearnedMouse:
-    """A mouse in Python for labmouse.race: explores by a policy, runs by a shortest route through what it saw."""
+    """A mouse for labmouse.race. It explores by a policy; its speed run is a shortest route through known passages."""
 
     def __init__(self, weights: Floats, briefing: Any) -> None:
         self._belief = Belief(briefing)
@@ -88,7 +88,7 @@ class LearnedMouse:
         self._before: "NDArray[np.int16] | None" = None
 
     def decide(self, seen: Any) -> Union[Tuple[int, int], Any]:
-        """The next action, given a labmouse.Sighting: the policy's, or that of the speed run."""
+        """Returns the next action for a labmouse.Sighting."""
         belief = self._belief
         belief.see(seen.left, seen.ahead, seen.right)
         if self._before is None:
@@ -102,11 +102,11 @@ class LearnedMouse:
 
 
 class Learned:
-    """Makes a LearnedMouse for each contest; give it to labmouse.race.
+    """A mouse for labmouse.race: makes a LearnedMouse for each contest.
 
     Args:
-        weights: a list of labmouse.learn.policy.WEIGHTS numbers.
-        name: what tables call it.
+        weights: labmouse.learn.policy.WEIGHTS numbers.
+        name: the name of the mouse in results.
     """
 
     def __init__(self, weights: Any, name: str = "learned") -> None:
@@ -122,9 +122,9 @@ class Learned:
 
     @classmethod
     def load(cls, path: "Union[str, os.PathLike[str], None]" = None, name: str = "learned") -> "Learned":
-        """The mouse of a file that labmouse.learn.train has written; without a path, the one of the package.
+        """Loads a mouse from a file of labmouse.learn.train; without a path, the trained mouse of the package.
 
-        Raises labmouse.Error where the file is none.
+        Raises labmouse.Error if the file cannot be read or is no such file.
         """
         if path is None:
             text = resources.files(__package__).joinpath("mouse.json").read_text(encoding="utf-8")
@@ -141,7 +141,7 @@ class Learned:
         return cls(weights, name)
 
     def shuffled(self, seed: int = 1) -> "Learned":
-        """The same weights in another order, for comparison."""
+        """A mouse with the same weights in random order, as a baseline; the patience stays."""
         k = (WEIGHTS - 1) // 2
         dice, weights = np.random.default_rng(seed), self.weights.copy()
         weights[: 2 * k] = dice.permutation(weights[: 2 * k])

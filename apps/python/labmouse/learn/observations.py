@@ -1,4 +1,4 @@
-"""What the numbers of an observation are, and their spaces."""
+"""The meaning of the numbers in an observation, and the observation spaces."""
 
 from typing import Any, Tuple
 
@@ -25,7 +25,7 @@ OBSERVATIONS = ("sighting", "belief", "bits")
 
 
 def planes_of(bits: NDArray[np.uint16]) -> NDArray[np.uint8]:
-    """The 'belief' of observations of 'bits': shape (..., height, width) to (..., height, width, 16), 0 or 1."""
+    """Converts observations 'bits', shape (..., height, width), to 'belief', shape (..., height, width, 16), 0 or 1."""
     return (bits[..., None] >> np.arange(BELIEF_PLANES, dtype=np.uint16) & 1).astype(np.uint8)
 
 
@@ -43,5 +43,5 @@ def space_of(observation: str, size: Tuple[int, int], budget: int) -> spaces.Box
 
 
 def memory_of(count: int, space: spaces.Box) -> NDArray[Any]:
-    """Memory for the observations of `count` environments."""
+    """A zeroed array for the observations of `count` environments."""
     return np.zeros((count, *space.shape), space.dtype)

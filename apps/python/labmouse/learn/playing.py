@@ -10,13 +10,13 @@ from .vector import ContestVectorEnv
 
 
 def play(weights: Floats, mazes: Sequence[Maze], budget: int = 1000, seen_pays: bool = False) -> Floats:
-    """The returns (minus the scores) of policies in mazes of one size: shape (policies, mazes).
+    """Runs each policy in each maze once. Returns the returns (minus the scores), shape (policies, mazes).
 
     Args:
         weights: shape (policies, WEIGHTS).
-        mazes: each policy plays each of them once.
-        budget: steps of a contest.
-        seen_pays: a failed contest returns up to 100 less than its -100, by the share of cells that were not visited.
+        mazes: mazes of one size.
+        budget: number of steps of a contest.
+        seen_pays: whether a failed contest returns -100 - 100 * (share of cells that were not visited), not -100.
     """
     policies, count = len(weights), len(weights) * len(mazes)
     envs = ContestVectorEnv(count, mazes=list(mazes), observation="bits", order="in turn", budget=budget)

@@ -1,12 +1,12 @@
-"""A strategy that learns to explore: a weight for each thing that it notices about a move, and nothing else.
+"""A linear policy for exploration: a move is scored by a weighted sum of its features.
 
-In the search run it goes where the weighted sum of the features of a move is largest, among the moves that it knows to
-be free. The features are local: what it knows of the cell in which the move would end, of the passages on the way there,
-where it walked before, and in which direction the goal lies. There is no search and no distance field. After it has
-entered the goal it goes on with a second list of weights, which has the start for its goal, until it stands in the start or
-`patience` steps have passed; then it resets. Only the speed run is planned: a shortest route through passages that it saw.
+In the search run the policy makes the move with the largest sum, among those that are known to be free of walls. The
+features are local: what is known of the cell in which the move ends, of the passages on the way there, where the mouse
+was before, and the direction of the goal. There is no search and no distance field. After it has entered the goal, the
+mouse uses a second set of weights, with the start as its goal, until it is in the start or more than `patience` steps
+have passed. Then it resets. Only the speed run is planned: a shortest route through known passages.
 
-All arrays hold n contests at once: the first axis is the contest. Cells are y * width + x.
+All arrays hold n contests: the first axis is the contest. Cells have the index y * width + x.
 """
 
 from typing import Any, Tuple
@@ -19,21 +19,21 @@ from .spaces import RESET
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: What is noticed of a move.
+#: The features of a move.
 FEATURES = (
-    "unseen sides in view",  # of the three sides that the mouse would see where the move ends, those never seen
-    "visited",  # whether it stood in or passed through the cell where the move ends
+    "unseen sides in view",  # of the three sides in view at the end of the move, the share that is unknown
+    "visited",  # whether the mouse has been in the cell where the move ends
     "visits",  # log(1 + steps that ended there)
-    "first marks",  # log(1 + times it walked the first passage of the move)
-    "last marks",  # log(1 + times it walked the last one)
-    "nearer to the goal",  # cells by which the move leads nearer to it, as the crow walks
-    "cells",  # how far the move goes
-    "turns back",  # whether it undoes the direction of the last move
-    "to its parent",  # whether its first passage is the one by which it first came to this cell
-    "ways on",  # passages where the move ends that lead to cells never visited
-    "ways passed",  # the same, in the cells that the move would pass through
+    "first marks",  # log(1 + number of times the mouse used the first passage of the move)
+    "last marks",  # the same for the last passage
+    "nearer to the goal",  # by how many cells the move reduces the Manhattan distance, divided by 3
+    "cells",  # length of the move in cells, divided by 3
+    "turns back",  # whether it goes against the direction of the last move
+    "to its parent",  # whether its first passage is the one by which the mouse first came to this cell
+    "ways on",  # open passages from the last cell to unvisited cells, divided by 3
+    "ways passed",  # the same from the cells that the move passes through
     "dead end",  # whether three sides of the last cell are known to be closed
-    "in the goal",  # whether the move ends there, which passing through does not count for
+    "in the goal",  # whether the move ends in the goal; passing through does not count
     "stays",  # whether it only turns
 )
 WEIGHTS = 2 * len(FEATURES) + 1
@@ -47,13 +47,13 @@ _DX, _DY = np.array([0, 1, 0, -1]), np.array([1, 0, -1, 0])
 
 
 class Policy:
-    """The strategies of n contests that share a size; each may have weights of its own.
+    """The policy in n contests in mazes of one size; each contest may have its own weights.
 
     Args:
-        weights: shape (n, WEIGHTS) or (WEIGHTS,): those before the goal, those after it, and the patience, of which
-            20 * exp(value) steps follow.
+        weights: shape (n, WEIGHTS) or (WEIGHTS,): weights before the goal, weights after it, and a value v for the
+            patience of 20 * exp(v) steps.
         count: n.
-        size: (width, height).
+        size: (width, height) in cells.
     """
 
     def __init__(self, weights: Floats, count: int, size: Tuple[int, int]) -> None:
@@ -72,7 +72,7 @@ class Policy:
         self.planned = np.zeros(count, np.bool_)
 
     def decide(self, bits: NDArray[np.uint16], sightings: NDArray[np.int16], which: Ints) -> Ints:
-        """The actions of the contests `which` (indices), whose 'bits' and 'sightings' are given, in that order."""
+        """The actions in the contests with the indices `which`. bits, sightings: their observations, in that order."""
         rows: Ints = sightings.astype(np.int64)
         bits = bits.reshape(len(which), -1)
         x, y, heading = rows[:, 3], rows[:, 4], rows[:, 5]
@@ -96,14 +96,14 @@ class Policy:
         return actions
 
     def begin(self, sightings: NDArray[np.int16]) -> None:
-        """Told the first sightings of all contests."""
+        """Begins all contests, from their first sightings."""
         rows: Ints = sightings.astype(np.int64)
         self._start = rows[:, 4] * self.width + rows[:, 3]
         self._start_x, self._start_y = rows[:, 3].copy(), rows[:, 4].copy()
         self.visits[np.arange(len(rows)), self._start] = 1
 
     def _straights(self, bits: NDArray[np.uint16], x: Ints, y: Ints) -> Tuple[NDArray[np.bool_], Ints]:
-        """Shapes (n, 4, 4): whether k cells into a direction are known to be free, and the cell there."""
+        """Whether k cells in a direction are known free, and the cell there; shapes (n, direction, k = 0 to 3)."""
         n = len(x)
         k = np.arange(4)
         xs = x[:, None, None] + _DX[None, :, None] * k
@@ -133,11 +133,11 @@ class Policy:
         far = np.abs(px - target_x[:, None, None]) + np.abs(py - target_y[:, None, None])
         marks = np.log1p(self.marks[contest, flat].reshape(n, 4, 4, 4))
         side = np.arange(4)
-        # What lies beyond each side of the cells, as far as it is known.
+        # By side of each cell: whether it is an open passage to an unvisited cell.
         beyond = self._unvisited_ways(bits, px, py, word)
         ways = beyond.sum(axis=3)
         passed = np.cumsum(ways, axis=2) - ways
-        passed[:, :, 1:] -= ways[:, :, :1]  # the cell that it stands in is not passed
+        passed[:, :, 1:] -= ways[:, :, :1]  # the mouse's own cell does not count
         closed = word >> 4 & 15
         dead = np.isin(closed, (7, 11, 13, 14))
         seen = (word | word >> 4) & 15
@@ -169,7 +169,7 @@ class Policy:
         return chosen
 
     def _unvisited_ways(self, bits: NDArray[np.uint16], px: Ints, py: Ints, word: NDArray[Any]) -> NDArray[np.bool_]:
-        """Shape (n, 4, 4, 4): whether a side of the cell is known to be open, to a cell never visited."""
+        """Whether a side of a cell is known to be open and leads to an unvisited cell, shape (n, 4, 4, 4 sides)."""
         n = len(bits)
         xs, ys = px[..., None] + _DX, py[..., None] + _DY
         inside = (xs >= 0) & (xs < self.width) & (ys >= 0) & (ys < self.height)
@@ -180,7 +180,7 @@ class Policy:
         return ways
 
     def moved(self, sightings: NDArray[np.int16], later: NDArray[np.int16], which: Ints) -> None:
-        """Told what became of the actions: the sightings of the contests `which` before and after a step."""
+        """Updates visits and marks, from the sightings of the contests `which` before and after a step."""
         before: Ints = sightings.astype(np.int64)
         after: Ints = later.astype(np.int64)
         explored = after[:, 6] == 0
@@ -204,7 +204,7 @@ class Policy:
             self.parent[w[new], there[new]] = back[new]
 
     def _plan(self, bits: NDArray[np.uint16], which: Ints) -> None:
-        """Steps to the goal from each cell, through passages that were seen, for the speed run."""
+        """Computes the steps to the goal from each cell through known passages, for the speed run."""
         grid = bits.reshape(len(which), self.height, self.width)
         is_open = [grid >> d & 1 > 0 for d in range(4)]
         field = np.full(grid.shape, -1, np.int16)

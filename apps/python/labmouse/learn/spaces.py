@@ -1,4 +1,5 @@
-"""The 22 actions by number: 7 * turn + movement + 3, turn 0 left, 1 none, 2 right; 21 is the reset."""
+"""The 22 numbered actions: 7 * turn + movement + 3, with turn 0 left, 1 none, 2 right and movement -3 to 3 cells; 21 is
+the reset."""
 
 from typing import Optional
 
@@ -8,9 +9,9 @@ __all__ = ["ACTIONS", "RESET", "action_of", "number_of"]
 
 
 def number_of(rotation: Optional[int], movement: int = 0) -> int:
-    """The number of a step by its rotation (-90, 0, 90 degrees) and movement (-3 to 3 cells); of the reset for None.
+    """The number of the action with this rotation (-90, 0 or 90 degrees) and movement (-3 to 3 cells).
 
-    Raises labmouse.Error where there is no such step.
+    A rotation of None stands for the reset. Raises labmouse.Error if there is no such action.
     """
     if rotation is None:
         return RESET

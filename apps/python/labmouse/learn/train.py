@@ -1,10 +1,10 @@
 """Trains the policy of labmouse.learn.policy by an evolution strategy: python -m labmouse.learn.train --out mouse.json
 
-In each generation, pairs of weights are drawn around the present ones, in opposite directions; all play the same fresh
-mazes of the set 'train', and the present weights follow the ranks of the returns (OpenAI's evolution strategy: Salimans and others,
-2017, arXiv:1703.03864; with Adam). Every fifth generation the present weights play mazes of the set 'validation'; the best of
-these are saved. The weights begin at 0: such a mouse prefers no move. So that the first generations differ at all, a failed
-contest of the training counts the less, the more cells the mouse visited; nothing else is paid for.
+Each generation draws antithetic pairs of weights around the present ones. All play the same new mazes of the set
+'train', and the present weights follow the gradient estimated from the ranks of the returns (Salimans et al. 2017,
+arXiv:1703.03864, with Adam). Every fifth generation, the present weights play mazes of the set 'validation'; the best
+ones are saved. The weights start at 0, which prefers no move. In training, a failed contest costs less, the more cells
+the mouse visited: otherwise all policies of the first generations would have equal returns.
 """
 
 import argparse
@@ -40,14 +40,15 @@ def _parts(weights: Floats, mazes: List[Maze], budget: int, pool: Optional[Proce
 
 
 def ranks(returns: Floats) -> Floats:
-    """From -0.5 for the worst to 0.5 for the best; equal returns have equal ranks."""
+    """The ranks of returns, scaled to -0.5 (worst) to 0.5 (best); equal returns have equal ranks."""
     above = np.greater.outer(returns, returns).sum(axis=1) - np.less.outer(returns, returns).sum(axis=1)
     return np.asarray(above / (2 * len(returns) - 2), np.float64)
 
 
 @contextmanager
 def _ctrl_c() -> Iterator[Callable[[], bool]]:
-    """Whether Ctrl-C was pressed, which raises nothing meanwhile: a process that is just being started would be left behind."""
+    """A context in which Ctrl-C only sets a flag, which its value returns: a KeyboardInterrupt during the start of a
+    process would leave that process running."""
     pressed: List[int] = []
     before = signal.getsignal(signal.SIGINT)
     hears = before not in (signal.SIG_IGN, None) and threading.current_thread() is threading.main_thread()
@@ -61,7 +62,7 @@ def _ctrl_c() -> Iterator[Callable[[], bool]]:
 
 
 def train(seconds: float, generations: int, jobs: int, seed: int, size: int, budget: int, kind: str = "contest") -> Dict[str, Any]:
-    """Trains for at most so many seconds or generations, or until Ctrl-C; what save() writes of the best policy so far."""
+    """Trains until `seconds`, `generations` or Ctrl-C end it. Returns the content of the file for the best policy."""
     dice = np.random.default_rng(seed)
     mazes, validation = MazeSet("train", kind=kind, size=size), MazeSet("validation", kind=kind, size=size)[:100]
     mean, momentum, square = np.zeros(WEIGHTS), np.zeros(WEIGHTS), np.zeros(WEIGHTS)

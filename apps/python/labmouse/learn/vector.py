@@ -1,4 +1,4 @@
-"""Many contests at once, for Gymnasium."""
+"""The Gymnasium vector environment of many contests."""
 
 from typing import Any, Dict, List, Optional, Tuple, Union
 
@@ -19,12 +19,12 @@ class ContestVectorEnv(VectorEnv[NDArray[Any], NDArray[np.int64], NDArray[Any]])
     """`num_envs` contests of labmouse.learn.ContestEnv, stepped together in compiled code.
 
     Contests restart by Gymnasium's AutoresetMode.NEXT_STEP: the step after the last one of a contest ignores
-    its action, begins the next contest and pays 0. Environment i of reset(seed=s) plays the same contests as
-    the single environment of reset(seed=s + i). With order='in turn', environment i plays the mazes i,
+    its action, begins the next contest and has reward 0. After reset(seed=s), environment i plays the same
+    contests as a ContestEnv after reset(seed=s + i). With order='in turn', environment i plays the mazes i,
     i + num_envs, ... of the set.
 
-    Without `copy`, the arrays that reset and step return are always the same memory, changed in place by the
-    next step and not to be written to. Actions of int64 are read in place, too.
+    Without `copy`, reset and step always return the same read-only arrays, which the next step changes in
+    place. Actions of int64 are read without a copy.
 
     The other arguments and the infos are those of ContestEnv; an info is an array over the environments.
     """
@@ -54,7 +54,7 @@ class ContestVectorEnv(VectorEnv[NDArray[Any], NDArray[np.int64], NDArray[Any]])
     def reset(
         self, *, seed: Union[int, List[Optional[int]], None] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[NDArray[Any], Dict[str, Any]]:
-        """Begins contests everywhere, or where options['reset_mask'] is True."""
+        """Begins new contests in all environments, or in those where options['reset_mask'] is True."""
         which = (options or {}).get("reset_mask")
         if which is not None:
             which = self._batch.take("options['reset_mask']", which, np.uint8)
@@ -76,14 +76,14 @@ class ContestVectorEnv(VectorEnv[NDArray[Any], NDArray[np.int64], NDArray[Any]])
     def step(
         self, actions: NDArray[np.int64]
     ) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], Dict[str, Any]]:
-        """One step everywhere. Raises labmouse.Error, and does nothing, where an action is none."""
+        """Makes one step in every environment. If an action is out of range, raises labmouse.Error and does nothing."""
         batch = self._batch
         batch.native.step(batch.take("actions", actions))
         given = self._given
         return given(batch.observations), given(batch.rewards), given(batch.ended), given(self._truncations), self._infos()
 
     def draw_valid_actions(self, into: Optional[NDArray[np.int64]] = None) -> NDArray[np.int64]:
-        """A valid action for each environment, each as likely as the others; seeded by reset(seed=int)."""
+        """Draws a valid action per environment, uniformly, into `into` if given. reset(seed=int) seeds the draws."""
         actions = np.empty(self.num_envs, np.int64) if into is None else into
         if self._batch.take("actions", actions) is not actions:
             raise Error(f"actions are written to an array of int64 in one piece, not to {words_of(actions)}")
@@ -92,12 +92,12 @@ class ContestVectorEnv(VectorEnv[NDArray[Any], NDArray[np.int64], NDArray[Any]])
 
     @property
     def sightings(self) -> NDArray[np.int16]:
-        """The observation 'sighting' of all environments, whatever the chosen observation is: shape (num_envs, 16)."""
+        """The observation 'sighting' of all environments, shape (num_envs, 16), for every choice of `observation`."""
         return self._batch.rows
 
     @property
     def nbytes_per_env(self) -> int:
-        """Bytes that an environment takes: state, observation and all other arrays; without mazes of a list."""
+        """Memory per environment in bytes: state, observation and all other arrays, but not the mazes of a list."""
         batch = self._batch
         arrays = (batch.rewards, batch.returns, batch.ended, batch.masks, batch.states, batch.numbers, batch.observations)
         bytes_of_rows = 0 if batch.rows.dtype == batch.observations.dtype else batch.rows.nbytes
