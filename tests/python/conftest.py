@@ -23,4 +23,4 @@ def programs():
     with pytest.raises(labmouse.Error) as error:
         labmouse.race("program:no-such-program")
     if "starts no programs" in str(error.value):
-        pytest.skip("this package starts no programs: LABMOUSE_GUESTS is off")
+        pytest.skip("this package starts no programs: LABMOUSE_EXTERNAL is off")

@@ -7,7 +7,7 @@
 namespace labmouse {
 
 void read_external_spec(std::string_view, const ExternalOptions&, SpecResult& result) {
-  result.error = "this build starts no programs; on Linux, build it with -DLABMOUSE_GUESTS=ON";
+  result.error = "this build starts no programs; on Linux, build it with -DLABMOUSE_EXTERNAL=ON";
 }
 
 std::string program_path(std::string_view, std::string_view) { return ""; }
