@@ -24,6 +24,7 @@ std::string describe(const NamedMaze& maze, const Inspection& found) {
   const auto line = [&](std::string_view what, const std::string& value) {
     text += fmt::format("  {:<36}{}\n", what, value);
   };
+  if (!maze.reading.empty()) line("read as", maze.reading);
   line("size", fmt::format("{}x{}", size.width, size.height));
   line("reachable cells", fmt::format("{} of {}", found.reachable.count(), size.area()));
   line("dead ends", fmt::format("{}", found.dead_ends));

@@ -25,8 +25,9 @@ void add_file(const std::string& path, const FileContent& file, MazeCollection& 
     return;
   }
   ReadResult result = read_maze(file.content);
+  for (std::string& note : result.notes) collection.notes.push_back({path, std::move(note)});
   if (result.maze)
-    collection.mazes.push_back({path, *result.maze});
+    collection.mazes.push_back({path, *result.maze, std::move(result.reading)});
   else
     failures.push_back({path, std::move(result.problems)});
 }

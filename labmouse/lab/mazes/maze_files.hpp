@@ -14,6 +14,7 @@ namespace labmouse {
 struct NamedMaze {
   std::string name;
   Maze maze;
+  std::string reading = {};  ///< how its file was read, as in ReadResult
 };
 
 /// Line and column of a problem that is not in a file's content: there is no such file, say.
@@ -25,6 +26,12 @@ struct SkippedFile {
   std::vector<Problem> problems;
 };
 
+/// What the user should know of a maze, as in ReadResult.
+struct MazeNote {
+  std::string path;
+  std::string text;
+};
+
 struct MazeCollection {
   /// Sorted by name; a name that was given twice stands once.
   std::vector<NamedMaze> mazes;
@@ -32,6 +39,7 @@ struct MazeCollection {
   std::vector<SkippedFile> skipped;
   /// Unreadable files that were named directly, and paths that lead to nothing.
   std::vector<SkippedFile> errors;
+  std::vector<MazeNote> notes;
 };
 
 /// `FILE:LINE:COLUMN: error: REASON`; `FILE: error: REASON` where it is the content as a whole, or a file that was not

@@ -35,4 +35,7 @@ Sides open_sides(const Maze& maze, Cell cell);
 /// Why a format without marks cannot hold the maze: its start or its goals are not the default. Empty when it can.
 std::string refused_marks(const Maze& maze);
 
+/// The same for a table of cells, which also needs two rows and columns to be told from other lists of numbers.
+std::string refused_table(const Maze& maze);
+
 }  // namespace labmouse::formats

@@ -8,9 +8,9 @@
 namespace labmouse {
 namespace {
 
-// No content is recognised by two of them: the text formats differ in their first line, and a maz file has no character
-// that could stand there.
-constexpr std::array<const Format*, 4> formats_in_order = {&drawing_format, &capstone_format, &num_format, &maz_format};
+// The first that recognises a content reads it. No content that a format writes is recognised by another one.
+constexpr std::array formats_in_order = {&drawing_format, &capstone_format, &num_format, &maz_format,  &blocks_format,
+                                         &hex_format,     &dump_format,     &csv_format, &json_format, &c_format};
 
 }  // namespace
 
@@ -25,8 +25,17 @@ const Format* find_format(std::string_view name) {
 ReadResult read_maze(std::string_view content) {
   if (formats::is_blank(content)) return formats::failure(0, 0, "the file is empty");
   for (const Format* format : all_formats())
-    if (format->recognises(content)) return format->read(content);
-  return formats::failure(0, 0, "not a maze in any known format: drawing (o---o), capstone, num or maz");
+    if (format->recognises(content)) {
+      ReadResult result = format->read(content);
+      if (result.maze && result.reading.empty()) {
+        const auto [width, height] = result.maze->size();
+        result.reading = std::string(format->name) + ", " + std::to_string(width) + "x" + std::to_string(height);
+      }
+      return result;
+    }
+  std::string names;
+  for (const Format* format : all_formats()) names += (names.empty() ? "" : ", ") + std::string(format->name);
+  return formats::failure(0, 0, "not a maze in any known format: " + names);
 }
 
 }  // namespace labmouse

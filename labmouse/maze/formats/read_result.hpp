@@ -24,8 +24,12 @@ inline constexpr std::size_t most_problems = 10;
 
 /// A maze, or what is wrong with its file: exactly one of the two is there.
 struct ReadResult {
-  std::optional<Maze> maze;
-  std::vector<Problem> problems;
+  std::optional<Maze> maze = {};
+  std::vector<Problem> problems = {};
+  /// How the file was read, where it does not state it: "rows of cells from the north, walls 1 north, 2 east, ...".
+  std::string reading = {};
+  /// What the user should know of the maze, a sentence each: closed gaps in the border, other possible readings.
+  std::vector<std::string> notes = {};
 };
 
 }  // namespace labmouse
