@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 
+#include "labmouse/maze/map_comparison.hpp"
 #include "labmouse/maze/symmetry.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/maze/problem_lines.hpp"
@@ -172,6 +173,51 @@ TEST(FieldFormats, SayWhereTheirWallsContradictEachOther) {
               ElementsAre(test::SaysAt("3:3", "(1,0)", "border"), test::SaysAt("3:7", "(1,1)", "(1,0)")));
 }
 
+TEST(PartialMaps, KnowWhichWallsWereNotSeen) {
+  const ReadResult read = read_maze("o---o---o\n|  1:  0|\no   o\xC2\xB7\xC2\xB7\xC2\xB7o\n|  2|  1|\no---o---o\n");
+  EXPECT_FALSE(read.maze);
+  EXPECT_THAT(test::lines_of(read), ElementsAre(test::SaysAt("0:0", "partial map", "2 of 4")));
+  ASSERT_TRUE(read.partial);
+  EXPECT_EQ(read.partial->unseen.count(), 2);
+  EXPECT_TRUE(read.partial->unseen.contains({{0, 1}, Heading::east}));
+  EXPECT_TRUE(read.partial->unseen.contains({{1, 0}, Heading::north}));
+  EXPECT_FALSE(read.partial->known.is_open({0, 0}, Heading::east));
+}
+
+TEST(PartialMaps, AreReadFromLogs) {
+  for (const std::string_view text :
+       {"0 0 N 101\n0 1 N 110\n", "x y heading walls\n0 0 north 101\n0,1;n;110\n",
+        "Step 0: Pos=[0, 0] Facing=N Walls=101 Move=001\nStep 1: Pos=[0, 1] Facing=N Walls=110\n"}) {
+    const ReadResult read = read_maze(text);
+    ASSERT_TRUE(read.partial) << text << testing::PrintToString(test::lines_of(read));
+    EXPECT_EQ(read.partial->known,
+              test::maze_of(drawing_format, "o---o---o\n|       |\no   o   o\n|   |   |\no---o---o\n"));
+    EXPECT_EQ(read.partial->unseen.count(), 1);
+  }
+  EXPECT_THAT(test::lines_of(read_maze("0 0 N 101\n1 0 N 001\n")), ElementsAre(test::SaysAt("2:1", "(1,0)", "west")));
+  EXPECT_THAT(test::lines_of(read_maze("0 0 N 001\n")), ElementsAre(test::SaysAt("1:1", "(0,0)", "west", "border")));
+}
+
+TEST(PartialMaps, AreComparedWithTheMaze) {
+  const Maze maze = test::maze_by_dice({5, 4}, 2, 4);
+  EXPECT_FALSE(compare_maps(maze, {}, test::maze_by_dice({4, 4}, 2, 4)));
+  MazeDraft draft({5, 4}, MazeDraft::Inside::closed);
+  maze.open_walls().for_each([&](Wall wall) { draft.open(wall.cell, wall.side); });
+  const Wall changed{{2, 1}, Heading::north}, other{{3, 2}, Heading::east}, third{{0, 0}, Heading::east};
+  const bool was_open = maze.is_open(changed.cell, changed.side);
+  was_open ? draft.close(changed.cell, changed.side) : draft.open(changed.cell, changed.side);
+  WallSet unseen;
+  unseen.insert(other);
+  draft.open(other.cell, other.side);
+  maze.is_open(third.cell, third.side) ? draft.close(third.cell, third.side) : draft.open(third.cell, third.side);
+  const auto found = compare_maps(Maze(draft), unseen, maze);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->unseen, unseen);
+  EXPECT_EQ((was_open ? found->false_walls : found->missed_walls).contains(changed), true);
+  EXPECT_EQ((maze.is_open(third.cell, third.side) ? found->false_walls : found->missed_walls).contains(third), true);
+  EXPECT_EQ(found->false_walls.count() + found->missed_walls.count(), 2);
+}
+
 // The small inputs from the field beside the checkout, each of one of two mazes.
 TEST(FieldFormats, AreTheMazesThatTheCasesSay) {
   const std::filesystem::path cases = test::folder_of_mazes() / "../cases/mazes";
@@ -182,14 +228,22 @@ TEST(FieldFormats, AreTheMazesThatTheCasesSay) {
                             test::maze_in_file(test::folder_of_mazes() / "classic/87us1.txt")};
   for (const auto& file : files) {
     const std::string name = file.path().filename().string();
-    if (name.find(".steps.") != std::string::npos) continue;
     const Maze* maze = name.starts_with("halls-12.") ? &*mazes[0] : name.starts_with("87us1.") ? &*mazes[1] : nullptr;
     if (maze == nullptr) continue;
-    EXPECT_EQ(test::maze_in_file(file.path()), *maze) << name;
+    const ReadResult read = read_maze(test::text_of(file.path()));
+    if (name.find(".steps.") == std::string::npos) {
+      EXPECT_EQ(read.maze, *maze) << name;
+      continue;
+    }
+    ASSERT_TRUE(read.partial) << name;
+    const auto found = compare_maps(read.partial->known, read.partial->unseen, *maze);
+    EXPECT_TRUE(found && found->false_walls.empty() && found->missed_walls.empty()) << name;
   }
   const auto gaps = test::maze_in_file(cases / "border-gaps.txt"),
              arrows = test::maze_in_file(cases / "print-maze-arrows.txt");
-  ASSERT_TRUE(gaps && arrows);
+  const ReadResult partial = read_maze(test::text_of(cases / "partial-print-maze.txt"));
+  ASSERT_TRUE(gaps && arrows && partial.partial);
+  EXPECT_EQ(partial.partial->unseen.count(), 19);
   EXPECT_EQ(gaps->size(), (Size{5, 5}));
   EXPECT_EQ(arrows->size(), (Size{4, 2}));
   EXPECT_TRUE(arrows->is_goal({2, 0}));

@@ -25,7 +25,7 @@ std::string format_of(std::string_view content) {
 
 TEST(AllFormats, AreFoundByTheirNames) {
   for (const Format* format : all_formats()) EXPECT_EQ(find_format(format->name), format);
-  EXPECT_EQ(all_formats().size(), 10U);
+  EXPECT_EQ(all_formats().size(), 11U);
   EXPECT_EQ(find_format("Maz"), nullptr);
   EXPECT_EQ(find_format(""), nullptr);
 }

@@ -43,6 +43,7 @@ RC_GTEST_PROP(RoundTrip, MazAndDumpHoldSquares, ()) {
   const Maze maze = *mazes_of(squares);
   expect_same(maz_format, maze);
   expect_same(dump_format, maze);
+  expect_same(steps_format, maze);
 }
 
 RC_GTEST_PROP(RoundTrip, BlocksHoldAllSizes, ()) { expect_same(blocks_format, *mazes_of(sizes())); }

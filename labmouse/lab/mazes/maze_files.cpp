@@ -123,6 +123,18 @@ MazeCollection load_mazes(std::span<const std::string> paths) {
   return collection;
 }
 
+ReadResult load_map(const std::string& path) {
+  std::error_code error;
+  if (fs::status(path, error).type() == fs::file_type::not_found && !descriptor_to_read(path)) {
+    for (const BuiltinMaze& builtin : builtin_mazes())
+      if (builtin.name == path) return read_maze(builtin.text);
+    return {.problems = {{no_place, no_place, no_such_maze(path)}}};
+  }
+  const FileContent file = read_file(path);
+  if (!file.error.empty()) return {.problems = {{no_place, no_place, file.error}}};
+  return read_maze(file.content);
+}
+
 std::optional<Maze> maze_named(const std::string& name) {
   MazeCollection collection;
   std::error_code error;

@@ -50,6 +50,10 @@ std::string describe(const std::string& path, const Problem& problem);
 /// name of a built-in maze where no such file is; `-` is standard input.
 MazeCollection load_mazes(std::span<const std::string> paths);
 
+/// What the file at that path holds, a maze or a partial map; problems without a place where it cannot be read. The name
+/// of a built-in maze where there is no such file.
+ReadResult load_map(const std::string& path);
+
 /// The maze of that name as results give it: a file's, or a built-in one where there is no such file. Nothing where the
 /// name leads to none, or to a folder.
 std::optional<Maze> maze_named(const std::string& name);

@@ -43,7 +43,7 @@ class DrawingReader {
         problems_.add(line.number, static_cast<int>(text_width(size_)) + 1, "the line is longer than the top line");
     }
     if (!problems_.empty()) return problems_.failure();
-    ReadResult result{.maze = Maze(draft_)};
+    ReadResult result = map_of(Maze(draft_), unseen_);
     if (!gaps_.empty()) result.notes.push_back("the border is open " + gaps_ + "; it is taken as closed");
     return result;
   }
@@ -62,16 +62,19 @@ class DrawingReader {
     }
   }
 
-  // Three characters that are all `-` or all blank; otherwise the first that breaks the row is the wrong one.
+  // Three characters that are all `-`, blanks, or dots or colons for a wall that was not seen; otherwise the first that
+  // breaks the row is the wrong one.
   void read_wall(const Line& line, int column, Wall wall) {
     const char first = letter(line, column);
     int wrong = column;
-    if (first == '-' || first == ' ')
+    if (first == '-' || first == ' ' || is_unseen(first))
       while (wrong < column + 3 && letter(line, wrong) == first) ++wrong;
     if (wrong < column + 3)
       unexpected(line, wrong, "expected a wall (---) or three spaces");
     else if (first == ' ')
       open(wall);
+    else if (is_unseen(first))
+      leave_unseen(wall);
   }
 
   // The cells of the row y, each with the wall west of it, which is the east side of its neighbour.
@@ -81,6 +84,8 @@ class DrawingReader {
       const Wall wall{{x - 1, y}, Heading::east};
       if (const char side = letter(line, column); side == ' ')
         open(wall);
+      else if (is_unseen(side))
+        leave_unseen(wall);
       else if (side != '|')
         unexpected(line, column, "expected a wall (|) or a space");
       if (x < size_.width) read_cell(line, column + 1, {x, y});
@@ -118,6 +123,14 @@ class DrawingReader {
     gaps_ += (gaps_.empty() ? "to the " : ", to the ") + std::string(labmouse::name_of(side)) + " of " + name_of(cell);
   }
 
+  static bool is_unseen(char letter) { return letter == '.' || letter == ':'; }
+
+  void leave_unseen(Wall wall) {
+    if (on_border(wall, size_)) return;
+    draft_.open(wall.cell, wall.side);
+    unseen_.insert(wall);
+  }
+
   void unexpected(const Line& line, int column, std::string rule) {
     const char found = letter(line, column);
     problems_.add(line.number, column, std::move(rule) + ", found " + quoted({&found, 1}));
@@ -132,6 +145,7 @@ class DrawingReader {
   Size size_;
   MazeDraft draft_;
   bool start_found_ = false;
+  WallSet unseen_;
   std::string gaps_;  ///< in the border
   ProblemList problems_;
 };
@@ -140,7 +154,19 @@ class DrawingReader {
 
 bool is_post(char letter) { return letter == 'o' || letter == '+'; }
 
-ReadResult read_drawing(std::string_view content) {
+std::string with_plain_dots(std::string_view content) {
+  static constexpr std::string_view middle_dot = "\xC2\xB7";
+  std::string plain;
+  while (!content.empty()) {
+    const bool dot = content.starts_with(middle_dot);
+    plain += dot ? '.' : content.front();
+    content.remove_prefix(dot ? middle_dot.size() : 1);
+  }
+  return plain;
+}
+
+ReadResult read_drawing(std::string_view original) {
+  const std::string content = with_plain_dots(original);
   const auto lines = lines_of(content, most_lines_of_drawing + 1);
   if (lines.empty()) return failure(0, 0, "the file is empty");
   ProblemList problems;

@@ -9,8 +9,9 @@ namespace labmouse {
 namespace {
 
 // The first that recognises a content reads it. No content that a format writes is recognised by another one.
-constexpr std::array formats_in_order = {&drawing_format, &capstone_format, &num_format, &maz_format,  &blocks_format,
-                                         &hex_format,     &dump_format,     &csv_format, &json_format, &c_format};
+constexpr std::array formats_in_order = {&drawing_format, &capstone_format, &num_format,  &maz_format,
+                                         &blocks_format,  &hex_format,      &dump_format, &csv_format,
+                                         &steps_format,   &json_format,     &c_format};
 
 }  // namespace
 
@@ -27,10 +28,9 @@ ReadResult read_maze(std::string_view content) {
   for (const Format* format : all_formats())
     if (format->recognises(content)) {
       ReadResult result = format->read(content);
-      if (result.maze && result.reading.empty()) {
-        const auto [width, height] = result.maze->size();
-        result.reading = std::string(format->name) + ", " + std::to_string(width) + "x" + std::to_string(height);
-      }
+      const Maze* maze = result.maze ? &*result.maze : result.partial ? &result.partial->known : nullptr;
+      if (maze != nullptr && result.reading.empty())
+        result.reading = formats::joined(format->name, ", ", maze->size().width, "x", maze->size().height);
       return result;
     }
   std::string names;

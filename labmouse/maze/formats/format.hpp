@@ -38,6 +38,7 @@ extern const Format dump_format;
 extern const Format csv_format;
 extern const Format json_format;
 extern const Format c_format;
+extern const Format steps_format;
 
 /// All formats, in the order in which they are asked whether they recognise a file.
 std::span<const Format* const> all_formats();

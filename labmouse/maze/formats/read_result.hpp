@@ -22,6 +22,12 @@ struct Problem {
 /// At most so many problems of one input are listed.
 inline constexpr std::size_t most_problems = 10;
 
+/// A map in which some inner walls were not seen.
+struct PartialMap {
+  Maze known;      ///< with the unseen walls open
+  WallSet unseen;  ///< not empty
+};
+
 /// A maze, or what is wrong with its file: exactly one of the two is there.
 struct ReadResult {
   std::optional<Maze> maze = {};
@@ -30,6 +36,8 @@ struct ReadResult {
   std::string reading = {};
   /// What the user should know of the maze, a sentence each: closed gaps in the border, other possible readings.
   std::vector<std::string> notes = {};
+  /// What the file holds where it is a partial map; the problem is then that it is no maze.
+  std::optional<PartialMap> partial = {};
 };
 
 }  // namespace labmouse
