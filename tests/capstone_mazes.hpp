@@ -17,11 +17,13 @@
 
 namespace labmouse::test {
 
-inline std::optional<Maze> maze_in_file(const std::filesystem::path& path) {
+/// What a file holds; nothing where there is none.
+inline std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return read_maze(std::string(std::istreambuf_iterator<char>(file), {})).maze;
+  return {std::istreambuf_iterator<char>(file), {}};
 }
+
+inline std::optional<Maze> maze_in_file(const std::filesystem::path& path) { return read_maze(text_of(path)).maze; }
 
 inline std::filesystem::path folder_of_mazes() {
   const char* folder = std::getenv("LABMOUSE_MAZES");

@@ -167,6 +167,7 @@ MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& p
   for (const SkippedFile& file : collection.errors) refuse_other_file(file.path);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));
   tell_skipped(collection.skipped);
+  for (const MazeNote& note : collection.notes) tell(fmt::format("{}: note: {}\n", shown(note.path), note.text));
   if (collection.mazes.empty())
     throw UsageError("error: no mazes found; name a maze file, or omit the paths to use the built-in mazes");
   for (NamedMaze& maze : collection.mazes) apply(places, maze);

@@ -8,12 +8,14 @@
 
 #include "command.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "labmouse/maze/map_comparison.hpp"
 
 namespace labmouse::cli {
 namespace {
 
 struct InspectOptions {
   std::vector<std::string> mazes;
+  std::string against;
   Places places;
   bool check = false;
 };
@@ -24,6 +26,7 @@ std::string describe(const NamedMaze& maze, const Inspection& found) {
   const auto line = [&](std::string_view what, const std::string& value) {
     text += fmt::format("  {:<36}{}\n", what, value);
   };
+  if (!maze.reading.empty()) line("read as", maze.reading);
   line("size", fmt::format("{}x{}", size.width, size.height));
   line("reachable cells", fmt::format("{} of {}", found.reachable.count(), size.area()));
   line("dead ends", fmt::format("{}", found.dead_ends));
@@ -37,6 +40,45 @@ std::string describe(const NamedMaze& maze, const Inspection& found) {
   for (const RuleFinding& rule : found.contest_rules)
     line(fmt::format("contest rule: {}", rule.name), rule.passed ? "pass" : "FAIL: " + rule.reason);
   return text;
+}
+
+std::string describe(const WallSet& walls) {
+  constexpr int most = 10;
+  std::string text = fmt::format("{}", walls.count());
+  int shown_walls = 0;
+  walls.for_each([&](Wall wall) {
+    if (shown_walls < most)
+      text +=
+          fmt::format("{}{} of ({},{})", shown_walls == 0 ? ": " : ", ", name_of(wall.side), wall.cell.x, wall.cell.y);
+    if (shown_walls++ == most) text += ", ...";
+  });
+  return text;
+}
+
+/// Compares maps, such as those that robots print, with the maze in which they were made.
+int compare_all(const InspectOptions& options) {
+  const NamedMaze truth = find_maze(options.against, options.places);
+  bool differs = false;
+  for (const std::string& path : options.mazes) {
+    const ReadResult read = load_map(path);
+    if (!read.maze && !read.partial) throw UsageError(describe(path, read.problems.front()));
+    const Maze& map = read.maze ? *read.maze : read.partial->known;
+    const WallSet unseen = read.partial ? read.partial->unseen : WallSet();
+    const auto found = compare_maps(map, unseen, truth.maze);
+    if (!found)
+      throw UsageError(fmt::format("{}: error: the map has {}x{} cells, {} has {}x{}", path, map.size().width,
+                                   map.size().height, shown(truth.name), truth.maze.size().width,
+                                   truth.maze.size().height));
+    const int walls = WallSet::all(map.size()).count();
+    const int wrong = found->false_walls.count() + found->missed_walls.count();
+    print(
+        fmt::format("{}, compared with {}\n  read as       {}\n  inner walls   {}: {} right, {} wrong, {} unseen\n"
+                    "  false walls   {}\n  missed walls  {}\n",
+                    shown(path), shown(truth.name), read.reading, walls, walls - wrong - unseen.count(), wrong,
+                    unseen.count(), describe(found->false_walls), describe(found->missed_walls)));
+    differs |= wrong > 0;
+  }
+  return options.check && differs ? exit_finding : exit_good;
 }
 
 int inspect_all(const InspectOptions& options) {
@@ -60,9 +102,13 @@ void add_inspect(Command& app, int& exit) {
                    "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
       ->type_name("MAZE");
   add_places(*command, options->places);
-  command->add_flag("--check", options->check, "Exit with 1 if a maze breaks a contest rule");
+  command->add_option("--against", options->against, "Compare the maps with this maze: false, missed and unseen walls")
+      ->type_name("MAZE");
+  command->add_flag("--check", options->check,
+                    "Exit with 1 if a maze breaks a contest rule, or a map has a wrong wall");
   command->footer("Example: labmouse inspect contest-01 --check");
-  command->callback([options, &exit] { exit = inspect_all(*options); });
+  command->callback(
+      [options, &exit] { exit = options->against.empty() ? inspect_all(*options) : compare_all(*options); });
 }
 
 }  // namespace labmouse::cli

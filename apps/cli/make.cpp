@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "labmouse/lab/system/streams.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -33,6 +34,10 @@ const Format& choose_format(const std::string& name, const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
     if (extension == ".maz") return maz_format;
     if (extension == ".num") return num_format;
+    if (extension == ".c" || extension == ".h") return c_format;
+    if (extension == ".json") return json_format;
+    if (extension == ".csv") return csv_format;
+    if (extension == ".hex") return hex_format;
     if (extension.empty() || extension == ".txt" || extension == ".maze" || is_stream(path)) return drawing_format;
     throw UsageError(fmt::format("{}: error: the extension '{}' belongs to no maze format; add --format with one of {}",
                                  path, extension, list_of(all_formats())));
@@ -121,7 +126,9 @@ void add_convert(Command& app, int& exit) {
       ->type_name("FORMAT");
   command->footer("Example: labmouse convert contest-01 maze.maz");
   command->callback([options, &exit] {
-    write(find_maze(options->in, {}).maze, options->out, options->format);
+    const NamedMaze maze = find_maze(options->in, {});
+    if (!maze.reading.empty()) tell(fmt::format("{}: read as {}\n", shown(maze.name), maze.reading));
+    write(maze.maze, options->out, options->format);
     exit = exit_good;
   });
 }

@@ -93,16 +93,22 @@ TEST(Drawing, CannotHoldTwoLettersInACell) {
               Says("start", "goal", "one letter"));
 }
 
-TEST(DrawingProblem, OpenBorderOnEachSide) {
-  EXPECT_THAT(problems_of(R"(
+TEST(Drawing, ClosesGapsInItsBorderWithANote) {
+  const ReadResult open = drawing_format.read(content_of(R"(
 o---o   o---o
 |            
 o   o   o   o
             |
 o---o---o   o
-)"),
-              ElementsAre(SaysAt("1:6", "(1,1)", "north", "border"), SaysAt("2:13", "(2,1)", "east", "border"),
-                          SaysAt("4:1", "(0,0)", "west", "border"), SaysAt("5:10", "(2,0)", "south", "border")));
+)"));
+  EXPECT_EQ(open.maze, read("o---o---o---o\n|           |\no   o   o   o\n|           |\no---o---o---o\n"));
+  EXPECT_THAT(open.notes, ElementsAre(Says("north of (1,1)", "east of (2,1)", "west of (0,0)", "south of (2,0)")));
+}
+
+TEST(Drawing, MayHaveNumbersAndArrowsInCells) {
+  const Maze plain = read("o---o---o---o\n|         G |\no---o---o---o\n");
+  EXPECT_EQ(read("+---+---+---+\n| >   12  @ |\n+---+---+---+\n"), plain);
+  EXPECT_EQ(read("o---o---o---o\n|  9 v ^  * |\no---o---o---o\n"), plain);
 }
 
 TEST(DrawingProblem, UnknownLettersInCells) {

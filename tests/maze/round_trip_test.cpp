@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
 #include "labmouse/maze/formats/format.hpp"
 #include "tests/maze/random_maze.hpp"
 
@@ -11,6 +13,10 @@ namespace {
 using test::marked_mazes;
 using test::mazes_of;
 using test::sizes;
+
+rc::Gen<Size> larger_sizes() {
+  return rc::gen::map(sizes(), [](Size size) { return Size{std::max(size.width, 2), std::max(size.height, 2)}; });
+}
 
 // A maze that the format must hold comes back the same, whether the format is named or recognised.
 void expect_same(const Format& format, const Maze& maze) {
@@ -32,8 +38,19 @@ RC_GTEST_PROP(RoundTrip, CapstoneHoldsSquares, ()) {
   expect_same(capstone_format, *mazes_of(squares));
 }
 
-RC_GTEST_PROP(RoundTrip, MazHoldsTwoSizes, ()) {
-  expect_same(maz_format, *mazes_of(rc::gen::element(Size{16, 16}, Size{32, 32})));
+RC_GTEST_PROP(RoundTrip, MazAndDumpHoldSquares, ()) {
+  const auto squares = rc::gen::map(larger_sizes(), [](Size size) { return Size{size.width, size.width}; });
+  const Maze maze = *mazes_of(squares);
+  expect_same(maz_format, maze);
+  expect_same(dump_format, maze);
+  expect_same(steps_format, maze);
+}
+
+RC_GTEST_PROP(RoundTrip, BlocksHoldAllSizes, ()) { expect_same(blocks_format, *mazes_of(sizes())); }
+
+RC_GTEST_PROP(RoundTrip, TablesHoldAllSizesFromTwoRowsAndColumns, ()) {
+  const Maze maze = *mazes_of(larger_sizes());
+  for (const Format* format : {&hex_format, &csv_format, &json_format, &c_format}) expect_same(*format, maze);
 }
 
 RC_GTEST_PROP(RoundTrip, DrawingHoldsMarks, ()) {

@@ -25,8 +25,9 @@ void add_file(const std::string& path, const FileContent& file, MazeCollection& 
     return;
   }
   ReadResult result = read_maze(file.content);
+  for (std::string& note : result.notes) collection.notes.push_back({path, std::move(note)});
   if (result.maze)
-    collection.mazes.push_back({path, *result.maze});
+    collection.mazes.push_back({path, *result.maze, std::move(result.reading)});
   else
     failures.push_back({path, std::move(result.problems)});
 }
@@ -120,6 +121,18 @@ MazeCollection load_mazes(std::span<const std::string> paths) {
   for (auto* files : {&collection.skipped, &collection.errors})
     sort_by(*files, [](const SkippedFile& file) -> const std::string& { return file.path; });
   return collection;
+}
+
+ReadResult load_map(const std::string& path) {
+  std::error_code error;
+  if (fs::status(path, error).type() == fs::file_type::not_found && !descriptor_to_read(path)) {
+    for (const BuiltinMaze& builtin : builtin_mazes())
+      if (builtin.name == path) return read_maze(builtin.text);
+    return {.problems = {{no_place, no_place, no_such_maze(path)}}};
+  }
+  const FileContent file = read_file(path);
+  if (!file.error.empty()) return {.problems = {{no_place, no_place, file.error}}};
+  return read_maze(file.content);
 }
 
 std::optional<Maze> maze_named(const std::string& name) {

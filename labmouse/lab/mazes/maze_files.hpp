@@ -14,6 +14,7 @@ namespace labmouse {
 struct NamedMaze {
   std::string name;
   Maze maze;
+  std::string reading = {};  ///< how its file was read, as in ReadResult
 };
 
 /// Line and column of a problem that has no place in the file, for example a missing file.
@@ -25,6 +26,12 @@ struct SkippedFile {
   std::vector<Problem> problems;
 };
 
+/// A note on a maze, as in ReadResult.
+struct MazeNote {
+  std::string path;
+  std::string text;
+};
+
 struct MazeCollection {
   /// Sorted by name, without duplicates.
   std::vector<NamedMaze> mazes;
@@ -32,6 +39,7 @@ struct MazeCollection {
   std::vector<SkippedFile> skipped;
   /// Unreadable files that were named directly, and paths that do not exist.
   std::vector<SkippedFile> errors;
+  std::vector<MazeNote> notes;
 };
 
 /// `FILE:LINE:COLUMN: error: REASON`; `FILE: error: REASON` if the problem has no place.
@@ -40,6 +48,10 @@ std::string describe(const std::string& path, const Problem& problem);
 /// Reads each path: a file, a folder (recursively, without hidden files), a pattern with `*`, `?` or `[...]`, or the
 /// name of a built-in maze if there is no such file; `-` is standard input.
 MazeCollection load_mazes(std::span<const std::string> paths);
+
+/// Reads a maze or a partial map from a file, or a built-in maze if there is no such file. Problems have no place if the
+/// file cannot be read.
+ReadResult load_map(const std::string& path);
 
 /// The maze of a name in results: of a file, or built-in if there is no such file. Empty if there is neither, or for a
 /// folder.

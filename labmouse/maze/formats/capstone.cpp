@@ -14,11 +14,14 @@ using namespace formats;
 
 constexpr std::size_t most_lines_of_capstone = 1 + max_side;
 
-// The first line is one number. Several with commas are accepted, too, so that the reader can report the missing size.
+// The first line is one number, the size; the second line has commas if the maze has more than one cell. A single line
+// with commas is accepted, too, so that the reader can report the missing size.
 bool is_capstone(std::string_view content) {
-  const std::string_view line = first_line(content);
-  return has_only_numbers(line) &&
-         (line.find(',') != std::string_view::npos || words_between_blanks(line, 2).size() == 1);
+  const std::vector<Line> lines = lines_of(content, 2);
+  if (lines.empty() || !has_only_numbers(lines[0].text)) return false;
+  if (lines[0].text.find(',') != std::string_view::npos) return lines.size() == 1;
+  if (words_between_blanks(lines[0].text, 2).size() != 1) return false;
+  return lines.size() == 1 || lines[1].text.size() != lines[0].text.size() || number_of(lines[0].text, 1, 1);
 }
 
 std::string column_name(int x) { return "column x=" + std::to_string(x); }

@@ -59,4 +59,12 @@ std::string refused_marks(const Maze& maze) {
   return {};
 }
 
+std::string refused_table(const Maze& maze) {
+  const auto [width, height] = maze.size();
+  if (width == 1 || height == 1)
+    return "the maze has " + std::to_string(width) + "x" + std::to_string(height) +
+           " cells; this format holds only mazes from 2x2";
+  return refused_marks(maze);
+}
+
 }  // namespace labmouse::formats

@@ -35,4 +35,7 @@ Sides open_sides(const Maze& maze, Cell cell);
 /// Why a format without start and goal cannot store the maze: one of them is not the default. Empty if it can.
 std::string refused_marks(const Maze& maze);
 
+/// The same for a table of cells, which also needs two rows and columns to be told from other lists of numbers.
+std::string refused_table(const Maze& maze);
+
 }  // namespace labmouse::formats

@@ -16,8 +16,8 @@ namespace {
 using namespace formats;
 
 bool is_drawing(std::string_view content) {
-  const std::string_view line = first_line(content);
-  return !line.empty() && is_post(line.front()) && line.find_first_not_of("o+- ") == std::string_view::npos;
+  const std::string line = with_plain_dots(first_line(content));
+  return !line.empty() && is_post(line.front()) && line.find_first_not_of("o+- .:") == std::string_view::npos;
 }
 
 // Which marks are drawn. A cell has room for one letter. If the start is a goal, one mark is left out; it must be one

@@ -43,7 +43,9 @@ class DrawingReader {
         problems_.add(line.number, static_cast<int>(text_width(size_)) + 1, "the line is longer than the top line");
     }
     if (!problems_.empty()) return problems_.failure();
-    return {Maze(draft_), {}};
+    ReadResult result = map_of(Maze(draft_), unseen_);
+    if (!gaps_.empty()) result.notes.push_back("the border is open " + gaps_ + "; it is taken as closed");
+    return result;
   }
 
  private:
@@ -60,16 +62,19 @@ class DrawingReader {
     }
   }
 
-  // A wall is three characters, all `-` or all blank. The first one that differs is reported.
+  // A wall is three equal characters: `-` closed, blank open, dot or colon not seen. The first one that differs is
+  // reported.
   void read_wall(const Line& line, int column, Wall wall) {
     const char first = letter(line, column);
     int wrong = column;
-    if (first == '-' || first == ' ')
+    if (first == '-' || first == ' ' || is_unseen(first))
       while (wrong < column + 3 && letter(line, wrong) == first) ++wrong;
     if (wrong < column + 3)
       unexpected(line, wrong, "expected a wall (---) or three spaces");
     else if (first == ' ')
-      open(line, column, wall);
+      open(wall);
+    else if (is_unseen(first))
+      leave_unseen(wall);
   }
 
   // The cells of the row y, each with the wall west of it, which is the east side of its neighbour.
@@ -78,7 +83,9 @@ class DrawingReader {
       const int column = 4 * x + 1;
       const Wall wall{{x - 1, y}, Heading::east};
       if (const char side = letter(line, column); side == ' ')
-        open(line, column, wall);
+        open(wall);
+      else if (is_unseen(side))
+        leave_unseen(wall);
       else if (side != '|')
         unexpected(line, column, "expected a wall (|) or a space");
       if (x < size_.width) read_cell(line, column + 1, {x, y});
@@ -88,10 +95,11 @@ class DrawingReader {
   void read_cell(const Line& line, int column, Cell cell) {
     for (int i = 0; i < 3; ++i) {
       const char mark = letter(line, column + i);
-      if (mark == ' ') continue;
+      // Programs print distances, ways and visits into cells.
+      if (std::string_view(" 0123456789^v<>.").find(mark) != std::string_view::npos) continue;
       if (i == 1 && mark == 'S')
         read_start(line, column + i, cell);
-      else if (i == 1 && mark == 'G')
+      else if ((i == 1 && mark == 'G') || mark == '*' || mark == '@')
         draft_.add_goal(cell);
       else
         unexpected(line, column + i, "cell " + name_of(cell) + " may contain only S or G, in the middle");
@@ -107,14 +115,20 @@ class DrawingReader {
     start_found_ = true;
   }
 
-  void open(const Line& line, int column, Wall wall) {
-    if (!on_border(wall, size_)) {
-      draft_.open(wall.cell, wall.side);
-      return;
-    }
+  void open(Wall wall) {
+    if (!on_border(wall, size_)) return draft_.open(wall.cell, wall.side);
     const bool outside = !size_.contains(wall.cell);
     const Cell cell = outside ? neighbour(wall.cell, wall.side) : wall.cell;
-    problems_.add(line.number, column, open_border(cell, outside ? opposite(wall.side) : wall.side));
+    const Heading side = outside ? opposite(wall.side) : wall.side;
+    gaps_ += (gaps_.empty() ? "to the " : ", to the ") + std::string(labmouse::name_of(side)) + " of " + name_of(cell);
+  }
+
+  static bool is_unseen(char letter) { return letter == '.' || letter == ':'; }
+
+  void leave_unseen(Wall wall) {
+    if (on_border(wall, size_)) return;
+    draft_.open(wall.cell, wall.side);
+    unseen_.insert(wall);
   }
 
   void unexpected(const Line& line, int column, std::string rule) {
@@ -131,6 +145,8 @@ class DrawingReader {
   Size size_;
   MazeDraft draft_;
   bool start_found_ = false;
+  WallSet unseen_;
+  std::string gaps_;  ///< in the border
   ProblemList problems_;
 };
 
@@ -138,7 +154,19 @@ class DrawingReader {
 
 bool is_post(char letter) { return letter == 'o' || letter == '+'; }
 
-ReadResult read_drawing(std::string_view content) {
+std::string with_plain_dots(std::string_view content) {
+  static constexpr std::string_view middle_dot = "\xC2\xB7";
+  std::string plain;
+  while (!content.empty()) {
+    const bool dot = content.starts_with(middle_dot);
+    plain += dot ? '.' : content.front();
+    content.remove_prefix(dot ? middle_dot.size() : 1);
+  }
+  return plain;
+}
+
+ReadResult read_drawing(std::string_view original) {
+  const std::string content = with_plain_dots(original);
   const auto lines = lines_of(content, most_lines_of_drawing + 1);
   if (lines.empty()) return failure(0, 0, "the file is empty");
   ProblemList problems;

@@ -8,9 +8,10 @@
 namespace labmouse {
 namespace {
 
-// No content matches two of them: the text formats differ in their first line, and the bytes of a maz file cannot occur
-// in text.
-constexpr std::array<const Format*, 4> formats_in_order = {&drawing_format, &capstone_format, &num_format, &maz_format};
+// The first format that recognises a content reads it. What one format writes, no other recognises.
+constexpr std::array formats_in_order = {&drawing_format, &capstone_format, &num_format,  &maz_format,
+                                         &blocks_format,  &hex_format,      &dump_format, &csv_format,
+                                         &steps_format,   &json_format,     &c_format};
 
 }  // namespace
 
@@ -25,8 +26,16 @@ const Format* find_format(std::string_view name) {
 ReadResult read_maze(std::string_view content) {
   if (formats::is_blank(content)) return formats::failure(0, 0, "the file is empty");
   for (const Format* format : all_formats())
-    if (format->recognises(content)) return format->read(content);
-  return formats::failure(0, 0, "not a maze in any known format: drawing (o---o), capstone, num or maz");
+    if (format->recognises(content)) {
+      ReadResult result = format->read(content);
+      const Maze* maze = result.maze ? &*result.maze : result.partial ? &result.partial->known : nullptr;
+      if (maze != nullptr && result.reading.empty())
+        result.reading = formats::joined(format->name, ", ", maze->size().width, "x", maze->size().height);
+      return result;
+    }
+  std::string names;
+  for (const Format* format : all_formats()) names += (names.empty() ? "" : ", ") + std::string(format->name);
+  return formats::failure(0, 0, "not a maze in any known format: " + names);
 }
 
 }  // namespace labmouse

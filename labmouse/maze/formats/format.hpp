@@ -32,6 +32,13 @@ extern const Format capstone_format;
 extern const Format drawing_format;
 extern const Format num_format;
 extern const Format maz_format;
+extern const Format hex_format;
+extern const Format blocks_format;
+extern const Format dump_format;
+extern const Format csv_format;
+extern const Format json_format;
+extern const Format c_format;
+extern const Format steps_format;
 
 /// All formats, in the order in which they are tried.
 std::span<const Format* const> all_formats();

@@ -1,52 +1,51 @@
 // The binary "maz" format: one byte a cell, column by column from the start corner: (0,0), (0,1), ...
 //
-// Bits 0 to 3 of a byte are the walls north, east, south and west; the others are 0. The size follows from the length.
+// Bits 0 to 3 of a byte are the walls north, east, south and west; programs use the others for cells that were seen.
+// The size follows from the length.
 #include <algorithm>
 
 #include "labmouse/maze/formats/cell_table.hpp"
+#include "labmouse/maze/formats/coded_cells.hpp"
 #include "labmouse/maze/formats/format.hpp"
 #include "labmouse/maze/formats/problem_list.hpp"
+#include "labmouse/maze/formats/text.hpp"
 
 namespace labmouse {
 namespace {
 
 using namespace formats;
 
-// The side of the square, or 0 when no maz file has that length.
-int side_of(std::size_t bytes) {
-  if (bytes == 16 * 16) return 16;
-  if (bytes == 32 * 32) return 32;
-  return 0;
-}
+constexpr std::size_t most_bytes_of_maz = max_side * max_side;
 
 unsigned byte_of(char letter) { return static_cast<unsigned char>(letter); }
 
+/// Whether a byte stands in no text: neither ASCII nor UTF-8.
+bool is_no_text(char letter) {
+  const unsigned byte = byte_of(letter);
+  return byte < 9 || (byte > 13 && byte < 32) || byte > 0xF4;
+}
+
 bool is_maz(std::string_view content) {
-  return side_of(content.size()) != 0 &&
-         std::all_of(content.begin(), content.end(), [](char letter) { return byte_of(letter) <= all_sides; });
+  return content.size() >= 4 && content.size() <= most_bytes_of_maz &&
+         std::any_of(content.begin(), content.end(), is_no_text);
 }
 
 ReadResult read_maz(std::string_view content) {
   if (content.empty()) return failure(0, 0, "the file is empty");
-  const int side = side_of(content.size());
-  if (side == 0)
-    return failure(0, 0, "expected 256 bytes (16x16) or 1024 bytes (32x32), found " + std::to_string(content.size()));
-  std::vector<CellStatement> statements;
-  ProblemList problems;
-  for (int i = 0; i < side * side; ++i) {
-    const unsigned walls = byte_of(content[static_cast<unsigned>(i)]);
-    if (walls > all_sides) problems.add(0, i + 1, "expected a byte from 0 to 15, found " + std::to_string(walls));
-    statements.push_back({{i / side, i % side}, ~walls & all_sides, 0, i + 1});
-  }
-  if (!problems.empty()) return problems.failure();
-  return maze_of({side, side}, statements);
+  if (content.size() > most_bytes_of_maz)
+    return failure(0, 0,
+                   joined("expected at most ", most_bytes_of_maz, " bytes, one for each cell, found ", content.size()));
+  CodedCells cells{.format = "bytes", .usual = Layout::columns_from_west};
+  for (std::size_t i = 0; i < content.size(); ++i)
+    cells.entries.push_back({byte_of(content[i]), 0, static_cast<int>(i) + 1});
+  return maze_of(cells);
 }
 
 WriteResult write_maz(const Maze& maze) {
   const auto [width, height] = maze.size();
-  if (width != height || side_of(static_cast<std::size_t>(maze.size().area())) == 0)
-    return {std::nullopt, "the maze has " + std::to_string(width) + "x" + std::to_string(height) +
-                              " cells; the maz format holds only 16x16 and 32x32"};
+  if (width != height || width == 1)
+    return {std::nullopt,
+            joined("the maze has ", width, "x", height, " cells; the maz format holds only squares from 2x2")};
   if (std::string reason = refused_marks(maze); !reason.empty()) return {std::nullopt, std::move(reason)};
   std::string content;
   for (int x = 0; x < width; ++x)
@@ -58,7 +57,7 @@ WriteResult write_maz(const Maze& maze) {
 
 constinit const Format maz_format = {
     .name = "maz",
-    .summary = "binary, one byte of walls for each cell; 16x16 or 32x32",
+    .summary = "binary, one byte of walls for each cell; squares",
     .recognises = is_maz,
     .read = read_maz,
     .write = write_maz,

@@ -15,11 +15,17 @@ using namespace formats;
 constexpr std::size_t most_lines_of_num = max_side * max_side;
 constexpr std::size_t words_in_line = 6;
 
-// A line of several numbers without commas. The reader checks their count and values.
+// A line of several numbers without commas; the reader checks their count and values. Two lines of equally many numbers
+// other than six are a table, and numbers of two digits are bytes.
 bool is_num(std::string_view content) {
-  const std::string_view line = first_line(content);
-  return has_only_numbers(line) && line.find(',') == std::string_view::npos &&
-         words_between_blanks(line, 2).size() == 2;
+  const std::vector<Line> lines = lines_of(content, 2);
+  if (lines.empty() || !has_only_numbers(lines[0].text) || lines[0].text.find(',') != std::string_view::npos)
+    return false;
+  const auto words = words_between_blanks(lines[0].text, max_side);
+  const auto two_digits = [](const Word& word) { return word.text.size() == 2; };
+  if (words.size() < 2 || std::all_of(words.begin(), words.end(), two_digits)) return false;
+  return words.size() == words_in_line || lines.size() == 1 ||
+         words_between_blanks(lines[1].text, max_side).size() != words.size();
 }
 
 // The lines read so far.

@@ -1,5 +1,7 @@
 #include "labmouse/maze/formats/problem_list.hpp"
 
+#include "labmouse/maze/formats/text.hpp"
+
 namespace labmouse::formats {
 namespace {
 
@@ -22,6 +24,15 @@ void append_printable(std::string& text, char letter) {
 
 ReadResult failure(int line, int column, std::string reason) {
   return {std::nullopt, {{line, column, std::move(reason)}}};
+}
+
+ReadResult map_of(const Maze& known, const WallSet& unseen) {
+  if (unseen.empty()) return {.maze = known};
+  ReadResult result = failure(0, 0,
+                              joined("a partial map: ", unseen.count(), " of ", WallSet::all(known.size()).count(),
+                                     " inner walls were not seen; `labmouse inspect FILE --against MAZE` compares it"));
+  result.partial = PartialMap{known, unseen};
+  return result;
 }
 
 std::string name_of(Cell cell) { return "(" + std::to_string(cell.x) + "," + std::to_string(cell.y) + ")"; }

@@ -32,6 +32,9 @@ class ProblemList {
 /// The result of reading that failed for a single reason.
 ReadResult failure(int line, int column, std::string reason);
 
+/// A maze, or a partial map where some of its walls are unseen.
+ReadResult map_of(const Maze& known, const WallSet& unseen);
+
 /// A cell as reasons name it: "(3,4)".
 std::string name_of(Cell cell);
 

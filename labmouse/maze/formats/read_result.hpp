@@ -22,10 +22,22 @@ struct Problem {
 /// The most problems that are listed for one input.
 inline constexpr std::size_t most_problems = 10;
 
+/// A map in which some inner walls were not seen.
+struct PartialMap {
+  Maze known;      ///< with the unseen walls open
+  WallSet unseen;  ///< not empty
+};
+
 /// A maze, or what is wrong with its file: exactly one of the two is there.
 struct ReadResult {
-  std::optional<Maze> maze;
-  std::vector<Problem> problems;
+  std::optional<Maze> maze = {};
+  std::vector<Problem> problems = {};
+  /// How the file was read, where it does not state it: "rows of cells from the north, walls 1 north, 2 east, ...".
+  std::string reading = {};
+  /// What the user should know of the maze, a sentence each: closed gaps in the border, other possible readings.
+  std::vector<std::string> notes = {};
+  /// What the file holds where it is a partial map; the problem is then that it is no maze.
+  std::optional<PartialMap> partial = {};
 };
 
 }  // namespace labmouse

@@ -1,0 +1,50 @@
+// Blocks: a picture of (2W+1)x(2H+1) characters. Cells, walls and posts are one block each; `#` is a wall or a post.
+//
+//     #####
+//     #   #
+//     # # #
+//     # # #
+//     #####
+#include "labmouse/maze/formats/cell_table.hpp"
+#include "labmouse/maze/formats/format.hpp"
+#include "labmouse/maze/formats/text_rows.hpp"
+
+namespace labmouse {
+namespace {
+
+using namespace formats;
+
+bool is_blocks(std::string_view content) { return are_blocks(text_rows_of(content)); }
+
+ReadResult read_blocks(std::string_view content) { return read_text_rows(text_rows_of(content), "rows of characters"); }
+
+/// Whether there is a block between a post or cell and the next one, counted in blocks from the south-west.
+bool is_wall(const Maze& maze, int column, int row) {
+  if (column % 2 == 0 && row % 2 == 0) return true;
+  const Cell cell{(column - 1) / 2, (row - 1) / 2};
+  if (column % 2 == 1 && row % 2 == 1) return false;
+  if (column % 2 == 1) return row == 0 || !maze.is_open(cell, Heading::north);
+  return column == 0 || !maze.is_open(cell, Heading::east);
+}
+
+WriteResult write_blocks(const Maze& maze) {
+  if (std::string reason = refused_marks(maze); !reason.empty()) return {std::nullopt, std::move(reason)};
+  std::string content;
+  for (int row = 2 * maze.size().height; row >= 0; --row) {
+    for (int column = 0; column <= 2 * maze.size().width; ++column) content += is_wall(maze, column, row) ? '#' : ' ';
+    content += '\n';
+  }
+  return {std::move(content), {}};
+}
+
+}  // namespace
+
+constinit const Format blocks_format = {
+    .name = "blocks",
+    .summary = "a picture in which cells, walls and posts are one block each",
+    .recognises = is_blocks,
+    .read = read_blocks,
+    .write = write_blocks,
+};
+
+}  // namespace labmouse

@@ -1,0 +1,253 @@
+// Maze files as others write them: bit orders, layouts and notations that no file states.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+
+#include "labmouse/maze/map_comparison.hpp"
+#include "labmouse/maze/symmetry.hpp"
+#include "tests/capstone_mazes.hpp"
+#include "tests/maze/problem_lines.hpp"
+#include "tests/maze/random_maze.hpp"
+#include "tests/says.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::Says;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// One way to write a maze as numbers.
+struct Notation {
+  std::array<Heading, 4> order;
+  unsigned shift = 0;
+  bool openings = false;
+  bool columns = false;
+  bool from_north = true;
+};
+
+unsigned number_of(const Maze& maze, Cell cell, const Notation& notation) {
+  unsigned number = 0;
+  for (unsigned bit = 0; bit < 4; ++bit)
+    if (maze.is_open(cell, notation.order[bit]) == notation.openings) number |= 1U << (notation.shift + bit);
+  return number;
+}
+
+// Rows or columns of numbers, each in brackets.
+std::string list_of(const Maze& maze, const Notation& notation) {
+  const auto [width, height] = maze.size();
+  std::string text = "[";
+  for (int i = 0; i < (notation.columns ? width : height); ++i) {
+    text += i == 0 ? "[" : "], [";
+    for (int j = 0; j < (notation.columns ? height : width); ++j) {
+      const int x = notation.columns ? i : j, up = notation.columns ? j : i;
+      const int y = notation.from_north ? height - 1 - up : up;
+      text += (j == 0 ? "" : ", ") + std::to_string(number_of(maze, {x, y}, notation));
+    }
+  }
+  return text + "]]";
+}
+
+// With the start that is usual: open to the north only.
+Maze usual_maze(Size size, std::uint64_t seed) {
+  const Maze maze = test::maze_by_dice(size, seed, 5);
+  MazeDraft draft(size, MazeDraft::Inside::closed);
+  for (int i = 0; i < size.area(); ++i)
+    for (const Heading side : {Heading::north, Heading::east})
+      if (maze.is_open(size.cell_at(i), side)) draft.open(size.cell_at(i), side);
+  draft.open({0, 0}, Heading::north);
+  draft.close({0, 0}, Heading::east);
+  draft.open({0, size.height - 1}, Heading::east);
+  draft.open({0, size.height - 1}, Heading::south);
+  draft.open({size.width - 1, 0}, Heading::north);
+  draft.open({size.width - 1, 0}, Heading::west);
+  draft.open({size.width - 1, size.height - 1}, Heading::west);
+  draft.open({size.width - 1, size.height - 1}, Heading::south);
+  return Maze(draft);
+}
+
+TEST(FieldFormats, FindTheBitsThatNoFileStates) {
+  int exact = 0;
+  std::array order = {Heading::north, Heading::east, Heading::south, Heading::west};
+  do
+    for (const unsigned shift : {0U, 1U, 4U})
+      for (const bool openings : {false, true})
+        for (const bool columns : {false, true})
+          for (const bool from_north : {false, true}) {
+            const Maze maze = usual_maze({9, 7}, 3);
+            const ReadResult read = read_maze(list_of(maze, {order, shift, openings, columns, from_north}));
+            // A layout that is not in use, or numbers that fit what files of this format usually have.
+            if (columns && from_north && !read.notes.empty()) continue;
+            if (read.reading.ends_with("rows from the north, walls 1 north, 2 east, 4 south, 8 west")) continue;
+            ++exact;
+            EXPECT_EQ(read.maze, maze) << read.reading;
+            EXPECT_THAT(read.notes, IsEmpty());
+          }
+  while (std::next_permutation(order.begin(), order.end()));
+  EXPECT_GT(exact, 24 * 3 * 2 * 3);
+}
+
+TEST(FieldFormats, SayWhereTwoMazesFit) {
+  // Two corners that could be the start.
+  MazeDraft draft({3, 3}, MazeDraft::Inside::open);
+  draft.close({0, 0}, Heading::east);
+  draft.close({0, 2}, Heading::south);
+  const Maze maze{draft};
+  const std::array order = {Heading::west, Heading::south, Heading::north, Heading::east};
+  const ReadResult read = read_maze(list_of(maze, {order, 0, false, false, true}));
+  ASSERT_TRUE(read.maze);
+  EXPECT_EQ(canonical_walls(*read.maze), canonical_walls(maze));
+  EXPECT_THAT(read.notes, ElementsAre(Says("other maze")));
+}
+
+TEST(FieldFormats, AreReadFromOtherLanguages) {
+  // By walls, the columns are 14, 9 and 14, 3.
+  const Maze maze = test::maze_of(drawing_format, "o---o---o\n|       |\no   o   o\n|   |   |\no---o---o\n");
+  for (const std::string_view text : {
+           "const uint8_t m[2][2] = {\n  {0x0E, 0x09},\n  {0x0E, 0x03}, // east\n};\n",
+           "#define SIZE 2\n/* walls[x][y] */ static int walls[SIZE][SIZE]={{14u,9U},{14,3}};",
+           "var maze = [2][2]int{{14, 9}, {14, 3}}\n",
+           "let maze: [[u8; 2]; 2] = [[0b1110, 0b1001], [0b1110, 0b0011]];",
+           "maze = [\n  [14, 9],  # x = 0\n  [14, 3],\n]\n",
+           "int maze[] = {14, 9, 14, 3};",
+           "cell maze[2][2] = {{{0,1,1,1}, {1,0,0,1}}, {{0,1,1,1}, {1,1,0,0}}};",
+           "bool m[4][4] = {{false, true, true, true}, {true,false,false,true}, {0,1,1,1}, {1,1,0,0}};",
+           "const char *maze[] = {\"93\", \"ee\"};",
+           R"([["NW", "NE"], ["ESW", "SEW"]])",
+           R"([[["N","W"], ["N","E"]], [["E","S","W"], ["S","W","E"]]])",
+           R"({"width": 2, "height": 2, "cells": [{"x":0,"y":0,"walls":"ESW"}, {"x":1,"y":0,"walls":"SEW"},
+               {"x":0,"y":1,"walls":"NW"}, {"x":1,"y":1,"walls":["north","east"]}]})",
+           R"([{"x":1,"y":1,"n":true,"e":true,"s":false,"w":false}, {"x":0,"y":1,"n":true,"e":false,"s":false,"w":true},
+               {"x":0,"y":0,"n":false,"e":true,"s":true,"w":true}, {"x":1,"y":0,"n":false,"e":true,"s":true,"w":true}])",
+           "[[9 3]\n [14 14]]\n",
+           "9,3\n14,14\n",
+           "9\t3\n14\t14\n",
+           "y;x;N;E;S;W\n0;0;1;0;0;1\n0;1;1;1;0;0\n1;0;0;1;1;1\n1;1;0;1;1;1\n",
+           "0e 09 0e 03\n",
+           "00000000: 0e09 0e03                                ....\n",
+           "00000000  0e 09 0e 03                                       |....|\n00000004\n",
+           "93\nEe\n",
+           "#####\n#   #\n# # #\n# # #\n#####\n",
+           "11111\n10001\n10101\n10101\n11111\n",
+           "[[1,1,1,1,1],[1,0,0,0,1],[1,0,1,0,1],[1,0,1,0,1],[1,1,1,1,1]]",
+           "0 0 0 0 0\n0 1 1 1 0\n0 1 0 1 0\n0 1 0 1 0\n0 0 0 0 0\n",
+       }) {
+    const ReadResult read = read_maze(text);
+    EXPECT_EQ(read.maze, maze) << text << '\n' << read.reading << testing::PrintToString(test::lines_of(read));
+    EXPECT_THAT(read.reading, testing::HasSubstr("2x2"));
+  }
+}
+
+TEST(FieldFormats, AreRefusedWhereTheyHoldNoMaze) {
+  for (const std::string_view text : {
+           "[]",
+           "{}",
+           "[[]]",
+           "[1]",
+           "[[1, 2], [3]]",
+           "[[0, 0], [0, 0]]",
+           "[\"once\", \"upon\"]",
+           "[[[[[[[1]]]]]]]",
+           "{\"a\": 1}",
+           "int m[2][2] = {{WALL_N, 9}, {12, 3}};",
+           "[[14, 9], [12, 3]",
+           "const char* s = \"{\";",
+           "{\"x\": [1, 2, 3, 4]}",
+           "[{\"x\": 70, \"y\": 0, \"walls\": 3}]",
+           "1,2\n3,4\n",
+           "9\n3\n",
+           "abc\n",
+           "0e 09 0c\n",
+           "12\n34\n",
+       }) {
+    const ReadResult read = read_maze(text);
+    EXPECT_FALSE(read.maze) << text << '\n' << read.reading;
+    EXPECT_FALSE(read.problems.empty()) << text;
+  }
+}
+
+TEST(FieldFormats, SayWhereTheirWallsContradictEachOther) {
+  EXPECT_THAT(test::lines_of(read_maze("int m[2][2] = {\n {14, 9},\n {13, 3}};")),
+              ElementsAre(test::SaysAt("3:3", "(1,0)", "border"), test::SaysAt("3:7", "(1,1)", "(1,0)")));
+}
+
+TEST(PartialMaps, KnowWhichWallsWereNotSeen) {
+  const ReadResult read = read_maze("o---o---o\n|  1:  0|\no   o\xC2\xB7\xC2\xB7\xC2\xB7o\n|  2|  1|\no---o---o\n");
+  EXPECT_FALSE(read.maze);
+  EXPECT_THAT(test::lines_of(read), ElementsAre(test::SaysAt("0:0", "partial map", "2 of 4")));
+  ASSERT_TRUE(read.partial);
+  EXPECT_EQ(read.partial->unseen.count(), 2);
+  EXPECT_TRUE(read.partial->unseen.contains({{0, 1}, Heading::east}));
+  EXPECT_TRUE(read.partial->unseen.contains({{1, 0}, Heading::north}));
+  EXPECT_FALSE(read.partial->known.is_open({0, 0}, Heading::east));
+}
+
+TEST(PartialMaps, AreReadFromLogs) {
+  for (const std::string_view text :
+       {"0 0 N 101\n0 1 N 110\n", "x y heading walls\n0 0 north 101\n0,1;n;110\n",
+        "Step 0: Pos=[0, 0] Facing=N Walls=101 Move=001\nStep 1: Pos=[0, 1] Facing=N Walls=110\n"}) {
+    const ReadResult read = read_maze(text);
+    ASSERT_TRUE(read.partial) << text << testing::PrintToString(test::lines_of(read));
+    EXPECT_EQ(read.partial->known,
+              test::maze_of(drawing_format, "o---o---o\n|       |\no   o   o\n|   |   |\no---o---o\n"));
+    EXPECT_EQ(read.partial->unseen.count(), 1);
+  }
+  EXPECT_THAT(test::lines_of(read_maze("0 0 N 101\n1 0 N 001\n")), ElementsAre(test::SaysAt("2:1", "(1,0)", "west")));
+  EXPECT_THAT(test::lines_of(read_maze("0 0 N 001\n")), ElementsAre(test::SaysAt("1:1", "(0,0)", "west", "border")));
+}
+
+TEST(PartialMaps, AreComparedWithTheMaze) {
+  const Maze maze = test::maze_by_dice({5, 4}, 2, 4);
+  EXPECT_FALSE(compare_maps(maze, {}, test::maze_by_dice({4, 4}, 2, 4)));
+  MazeDraft draft({5, 4}, MazeDraft::Inside::closed);
+  maze.open_walls().for_each([&](Wall wall) { draft.open(wall.cell, wall.side); });
+  const Wall changed{{2, 1}, Heading::north}, other{{3, 2}, Heading::east}, third{{0, 0}, Heading::east};
+  const bool was_open = maze.is_open(changed.cell, changed.side);
+  was_open ? draft.close(changed.cell, changed.side) : draft.open(changed.cell, changed.side);
+  WallSet unseen;
+  unseen.insert(other);
+  draft.open(other.cell, other.side);
+  maze.is_open(third.cell, third.side) ? draft.close(third.cell, third.side) : draft.open(third.cell, third.side);
+  const auto found = compare_maps(Maze(draft), unseen, maze);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->unseen, unseen);
+  EXPECT_EQ((was_open ? found->false_walls : found->missed_walls).contains(changed), true);
+  EXPECT_EQ((maze.is_open(third.cell, third.side) ? found->false_walls : found->missed_walls).contains(third), true);
+  EXPECT_EQ(found->false_walls.count() + found->missed_walls.count(), 2);
+}
+
+// The small inputs from the field beside the checkout, each of one of two mazes.
+TEST(FieldFormats, AreTheMazesThatTheCasesSay) {
+  const std::filesystem::path cases = test::folder_of_mazes() / "../cases/mazes";
+  std::error_code missing;
+  std::filesystem::directory_iterator files(cases, missing);
+  if (missing) GTEST_SKIP() << "no folder " << cases;
+  const std::array mazes = {test::maze_in_file(LABMOUSE_SOURCE_DIR "/mazes/halls-12.txt"),
+                            test::maze_in_file(test::folder_of_mazes() / "classic/87us1.txt")};
+  for (const auto& file : files) {
+    const std::string name = file.path().filename().string();
+    const Maze* maze = name.starts_with("halls-12.") ? &*mazes[0] : name.starts_with("87us1.") ? &*mazes[1] : nullptr;
+    if (maze == nullptr) continue;
+    const ReadResult read = read_maze(test::text_of(file.path()));
+    if (name.find(".steps.") == std::string::npos) {
+      EXPECT_EQ(read.maze, *maze) << name;
+      continue;
+    }
+    ASSERT_TRUE(read.partial) << name;
+    const auto found = compare_maps(read.partial->known, read.partial->unseen, *maze);
+    EXPECT_TRUE(found && found->false_walls.empty() && found->missed_walls.empty()) << name;
+  }
+  const auto gaps = test::maze_in_file(cases / "border-gaps.txt"),
+             arrows = test::maze_in_file(cases / "print-maze-arrows.txt");
+  const ReadResult partial = read_maze(test::text_of(cases / "partial-print-maze.txt"));
+  ASSERT_TRUE(gaps && arrows && partial.partial);
+  EXPECT_EQ(partial.partial->unseen.count(), 19);
+  EXPECT_EQ(gaps->size(), (Size{5, 5}));
+  EXPECT_EQ(arrows->size(), (Size{4, 2}));
+  EXPECT_TRUE(arrows->is_goal({2, 0}));
+}
+
+}  // namespace
+}  // namespace labmouse
