@@ -31,16 +31,10 @@ std::string suggestion(std::string_view word, const Things& things) {
 /// The format with that name; without a name the format of the path's extension, or the drawing.
 const Format& choose_format(const std::string& name, const std::string& path) {
   if (name.empty()) {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    if (extension == ".maz") return maz_format;
-    if (extension == ".num") return num_format;
-    if (extension == ".c" || extension == ".h") return c_format;
-    if (extension == ".json") return json_format;
-    if (extension == ".csv") return csv_format;
-    if (extension == ".hex") return hex_format;
-    if (extension.empty() || extension == ".txt" || extension == ".maze" || is_stream(path)) return drawing_format;
+    if (is_stream(path)) return drawing_format;
+    if (const Format* format = format_of_file(path)) return *format;
     throw UsageError(fmt::format("{}: error: the extension '{}' belongs to no maze format; add --format with one of {}",
-                                 path, extension, list_of(all_formats())));
+                                 path, std::filesystem::path(path).extension().string(), list_of(all_formats())));
   }
   if (const Format* format = find_format(name)) return *format;
   throw UsageError(fmt::format("error: unknown format '{}'; {}", name, suggestion(name, all_formats())));

@@ -184,8 +184,8 @@ std::string written(const NamedMaze& maze, nb::handle given_format) {
 
 void save(const NamedMaze& maze, nb::handle path, nb::handle format) {
   const std::string file = given<std::filesystem::path>(path, "path", "the path of a file").string();
-  const std::string suggested = file.ends_with(".maz") ? "maz" : file.ends_with(".num") ? "num" : "drawing";
-  const nb::str chosen(suggested.c_str());
+  const Format* suggested = format_of_file(file);
+  const nb::str chosen(std::string(suggested == nullptr ? drawing_format.name : suggested->name).c_str());
   const std::string content = written(maze, format.is_none() ? nb::handle(chosen) : format);
   if (const auto error = write_file(file, content); !error.empty())
     throw UserError(fmt::format("{}: error: {}", file, error));
@@ -266,13 +266,15 @@ void bind_mazes(nb::module_& module) {
       .def_prop_ro(
           "east", [](const NamedMaze& maze) { return walls_of(maze.maze, Heading::east); }, nb::rv_policy::automatic,
           "A new array of bool of the shape (height, width): whether there is a wall east of the cell [y, x].")
-      .def("text", &written, "format"_a = "drawing", nb::sig("def text(self, format: str = 'drawing') -> str"),
-           "The maze as text in the format 'drawing', 'capstone', 'num' or 'maz'. Raises Error if the format cannot "
-           "hold this maze.")
+      .def(
+          "text", &written, "format"_a = "drawing", nb::sig("def text(self, format: str = 'drawing') -> str"),
+          "The maze as text in a format: 'drawing', 'capstone', 'num', 'maz', 'blocks', 'hex', 'dump', 'csv', 'steps', "
+          "'json' or 'c'. Raises Error if the format cannot hold this maze.")
       .def("save", &save, "path"_a, "format"_a = nb::none(),
            nb::sig("def save(self, path: str | os.PathLike[str], format: str | None = None) -> None"),
-           "Writes the maze to a file. Without a format, the ending of the path decides (.maz, .num; a drawing for all "
-           "others). Raises Error if the format cannot hold this maze or the file cannot be written.")
+           "Writes the maze to a file. Without a format, the extension of the path decides (.maz, .num, .hex, .csv, "
+           ".log, .json, .h; a drawing for all others). Raises Error if the format cannot hold this maze or the file "
+           "cannot be written.")
       .def(
           "named",
           [](const NamedMaze& maze, nb::handle name) {

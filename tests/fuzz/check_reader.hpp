@@ -20,7 +20,7 @@ inline void check_reader(const Format& format, const std::uint8_t* bytes, std::s
   const ReadResult recognised = read_maze(content);
   require(recognised.maze.has_value() == recognised.problems.empty());
   if (!result.maze) return;
-  require(recognised.maze == result.maze);
+  if (recognised_format(content) == &format) require(recognised.maze == result.maze);
   const WriteResult written = format.write(*result.maze);
   require(written.content && format.read(*written.content).maze == result.maze);
 }

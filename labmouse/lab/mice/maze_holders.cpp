@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t longest_maze = std::uintmax_t{256} << 10U;
 
 /// Whether the size fits the only binary format, which has a byte for each cell.
-bool is_binary_maze(std::uintmax_t size) { return size == 16 * 16 || size == 32 * 32; }
+bool is_binary_maze(std::uintmax_t size) { return size <= max_side * max_side; }
 
 bool is_installed_or_hidden(const fs::path& folder) {
   std::error_code error;
@@ -44,7 +44,9 @@ bool holds_maze(const std::string& path) {
   if (error || size > longest_maze || (begin.find('\0') != std::string_view::npos && !is_binary_maze(size)))
     return false;
   const FileContent content = read_found_file(path);
-  return content.error.empty() && read_maze(content.content).maze.has_value();
+  // A source file that has a maze in it is a part of the mouse.
+  return content.error.empty() && recognised_format(content.content) != &c_format &&
+         read_maze(content.content).maze.has_value();
 }
 
 void hide_mazes_in(const std::string& folder, HiddenFiles& hidden) {

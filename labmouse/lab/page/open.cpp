@@ -115,6 +115,7 @@ PageReply answer_open(const ReadJson& json, std::string_view bytes) {
   if (is_too_deep(text))
     return failed(fmt::format("{} is JSON, but its lists and objects are nested too deeply", name));
   if (is_record(text)) return open_record(name, bytes, maze);
+  if (read_maze(bytes).maze) return open_maze(name, bytes);
   return open_results(name, bytes);
 }
 

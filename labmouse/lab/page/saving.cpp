@@ -11,8 +11,7 @@ namespace labmouse {
 namespace {
 
 std::string file_name(const std::string& maze, const Format& format) {
-  const bool own_ending = format.name == maz_format.name || format.name == num_format.name;
-  return fmt::format("{}.{}", file_names({stem_of(maze)}).front(), own_ending ? format.name : "txt");
+  return fmt::format("{}{}", file_names({stem_of(maze)}).front(), format.extension);
 }
 
 /// A binary file as a list of its bytes.

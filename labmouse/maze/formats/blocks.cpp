@@ -42,6 +42,7 @@ WriteResult write_blocks(const Maze& maze) {
 constinit const Format blocks_format = {
     .name = "blocks",
     .summary = "a picture in which cells, walls and posts are one block each",
+    .extension = ".txt",
     .recognises = is_blocks,
     .read = read_blocks,
     .write = write_blocks,

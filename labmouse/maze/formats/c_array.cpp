@@ -42,6 +42,7 @@ WriteResult write_c_array(const Maze& maze) {
 constinit const Format c_format = {
     .name = "c",
     .summary = "array of C, a number for each cell",
+    .extension = ".h",
     .recognises = is_c_array,
     .read = read_c_array,
     .write = write_c_array,

@@ -87,6 +87,7 @@ WriteResult write_capstone(const Maze& maze) {
 constinit const Format capstone_format = {
     .name = "capstone",
     .summary = "a size, then one line of numbers 0 to 15 for each column",
+    .extension = ".txt",
     .recognises = is_capstone,
     .read = read_capstone,
     .write = write_capstone,

@@ -116,6 +116,7 @@ WriteResult write_csv(const Maze& maze) {
 constinit const Format csv_format = {
     .name = "csv",
     .summary = "a line for each cell with row, column and four walls",
+    .extension = ".csv",
     .recognises = is_csv,
     .read = read_csv,
     .write = write_csv,

@@ -69,6 +69,7 @@ WriteResult write_drawing(const Maze& maze) {
 constinit const Format drawing_format = {
     .name = "drawing",
     .summary = "posts, walls, S and G as text",
+    .extension = ".txt",
     .recognises = is_drawing,
     .read = read_drawing,
     .write = write_drawing,

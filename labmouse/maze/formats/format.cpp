@@ -23,19 +23,36 @@ const Format* find_format(std::string_view name) {
   return nullptr;
 }
 
+const Format* format_of_file(std::string_view name) {
+  const std::size_t slash = name.find_last_of('/'), dot = name.rfind('.');
+  const bool has_extension = dot != std::string_view::npos && (slash == std::string_view::npos || dot > slash + 1);
+  const std::string_view extension = has_extension ? name.substr(dot) : "";
+  if (extension.empty() || extension == ".maze") return &drawing_format;
+  if (extension == ".c") return &c_format;
+  for (const Format* format : all_formats())
+    if (format->extension == extension) return format;
+  return nullptr;
+}
+
+const Format* recognised_format(std::string_view content) {
+  for (const Format* format : all_formats())
+    if (format->recognises(content)) return format;
+  return nullptr;
+}
+
 ReadResult read_maze(std::string_view content) {
   if (formats::is_blank(content)) return formats::failure(0, 0, "the file is empty");
-  for (const Format* format : all_formats())
-    if (format->recognises(content)) {
-      ReadResult result = format->read(content);
-      const Maze* maze = result.maze ? &*result.maze : result.partial ? &result.partial->known : nullptr;
-      if (maze != nullptr && result.reading.empty())
-        result.reading = formats::joined(format->name, ", ", maze->size().width, "x", maze->size().height);
-      return result;
-    }
-  std::string names;
-  for (const Format* format : all_formats()) names += (names.empty() ? "" : ", ") + std::string(format->name);
-  return formats::failure(0, 0, "not a maze in any known format: " + names);
+  const Format* format = recognised_format(content);
+  if (format == nullptr) {
+    std::string names;
+    for (const Format* each : all_formats()) names += (names.empty() ? "" : ", ") + std::string(each->name);
+    return formats::failure(0, 0, "not a maze in any known format: " + names);
+  }
+  ReadResult result = format->read(content);
+  const Maze* maze = result.maze ? &*result.maze : result.partial ? &result.partial->known : nullptr;
+  if (maze != nullptr && result.reading.empty())
+    result.reading = formats::joined(format->name, ", ", maze->size().width, "x", maze->size().height);
+  return result;
 }
 
 }  // namespace labmouse

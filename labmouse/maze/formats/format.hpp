@@ -22,6 +22,7 @@ struct WriteResult {
 struct Format {
   std::string_view name;
   std::string_view summary;
+  std::string_view extension;  ///< of the files that labmouse writes, such as ".num"
   /// Whether content seems to be of this format. Never fails, and can be wrong only for malformed content.
   bool (*recognises)(std::string_view content);
   ReadResult (*read)(std::string_view content);
@@ -44,6 +45,11 @@ extern const Format steps_format;
 std::span<const Format* const> all_formats();
 /// The format of that name, or null.
 const Format* find_format(std::string_view name);
+
+/// The format that belongs to the extension of a file name, or null; `.txt`, `.maze` and none are the drawing's.
+const Format* format_of_file(std::string_view name);
+/// The first format that recognises the content, or null.
+const Format* recognised_format(std::string_view content);
 
 /// Recognises the format of the content and reads the maze. Never throws.
 ReadResult read_maze(std::string_view content);

@@ -94,6 +94,7 @@ WriteResult write_hex_dump(const Maze& maze) {
 constinit const Format dump_format = {
     .name = "dump",
     .summary = "the bytes of a maz file in hexadecimal digits",
+    .extension = ".txt",
     .recognises = is_hex_dump,
     .read = read_hex_dump,
     .write = write_hex_dump,

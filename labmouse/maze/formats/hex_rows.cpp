@@ -40,6 +40,7 @@ WriteResult write_hex_rows(const Maze& maze) {
 constinit const Format hex_format = {
     .name = "hex",
     .summary = "rows of hexadecimal digits, one for each cell",
+    .extension = ".hex",
     .recognises = is_hex_rows,
     .read = read_hex_rows,
     .write = write_hex_rows,

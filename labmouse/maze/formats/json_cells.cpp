@@ -38,6 +38,7 @@ WriteResult write_json_cells(const Maze& maze) {
 constinit const Format json_format = {
     .name = "json",
     .summary = "JSON, the letters of the walls of each cell",
+    .extension = ".json",
     .recognises = is_json_text,
     .read = read_json_cells,
     .write = write_json_cells,

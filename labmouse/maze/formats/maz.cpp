@@ -58,6 +58,7 @@ WriteResult write_maz(const Maze& maze) {
 constinit const Format maz_format = {
     .name = "maz",
     .summary = "binary, one byte of walls for each cell; squares",
+    .extension = ".maz",
     .recognises = is_maz,
     .read = read_maz,
     .write = write_maz,

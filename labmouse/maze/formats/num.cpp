@@ -125,6 +125,7 @@ WriteResult write_num(const Maze& maze) {
 constinit const Format num_format = {
     .name = "num",
     .summary = "a line `x y n e s w` for each cell, 1 for a wall",
+    .extension = ".num",
     .recognises = is_num,
     .read = read_num,
     .write = write_num,

@@ -129,6 +129,7 @@ WriteResult write_steps_log(const Maze& maze) {
 constinit const Format steps_format = {
     .name = "steps",
     .summary = "the log of a mouse: cell, heading and walls of each step",
+    .extension = ".log",
     .recognises = is_steps_log,
     .read = read_steps_log,
     .write = write_steps_log,

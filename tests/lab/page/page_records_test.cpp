@@ -148,7 +148,7 @@ TEST(PageWrites, MazesInEveryFormat) {
     if (format->name == "maz") continue;
     const json said = answer("write_maze", of_maze(maze, {{"format", format->name}}));
     EXPECT_EQ(said["text"], *format->write(maze.maze).content);
-    EXPECT_EQ(said["file_name"], format->name == "num" ? "my_maze.num" : "my_maze.txt");
+    EXPECT_EQ(said["file_name"], "my_maze" + std::string(format->extension));
   }
 }
 
@@ -161,7 +161,7 @@ TEST(PageWrites, BytesOfTheBinaryFormat) {
 }
 
 TEST(PageWrites, NothingThatAFormatCannotHold) {
-  EXPECT_THAT(error_of("write_maze", of_maze(test::hook(), {{"format", "maz"}})), Says("maz ", "16x16"));
+  EXPECT_THAT(error_of("write_maze", of_maze(test::hook(), {{"format", "maz"}})), Says("maz ", "squares"));
   EXPECT_THAT(error_of("write_maze", of_maze(test::hook(), {{"format", "png"}})), Says("unknown format", "'png'"));
 }
 

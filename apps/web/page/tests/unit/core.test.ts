@@ -90,7 +90,7 @@ describe.skipIf(!existsSync(file))('the core', () => {
   test('opens what it wrote', () => {
     const opened = answer('open', { name: 'walk.jsonl' }, text(record));
     expect(opened).toEqual({ kind: 'record', play });
-    for (const format of ['drawing', 'num', 'capstone', 'maz']) {
+    for (const { name: format } of answer('about', {}).formats) {
       const said = answer('write_maze', { maze, format });
       const content = said.text === undefined ? Uint8Array.from(said.bytes!) : text(said.text);
       expect(answer('open', { name: maze.name }, content)).toEqual({ kind: 'maze', maze });
