@@ -683,6 +683,28 @@ TEST_F(AUser, MakesConvertsAndShowsAMaze) {
   EXPECT_EQ(labmouse({"show", "made.num"}).code, 0);
 }
 
+TEST_F(AUser, ConvertsWhatOthersWriteAndIsToldHowItWasRead) {
+  file("array.h", "const int m[2][2] = {{14, 9}, {14, 3}};\n");
+  const Ended converted = labmouse({"convert", "array.h", "-"});
+  EXPECT_EQ(converted.code, 0);
+  EXPECT_EQ(converted.out, "o---o---o\n| G | G |\no   o   o\n| G | G |\no---o---o\n");
+  EXPECT_THAT(converted.err, Says("array.h", "2x2", "columns from the west", "1 north"));
+  EXPECT_THAT(labmouse({"inspect", "array.h"}).out, Says("columns from the west"));
+  file("gap.txt", "o---o---o\n|        \no---o---o\n");
+  EXPECT_THAT(labmouse({"show", "gap.txt"}).err, Says("gap.txt", "east of (1,0)"));
+}
+
+TEST_F(AUser, ComparesTheMapOfARobotWithTheMaze) {
+  file("true.hex", "93\nee\n");
+  file("robot.log", "0 0 N 101\n0 1 N 111\n");
+  const Ended compared = labmouse({"inspect", "robot.log", "--against", "true.hex", "--check"});
+  EXPECT_EQ(compared.code, 1);
+  EXPECT_THAT(compared.out, Says("robot.log", "true.hex", "2 right", "1 wrong", "1 unseen", "east of (0,1)"));
+  EXPECT_EQ(labmouse({"inspect", "true.hex", "--against", "true.hex", "--check"}).code, 0);
+  is_refused({"inspect", "true.hex", "--against", "capstone-1"}, "2x2", "12x12");
+  is_refused({"show", "robot.log"}, "robot.log", "partial map", "--against");
+}
+
 TEST_F(AUser, IsToldWhatCannotBeWritten) {
   file("corridor.txt", corridor);
   is_refused({"make", "prim", "-o", "corridor.txt/maze.txt"}, "corridor.txt/maze.txt: error: ", "not a folder");

@@ -1,6 +1,10 @@
 // Parameters of a mouse as a JSON object.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -13,8 +17,8 @@ inline Json settings_json(const Settings& settings) {
     const std::optional<double> number = parse_plain_number(setting.value);
     if (!number)
       json[setting.name] = setting.value;
-    else if (*number == static_cast<double>(static_cast<long>(*number)))
-      json[setting.name] = static_cast<long>(*number);
+    else if (std::abs(*number) <= 1e15 && *number == std::floor(*number))
+      json[setting.name] = static_cast<std::int64_t>(*number);
     else
       json[setting.name] = *number;
   }
