@@ -102,8 +102,9 @@ TEST(DriveRulesFile, PassesOnWhatIsNoToml) {
 TEST(Rules, ComeWithTheProgram) {
   std::vector<std::string_view> names;
   for (const BuiltinRules& rules : builtin_rules()) names.push_back(rules.name);
-  EXPECT_EQ(names,
-            (std::vector<std::string_view>{"all-japan", "all-japan-half", "apec", "thirtieth", "uk", "uk-2018"}));
+  EXPECT_EQ(names, (std::vector<std::string_view>{"aamc", "all-japan", "all-japan-freshmen", "all-japan-half",
+                                                  "all-japan-heats", "apec", "ieee-r6", "portugal", "taiwan",
+                                                  "thirtieth", "uk", "uk-2018"}));
   for (const std::string_view name : names) {
     const FoundRules found = find_rules(std::string(name));
     EXPECT_TRUE(found.errors.empty()) << name;
