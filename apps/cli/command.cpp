@@ -20,14 +20,19 @@
 namespace labmouse::cli {
 namespace {
 
-/// Reads `X,Y` or, if allowed, `X,Y,HEADING`.
-Pose read_place(const std::string& text, bool with_heading) {
+std::vector<std::string> between_commas(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const auto comma = std::min(text.find(',', begin), text.size());
     parts.push_back(text.substr(begin, comma - begin));
     begin = comma + 1;
   }
+  return parts;
+}
+
+/// Reads `X,Y` or, if allowed, `X,Y,HEADING`.
+Pose read_place(const std::string& text, bool with_heading) {
+  const std::vector<std::string> parts = between_commas(text);
   std::vector<std::string_view> headings;
   for (const Heading heading : all_headings) headings.push_back(name_of(heading));
   const auto bad = [&] {
@@ -67,9 +72,13 @@ void apply(const Places& places, NamedMaze& maze) {
   if (places.goals.empty()) return;
   CellSet goals;
   for (const std::string& text : places.goals) {
-    const Cell goal = read_place(text, false).cell;
-    require_inside(maze, goal, "goal");
-    goals.insert(goal);
+    const std::vector<std::string> parts = between_commas(text);
+    // An odd number of parts is refused as a whole.
+    for (std::size_t i = 0; i < parts.size(); i += 2) {
+      const Cell goal = read_place(parts.size() % 2 == 0 ? parts[i] + "," + parts[i + 1] : text, false).cell;
+      require_inside(maze, goal, "goal");
+      goals.insert(goal);
+    }
   }
   maze.maze = maze.maze.with_goals(goals);
 }
@@ -147,8 +156,8 @@ void tell_skipped(const std::vector<SkippedFile>& skipped) {
 void add_places(Command& command, Places& places) {
   command.add_option("--start", places.start, "Start at X,Y or X,Y,HEADING instead of where the file says")
       ->type_name("X,Y[,HEADING]");
-  command.add_option("--goal", places.goals, "Goal cell, replacing those of the file (repeatable)")
-      ->type_name("X,Y")
+  command.add_option("--goal", places.goals, "Goal cells, replacing those of the file (repeatable)")
+      ->type_name("X,Y[,X,Y...]")
       ->expected(1)
       ->take_all();
 }
@@ -162,7 +171,18 @@ void tell_remarks(const std::vector<std::string>& remarks) {
   for (const std::string& remark : remarks) tell("remark: " + remark + "\n");
 }
 
-MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places) {
+std::vector<std::string> separated(const std::vector<std::string>& paths) {
+  std::vector<std::string> all;
+  for (const std::string& path : paths) {
+    std::error_code unknown;
+    const bool whole = path.find(',') == std::string::npos || std::filesystem::exists(path, unknown);
+    for (std::string& part : whole ? std::vector{path} : between_commas(path)) all.push_back(std::move(part));
+  }
+  return all;
+}
+
+MazeCollection find_mazes(const std::vector<std::string>& names, const Places& places) {
+  const std::vector<std::string> paths = separated(names);
   MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths);
   for (const SkippedFile& file : collection.errors) refuse_other_file(file.path);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));

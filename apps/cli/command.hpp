@@ -32,6 +32,8 @@ struct Places {
 };
 void add_places(Command& command, Places& places);
 
+/// Splits paths at commas, if there is no file with the whole name.
+std::vector<std::string> separated(const std::vector<std::string>& paths);
 /// Loads the mazes of the paths (all built-in ones without a path) and applies the places. Prints skipped files on
 /// standard error. Throws UsageError for a directly named path that is no maze.
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places);

@@ -154,7 +154,7 @@ MazeCollection find_mazes_of(const World& world, const Contests& contests) {
         fmt::format("error: --start and --goal cannot be used in the world {}, which {}", world.name(), fixed));
   MazeCollection mazes = find_mazes(contests.mazes, places);
   const auto before = static_cast<std::ptrdiff_t>(mazes.skipped.size());
-  if (const std::string refused = leave_out(world, contests.mazes, mazes); !refused.empty()) throw UsageError(refused);
+  if (const std::string refused = leave_out(world, separated(contests.mazes), mazes); !refused.empty()) throw UsageError(refused);
   tell_skipped({mazes.skipped.begin() + before, mazes.skipped.end()});
   if (mazes.mazes.empty())
     throw UsageError(

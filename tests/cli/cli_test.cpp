@@ -694,6 +694,17 @@ TEST_F(AUser, ConvertsWhatOthersWriteAndIsToldHowItWasRead) {
   EXPECT_THAT(labmouse({"show", "gap.txt"}).err, Says("gap.txt", "east of (1,0)"));
 }
 
+TEST_F(AUser, SeparatesMazesAndGoalsByCommas) {
+  file("corridor.txt", corridor);
+  file("a,b.txt", corridor);
+  EXPECT_THAT(labmouse({"inspect", "corridor.txt,a,b.txt"}).err, Says("a: error"));
+  EXPECT_THAT(labmouse({"inspect", "corridor.txt,capstone-1"}).out, Says("corridor.txt", "capstone-1"));
+  EXPECT_THAT(labmouse({"inspect", "a,b.txt"}).out, Says("a,b.txt"));
+  const Ended two = labmouse({"show", "capstone-1", "--goal", "0,1,2,3"});
+  EXPECT_EQ(two.out, labmouse({"show", "capstone-1", "--goal", "0,1", "--goal", "2,3"}).out);
+  is_refused({"show", "capstone-1", "--goal", "0,1,2"}, "'0,1,2'", "X,Y");
+}
+
 TEST_F(AUser, ComparesTheMapOfARobotWithTheMaze) {
   file("true.hex", "93\nee\n");
   file("robot.log", "0 0 N 101\n0 1 N 111\n");
