@@ -1,5 +1,5 @@
-// The rules of a contest in seconds. docs/reference/worlds-and-rules.md has them in words; rules/*.toml are those that
-// come with labmouse.
+// The rules of a contest in seconds. docs/reference/worlds-and-rules.md explains them; rules/*.toml are the built-in
+// ones.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace labmouse {
 
 struct DriveRules {
   std::string name;
-  std::string source;  ///< where and when they were in force, and what of them is unsure
+  std::string source;  ///< where and when they were in force, and what is uncertain
   /// Time in the maze, in microseconds, from the first start on; a run that has not ended by then does not count.
   std::int64_t time_limit = 0;
   /// Runs that may begin at the start, searches among them.
@@ -19,9 +19,9 @@ struct DriveRules {
   /// Whether the clock runs from gate to gate (leaves the start cell, enters a goal cell) or from rest to the centre of
   /// the goal.
   bool gate_to_gate = true;
-  /// Microseconds added to the time of a run after the mouse was touched, which happens in the physical world alone.
+  /// Microseconds added to the time of a run after the mouse was touched, which happens only in worlds with errors.
   std::int64_t touch_penalty = 0;
-  /// Microseconds taken off a run of a mouse that was never touched before it.
+  /// Microseconds subtracted from a run if the mouse was never touched before it.
   std::int64_t untouched_bonus = 0;
 };
 
