@@ -1,6 +1,7 @@
 // certify: explores until its route is proven shortest, and no further.
 //
-// Limits: buys the proof at any price; a point of score is 30 steps of the search run, and the proof often costs more.
+// Limits: proves the route at any cost. 30 steps of the search run cost as much as one of the speed run, and the proof
+// often costs more than it saves.
 #include "labmouse/mouse/driving_explorer.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/runs.hpp"
@@ -22,7 +23,7 @@ class Certify final : public Explorer {
   }
 
   Action enter_goal() {
-    // The start may be a goal; a step has to end there.
+    // The start may be a goal: it counts as entered only when a step ends there.
     if (briefing().goals.contains(pose().cell)) return Action::step(0, 0);
     return ways_.step_towards(briefing().goals, knowledge(), pose());
   }
