@@ -1,5 +1,5 @@
 // festina: wraps another strategy, and adds a log-odds map and a choice of pace. It searches more slowly after crashes,
-// makes each speed run faster than the last, and makes a slow, safe run if no speed run finished.
+// makes speed runs faster after each success, and makes a slow, safe run if no speed run finished.
 //
 // Limits: it adapts only to how runs ended; it does not know the noise level.
 #include <algorithm>
