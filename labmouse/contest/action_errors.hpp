@@ -11,7 +11,7 @@ namespace labmouse {
 /// Steps of one kind.
 struct ActionErrorCount {
   int steps = 0;
-  /// Number of the first of them, from 1; 0 if there is none.
+  /// Number of the first such step, from 1; 0 if there is none.
   int first = 0;
 
   friend constexpr bool operator==(const ActionErrorCount&, const ActionErrorCount&) = default;

@@ -16,8 +16,8 @@ class BelievedWalls {
   /// Maze and record must outlive it.
   BelievedWalls(const Maze& maze, MapKind map, PhysicalRecord& record);
 
-  /// Adds the readings of a pose: an unknown wall gets its more likely state; for a known wall the evidence is
-  /// combined.
+  /// Adds the readings of a pose: an unknown wall gets its more likely state; for a known wall, the map kind decides
+  /// whether evidence is combined or contradictions are only counted.
   void read(MazeTime time, const Pose& pose, const WallEvidence& evidence);
   /// The mouse came straight from there, in its present heading: marks the walls on the way as surely open.
   void pass(MazeTime time, Cell from, const Pose& to);

@@ -28,8 +28,8 @@ struct Coverage {
   friend constexpr bool operator==(const Coverage&, const Coverage&) = default;
 };
 
-/// The cells that a step entered on its way to the next pose, including those driven through; none for a reset or a
-/// step without movement. Cells outside of the size are left out.
+/// The cells that a step entered on its way to the next pose, including those driven through; none if the mouse stayed,
+/// or for a reset. Cells outside of the size are left out.
 std::vector<Cell> entered_cells(const StepRecord& step, const Pose& next, Size size);
 
 /// The cells that the search run entered, in order and with repetitions, from the start, including those driven

@@ -99,7 +99,7 @@ class DriveContest {
     return decide_at_start();
   }
 
-  /// Clears a map that has no route left, even with its least sure walls unknown, and begins again at the start.
+  /// Clears a map that has no route left, even after weaken(), and begins again at the start.
   Action begin_anew() {
     weighed_->forget_all();
     weakens_ = 0;
@@ -112,7 +112,7 @@ class DriveContest {
     return decide({start_, true});
   }
 
-  /// Opens the record of a run; false where time or rules allow none.
+  /// Opens the record of a run; false if time or rules allow none.
   bool begin(DriveRun::Kind kind) {
     if (driver_.out_of_time() || (kind != DriveRun::Kind::home && starts_of(record_.drive) >= rules_.most_runs))
       return false;

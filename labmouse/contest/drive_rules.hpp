@@ -15,7 +15,7 @@ struct DriveRules {
   /// Runs that may begin at the start, searches among them.
   int most_runs = 5;
   /// A run counts its own time and this part of the time in the maze before it began: 0, or 1/30.
-  int maze_time_divisor = 0;  ///< 30 for a thirtieth; 0 where the maze time does not count
+  int maze_time_divisor = 0;  ///< 30 for a thirtieth; 0 if the maze time does not count
   /// Whether the clock runs from gate to gate (leaves the start cell, enters a goal cell) or from rest to the centre of
   /// the goal.
   bool gate_to_gate = true;

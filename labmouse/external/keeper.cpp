@@ -169,7 +169,7 @@ sigset_t hold_back_ends_of_children() {
   }
 }
 
-/// Ends the external mouse and all that it started.
+/// Ends the external mouse and all its descendants.
 void end_external(const KeptExternal& external, pid_t child, bool runs) {
   // Kills the whole group at once, because it may fork faster than its processes can be listed. After the mouse was
   // reaped, its process id may be reused.

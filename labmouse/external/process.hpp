@@ -116,8 +116,7 @@ class ExternalProcess {
   std::string errors_;
   std::optional<ExitStatus> status_;
   TreeLimit exceeded_ = TreeLimit::none;
-  Clock::time_point closed_due_ =
-      Clock::time_point::max();  ///< after this time, a closed output means that it kept running
+  Clock::time_point closed_due_ = Clock::time_point::max();  ///< deadline of its end after it closed its output
 };
 
 }  // namespace labmouse

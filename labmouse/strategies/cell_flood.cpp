@@ -38,7 +38,7 @@ Action CellFlood::step_towards(Cell target) {
   const auto [cell, heading] = pose();
   assert(cell != target);
   Heading best = opposite(heading);  // with walls on three sides it turns, too
-  int least = unreachable + 1;       // where no way leads to the target, all directions are equally good
+  int least = unreachable + 1;       // without a way to the target, all directions are equal
   for (const Heading direction : ties_.from(heading)) {
     if (!passages.contains(wall_at(cell, direction)) || distance_.at(neighbour(cell, direction)) >= least) continue;
     least = distance_.at(neighbour(cell, direction));

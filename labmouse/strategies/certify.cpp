@@ -31,7 +31,7 @@ class Certify final : public Explorer {
   Action go_and_look() {
     if (runs_.hopeless()) return Action::forfeit(ForfeitReason::no_way);
     const CellSet viewpoints = viewpoints_of(runs_.unknown_walls(), knowledge(), briefing().sight);
-    // Standing where the wall could be seen and not seeing it: it is behind.
+    // At a viewpoint and still unseen: the wall is behind the mouse.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
     return ways_.step_to_look(viewpoints, knowledge(), pose());
   }
@@ -62,7 +62,7 @@ class CertifyDriver final : public DrivingExplorer {
 
   Action go_and_look() {
     const CellSet viewpoints = viewpoints_of(runs_.unknown_walls(), knowledge(), briefing().sight);
-    // Standing where the wall could be seen and not seeing it: it is behind.
+    // At a viewpoint and still unseen: the wall is behind the mouse.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
     return ways_.step_towards(viewpoints, knowledge(), place());
   }

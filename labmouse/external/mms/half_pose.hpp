@@ -1,10 +1,13 @@
 // The half-cell grid of mms, for mice that move by half cells and turn by 45 degrees.
 //
 //      y
-//      2 o---|---o       The places of cell (0,0) and of the walls round it. Both coordinates odd: the centre of a
-//      cell; 1 |   +   |       one of them even: the middle of a wall; both even: a post, where no mouse goes. 0
-//      o---|---o
+//      2 o---|---o
+//      1 |   +   |
+//      0 o---|---o
 //        0   1   2  x
+//
+// The diagram shows cell (0,0) and its walls. Both coordinates odd: the centre of a cell. One of them even: the middle
+// of a wall. Both even: a post, where no mouse goes.
 #pragma once
 
 #include <array>
