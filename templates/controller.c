@@ -1,8 +1,8 @@
-/* A controller for labmouse: the whole program of a mouse, from what its sensors read to what its motors do.
+/* A controller for labmouse: the whole program of a mouse, from sensor readings to motor duties.
  *
- * It floods to the goal, drives home, and then goes by what it has seen, straight on as fast as it dares. It stops to
- * turn. Meanwhile it keeps to the middle by the walls beside it, and knows how far it has come by where these end and
- * by walls ahead. To race it: cc -std=c99 -O2 -DLABMOUSE_CONTROLLER_MAIN controller.c -o controller -lm */
+ * It floods to the goal, drives home, and then makes speed runs, faster over known cells. It stops to turn.
+ * Side walls correct its lateral position; the ends of side walls, and walls ahead, correct its longitudinal position.
+ * To race it: cc -std=c99 -O2 -DLABMOUSE_CONTROLLER_MAIN controller.c -o controller -lm */
 #include "labmouse_controller.h"
 
 #include <math.h>
@@ -18,24 +18,24 @@ static const int EAST[] = {0, 1, 0, -1}, NORTH[] = {1, 0, -1, 0}; /* by headings
 struct controller {
   const struct labmouse_briefing *told;
   double cell, search_speed, fast_speed, rate; /* mm, mm/s, mm/s² */
-  double spot, fall; /* how far before the axle its side sensors see; how far aside it is where they read 1/e, mm */
-  int8_t walls[SIDE][SIDE][4], seen[SIDE][SIDE]; /* ways out of cells: 1 open, -1 closed; cells whose walls it read */
+  double spot, fall; /* mm: point ahead of the axle that side beams meet; lateral distance for 1/e of a reading */
+  int8_t walls[SIDE][SIDE][4], seen[SIDE][SIDE]; /* walls: 1 open, -1 closed, 0 unknown; cells that were read */
   enum phase phase;
   enum work work;
-  int rest, x, y, heading; /* ms still to rest; the cell into which it drives, or in which it stands */
-  double east, north, angle, speed, turning; /* where it is: mm, rad to the left of east, mm/s, rad/s */
+  int rest, x, y, heading; /* ms left to rest; the cell that it enters or stands in */
+  double east, north, angle, speed, turning; /* estimate: mm, rad left of east, mm/s, rad/s */
   double wanted_speed, wanted_turning, volts, levels[2];
   int32_t counts;
-  int counted, beside[2], range; /* whether a wall is to the left, and to the right; -1: it has not looked */
+  int counted, beside[2], range; /* whether there is a wall left and right; -1: not read */
   enum labmouse_word word;
 };
 
 static double limited(double number, double most) { return number > most ? most : number < -most ? -most : number; }
 
-/* Where it is: along its heading, and to the left of the middle of its row or column of cells. */
+/* Position along its heading, and lateral offset to the left of the middle of its row or column. */
 static double middle(int index, const struct controller *p) { return (index + 0.5) * p->cell; }
 static double along(const struct controller *p) { return p->east * EAST[p->heading] + p->north * NORTH[p->heading]; }
-static double left_of_way(const struct controller *p) { /* until it is in the middle of the cell into which it drives */
+static double left_of_way(const struct controller *p) { /* distance to the middle of the cell that it enters, mm */
   return middle(p->x, p) * EAST[p->heading] + middle(p->y, p) * NORTH[p->heading] - along(p);
 }
 static double aside(const struct controller *p) {
@@ -49,13 +49,13 @@ static void shift(struct controller *p, double ahead, double left) {
   p->north += ahead * NORTH[p->heading] + left * EAST[p->heading];
 }
 
-/* What it makes of its sensors. */
+/* Estimation from the sensors. */
 static int is_wall(const struct controller *p, int side) {
   return p->levels[side] > 0.3 * p->told->robot.sensors_infrared_gain;
 }
 
 static void keep_to_walls(struct controller *p, int range_new) {
-  const double place = (along(p) + p->spot) / p->cell, line = floor(place + 0.5); /* of the spots, in cells */
+  const double place = (along(p) + p->spot) / p->cell, line = floor(place + 0.5); /* of side beams' spots, in cells */
   const double face = (along(p) + p->told->robot.sensors_ranger_ahead + p->range) / p->cell + 1 / 30.0;
   const double missing = (floor(face + 0.5) - face) * p->cell;
   for (int side = 0; side < 2; ++side) {
@@ -65,7 +65,7 @@ static void keep_to_walls(struct controller *p, int range_new) {
       const double off = (side == 0 ? p->fall : -p->fall) * log(level) - aside(p);
       shift(p, 0, 0.02 * off);
       p->angle += 0.005 * off / p->cell;
-    } else if (before >= 0 && before != now) { /* it ends half a post behind a line, or begins as much before one */
+    } else if (before >= 0 && before != now) { /* walls end half a post behind a line, or begin as much before */
       shift(p, 0.3 * (line + (before ? 1 : -1) / 30.0 - place) * p->cell, 0);
     }
     p->beside[side] = now;
@@ -92,7 +92,7 @@ static void read_sense(struct controller *p, const struct labmouse_sense *sense)
   if (fabs(off_heading(p)) < 0.2 && p->speed > 0.3 * p->search_speed) keep_to_walls(p, sense->range_new);
 }
 
-/* Takes down the walls of its cell. */
+/* Records the walls of its cell. */
 static void look(struct controller *p) {
   const double to_wall = left_of_way(p) + p->cell / 2 - p->told->robot.sensors_ranger_ahead;
   const int walls[] = {is_wall(p, 0), p->range > 0 && p->range < to_wall + 0.4 * p->cell, is_wall(p, 1)};
@@ -105,7 +105,7 @@ static void look(struct controller *p) {
   p->seen[p->x][p->y] = 1;
 }
 
-/* Where it goes. */
+/* Route planning. */
 static int is_target(const struct controller *p, int x, int y) {
   if (p->phase == HOME) return x == p->told->start.x && y == p->told->start.y;
   for (int i = 0; i < p->told->goals; ++i)
@@ -119,7 +119,7 @@ static int leads(const struct controller *p, int x, int y, int way) {
   return p->phase == RUN ? p->walls[x][y][way] > 0 : p->walls[x][y][way] >= 0;
 }
 
-/* The first step of a shortest way, straight on where that is one. */
+/* Direction of the first step of a shortest way; prefers straight on. */
 static int way_to_target(struct controller *p) {
   int left[SIDE][SIDE], queue[SIDE * SIDE], size = 0;
   for (int x = 0; x < p->told->width; ++x)
@@ -141,13 +141,13 @@ static int way_to_target(struct controller *p) {
         left[p->x + EAST[way]][p->y + NORTH[way]] == left[p->x][p->y] - 1)
       return way;
   }
-  memset(p->walls, 0, sizeof p->walls); /* its map has walled it in, so it forgets it */
+  memset(p->walls, 0, sizeof p->walls); /* no route left: it clears its map */
   memset(p->seen, 0, sizeof p->seen);
   if (p->phase == RUN) p->phase = SEARCH;
   return way_to_target(p);
 }
 
-/* On through cells that it knows, and one more. */
+/* Plans straight on through known cells, and one unknown cell. */
 static void plan_on(struct controller *p) {
   while (!is_target(p, p->x, p->y) && way_to_target(p) == p->heading) {
     p->x += EAST[p->heading];
@@ -169,7 +169,7 @@ static void begin_pivot(struct controller *p, int heading) {
   p->wanted_turning = 0;
 }
 
-/* It stands: what now? */
+/* Chooses the next action at rest. */
 static void begin_next(struct controller *p) {
   if (!p->seen[p->x][p->y]) look(p);
   if (is_target(p, p->x, p->y) && p->phase == HOME) {
@@ -192,16 +192,16 @@ static void begin_next(struct controller *p) {
   }
 }
 
-/* How it drives: the speed at which it wants to turn, and the speed ahead in wanted_speed. */
+/* Motion control: returns the turn rate in rad/s; sets wanted_speed. */
 static double drive_straight(struct controller *p) {
-  const double bend = 2.5 / p->cell; /* how soon it is back in the middle, 1/mm */
+  const double bend = 2.5 / p->cell; /* how fast the lateral error decays, 1/mm */
   if (!p->seen[p->x][p->y] &&
       left_of_way(p) < p->wanted_speed * p->wanted_speed / 2 / p->rate + 0.06 * p->cell) {
     look(p);
     plan_on(p);
   }
   const double most = p->phase == RUN && p->seen[p->x][p->y] ? p->fast_speed : p->search_speed;
-  /* A run is over behind the middle of a goal. */
+  /* A run ends just past the middle of a goal. */
   const double past = p->phase != HOME && is_target(p, p->x, p->y) ? 0.05 * p->cell : 0;
   const double left = left_of_way(p) + past, stop = sqrt(2 * p->rate * fmax(left + 0.002 * p->cell, 0));
   p->wanted_speed = fmin(fmin(p->wanted_speed + p->rate * TICK, most), stop);
@@ -216,7 +216,7 @@ static double drive_pivot(struct controller *p) {
   return copysign(fmin(fmin(fabs(p->wanted_turning) + rate * TICK, most), sqrt(1.4 * rate * fabs(off))), off);
 }
 
-/* What a motor needs by the numbers of the robot, which are not quite true, and for what is missing. */
+/* Duty: feedforward by the nominal motor model, plus a proportional term for the error. */
 static double duty(double gain, double time, double dead_zone, double wanted, double rate, double now) {
   return (wanted + time / 1000 * (rate + 25 * (wanted - now))) / gain + dead_zone * limited(200 * wanted / gain, 1);
 }

@@ -1,13 +1,13 @@
-"""A controller for labmouse: the whole program of a mouse, from what its sensors read to what its motors do.
+"""A controller for labmouse: the whole program of a mouse, from sensor readings to motor duties.
 
-It floods to the goal, drives home, and then goes by what it has seen, straight on as fast as it dares. It stops to
-turn. Meanwhile it keeps to the middle by the walls beside it, and knows how far it has come by where these end and by
-walls ahead. docs/reference/protocols.md has the lines that it reads and writes.
+It floods to the goal, drives home, and then makes speed runs, faster over known cells. It stops to turn.
+Side walls correct its lateral position; the ends of side walls, and walls ahead, correct its longitudinal position.
+docs/reference/protocols.md explains the lines that it reads and writes.
 """
 import math
 import sys
 
-BATCH = 8  # ms from one look at the sensors to the next; its answers are for as many
+BATCH = 8  # ms from one answer to the next; each answer has duties for as many
 STEP = BATCH / 1000  # the same in s
 WAYS = (0, 1), (1, 0), (0, -1), (-1, 0)  # to the north, east, south, west: headings 0 to 3
 
@@ -18,15 +18,15 @@ def next_to(cell, way):
 
 class Controller:
     def __init__(self, told):
-        self.told, self.side = told, told["cell"]  # mm, of a cell
+        self.told, self.side = told, told["cell"]  # size of a cell, mm
         self.search_speed, self.fast_speed = 3 * self.side, 6 * self.side  # mm/s
         self.rate = min(40 * self.side, 0.4 * told["body.grip"])  # mm/s²
-        # How far before the axle the side sensors see, and how far aside a mouse is for whose wall they read 1/e.
+        # Distance ahead of the axle where the side sensors see; lateral distance for 1/e of a reading (both mm).
         angle, face = told["sensors.side_angle"], self.side / 2 - self.side / 30
         self.spot = told["sensors.side_ahead"] + (face - told["sensors.side_aside"]) / math.tan(angle)
         self.fall = told["sensors.infrared_fall"] * math.sin(angle)
-        self.is_open = {}  # what it knows of walls, by a cell and a way out of it
-        self.seen = set()  # cells whose walls it has read
+        self.is_open = {}  # known walls, by cell and direction
+        self.seen = set()  # cells whose walls were read
         self.counts = None
         self.put_at_start()
 
@@ -38,7 +38,7 @@ class Controller:
         self.beside = [None, None]  # whether there is a wall to the left, and to the right
         self.word, self.work = "drive", self.runs()
 
-    # Where it is: from the middle of the maze's first cell eastwards and northwards, and along and aside of its way.
+    # Position: east and north of the maze's corner, and along and left of its way, in mm.
 
     def middle(self):
         return (self.cell[0] + 0.5) * self.side, (self.cell[1] + 0.5) * self.side
@@ -60,10 +60,10 @@ class Controller:
         self.x += along * east - aside * north
         self.y += along * north + aside * east
 
-    # What it makes of its sensors.
+    # Estimation from the sensors.
 
     def read(self, ticks):
-        """Takes the readings of some milliseconds, each as the 13 numbers of a tick."""
+        """Updates the estimate by the readings of some ticks of 1 ms, each as 13 numbers."""
         last, seconds = ticks[-1], len(ticks) / 1000
         counts = last[1] + last[2]
         way = 0.0 if self.counts is None else (counts - self.counts) / 2 * self.told["sensors.count"]
@@ -79,7 +79,7 @@ class Controller:
             self.keep_to_walls(len(ticks), any(tick[11] for tick in ticks))
 
     def keep_to_walls(self, ticks, range_new):
-        place = (self.along() + self.spot) / self.side  # of what the side sensors see, in cells
+        place = (self.along() + self.spot) / self.side  # of the side beams' spots, in cells
         line = round(place)
         for side, sign in (0, 1), (1, -1):
             before, now = self.beside[side], self.is_wall(side)
@@ -89,7 +89,7 @@ class Controller:
                 self.shift(0, 0.02 * ticks * off)
                 self.angle += 0.005 * ticks * off / self.side
             elif now != before and before is not None:
-                # A wall ends half a post behind a line of the grid, and begins as much before one.
+                # Walls end half a post behind a grid line, and begin half a post before one.
                 self.shift(0.3 * (line + (1 if before else -1) / 30 - place) * self.side, 0)
             self.beside[side] = now
         face = (self.along() + self.told["sensors.ranger_ahead"] + self.range) / self.side + 1 / 30
@@ -100,7 +100,7 @@ class Controller:
         return self.levels[side] > 0.3 * self.told["sensors.infrared_gain"]
 
     def look(self):
-        """Takes down the walls of the cell into which it drives, or in which it stands."""
+        """Records the walls of the cell that it enters or stands in."""
         to_wall = self.along(self.middle()) - self.along() + self.side / 2 - self.told["sensors.ranger_ahead"]
         ahead = 0 < self.range < to_wall + 0.4 * self.side
         for turn, wall in (-1, self.is_wall(0)), (0, ahead), (1, self.is_wall(1)):
@@ -109,10 +109,10 @@ class Controller:
             self.is_open.setdefault((next_to(self.cell, way), (way + 2) % 4), not wall)
         self.seen.add(self.cell)
 
-    # Where it goes.
+    # Route planning.
 
     def way_to(self, targets, unseen):
-        """The first step of a shortest way, straight on where that is one; through walls not seen if `unseen`."""
+        """First direction of a shortest way; prefers straight on. `unseen`: whether unseen walls count as open."""
         left, queue = {target: 0 for target in targets}, list(targets)
         for cell in queue:
             for way in range(4):
@@ -124,7 +124,7 @@ class Controller:
             way = (self.heading + turn) % 4
             if left.get(next_to(self.cell, way)) == left.get(self.cell, 0) - 1 and self.leads(self.cell, way, unseen):
                 return way
-        # Its map has walled it in, so it forgets it.
+        # No route left: it clears its map.
         self.is_open.clear()
         self.seen.clear()
         return self.way_to(targets, True)
@@ -133,14 +133,14 @@ class Controller:
         (x, y), (width, height) = next_to(cell, way), self.told["size"]
         return 0 <= x < width and 0 <= y < height and self.is_open.get((cell, way), unseen)
 
-    # How it drives: each of these yields, for each step, the speed, how that changes, and how fast it is to turn.
+    # Motion control: these yield for each step the speed (mm/s), acceleration (mm/s²) and turn rate (rad/s).
 
     def straight(self, end, most):
-        """A step towards the end, which lies so far along, at most so fast, and so that it can stop there."""
+        """A step towards coordinate `end` along the way, at most at speed `most`, and slow enough to stop there."""
         left = max(0.0, end - self.along())
         speed = min(self.wanted_speed + self.rate * STEP, most, math.sqrt(2 * self.rate * left))
         rate, self.wanted_speed = (speed - self.wanted_speed) / STEP, speed
-        bend = 2.5 / self.side  # how soon it is back in the middle, 1/mm
+        bend = 2.5 / self.side  # how fast the lateral error decays, 1/mm
         return speed, rate, -max(speed, self.side) * bend * (bend * self.aside() + 1.6 * self.off_heading())
 
     def rest(self, seconds):
@@ -158,7 +158,7 @@ class Controller:
         yield from self.rest(0.05)
 
     def go(self, targets, unseen, most):
-        """To one of these cells."""
+        """Drives to one of these cells."""
         while self.cell not in targets:
             way = self.way_to(targets, unseen)
             if way != self.heading:
@@ -166,14 +166,14 @@ class Controller:
             while self.cell not in targets and self.way_to(targets, unseen) == way:
                 self.cell = next_to(self.cell, way)
                 end = self.along(self.middle())
-                # Through cells that it knows it plans on; in others it looks just before it would have to brake.
+                # It plans through known cells; in an unknown one it reads the walls just before it has to brake.
                 while self.cell not in self.seen:
                     yield self.straight(end, self.search_speed)
                     braking = self.wanted_speed ** 2 / 2 / self.rate
                     if end - self.along() < braking + 0.06 * self.side:
                         self.look()
             if self.cell in self.told["goals"]:
-                end += 0.05 * self.side  # a run is over behind its middle
+                end += 0.05 * self.side  # a run ends just past its middle
             while end - self.along() > 0.005 * self.side:
                 yield self.straight(end + 0.002 * self.side, most)
             yield from self.rest(0.05)
@@ -196,7 +196,7 @@ class Controller:
         yield from self.pivot(heading)
         yield from self.rest(0.1)
 
-    # What its motors have to do for that.
+    # Duties of the motors.
 
     def answer(self, ticks):
         self.read(ticks)
@@ -211,7 +211,7 @@ class Controller:
         return word + BATCH * " {} {}".format(*duties)
 
     def duty(self, motor, wanted, rate, now):
-        """What a motor needs by the numbers of the robot, which are not quite true, and for what is missing."""
+        """Duty: feedforward by the nominal motor model, plus a proportional term for the error."""
         gain, time = self.told[f"motors.{motor}_gain"], self.told[f"motors.{motor}_time"] / 1000
         friction = self.told[f"motors.{motor}_dead_zone"] * max(-1.0, min(1.0, 200 * wanted / gain))
         return (wanted + time * (rate + 25 * (wanted - now))) / gain + friction

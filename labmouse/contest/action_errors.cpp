@@ -7,7 +7,7 @@ bool is_cut(const Action& action, const Rules& rules) {
   return action.kind == Action::Kind::step && (action.movement > rules.stride || action.movement < -rules.stride);
 }
 
-/// Whether a reset did nothing. One that is performed begins the speed run, be it that no step of it was left.
+/// Whether a reset did nothing. A reset that is performed begins the speed run, even if no step is left for it.
 bool is_idle_reset(const RunRecord& record, std::size_t position) {
   const StepRecord& step = record.steps[position];
   if (step.action.kind != Action::Kind::reset) return false;

@@ -1,5 +1,5 @@
-// Steps that were not performed as the mouse asked for them: a function of its record. A mouse that does not notice
-// them takes itself to be where it is not.
+// Counts, from a record, the steps that were not performed as the mouse asked. A mouse that does not notice them has a
+// wrong position.
 #pragma once
 
 #include "labmouse/contest/record.hpp"
@@ -11,7 +11,7 @@ namespace labmouse {
 /// Steps of one kind.
 struct ActionErrorCount {
   int steps = 0;
-  /// The first of them, as a count of the clock; 0 where there is none.
+  /// Number of the first such step, from 1; 0 if there is none.
   int first = 0;
 
   friend constexpr bool operator==(const ActionErrorCount&, const ActionErrorCount&) = default;
@@ -33,7 +33,7 @@ constexpr bool has_void_rotation(const Action& action) {
          rotated(Heading::north, action.rotation) == Heading::north;
 }
 
-/// Counts them over both runs of a whole record, as a contest or a replay gives it.
+/// Counts them over both runs of a complete record.
 ActionErrors action_errors_of(const RunRecord& record, const Rules& rules);
 
 }  // namespace labmouse

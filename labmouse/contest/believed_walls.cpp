@@ -27,7 +27,7 @@ void BelievedWalls::pass(MazeTime time, Cell from, const Pose& to) {
 
 void BelievedWalls::take(MazeTime time, Cell cell, Heading side, Evidence evidence) {
   const Wall wall = wall_at(cell, side);
-  // Nobody has to read the border.
+  // The border is known.
   if (on_border(wall, maze_.size())) return;
   constexpr int sure = 4 * evidence_a_nat;
   const LogOddsMap::News news = add(time, wall, evidence);
@@ -44,7 +44,7 @@ LogOddsMap::News BelievedWalls::add(MazeTime time, Wall wall, int evidence) {
   return news;
 }
 
-/// What it takes that wall for from now on.
+/// Records the new state of that wall.
 void BelievedWalls::note(MazeTime time, Wall wall) {
   const bool open = known().open().contains(wall);
   if (open != maze_.is_open(wall.cell, wall.side)) ++record_.wrong_walls;

@@ -1,4 +1,4 @@
-// What a mouse in a contest takes walls for: readings come in, and the record learns what they changed.
+// The wall map of a mouse in a contest. It is updated by readings, and writes each change into the record.
 #pragma once
 
 #include <array>
@@ -16,36 +16,36 @@ class BelievedWalls {
   /// Maze and record must outlive it.
   BelievedWalls(const Maze& maze, MapKind map, PhysicalRecord& record);
 
-  /// Takes what the evidence is rather for as the state of walls that it does not know, and weighs it with what it
-  /// knows of others.
+  /// Adds the readings of a pose: an unknown wall gets its more likely state; for a known wall, the map kind decides
+  /// whether evidence is combined or contradictions are only counted.
   void read(MazeTime time, const Pose& pose, const WallEvidence& evidence);
-  /// The mouse has come from there, straight on in the heading in which it is: the walls on its way are surely open.
+  /// The mouse came straight from there, in its present heading: marks the walls on the way as surely open.
   void pass(MazeTime time, Cell from, const Pose& to);
-  /// Counts the last readings by half: they may be of other walls.
+  /// Halves the weight of the last readings, because they may be of other walls.
   void weaken_last();
-  /// What is read from now on has nothing to do with the last readings.
+  /// The mouse was put down elsewhere: later readings are independent of the last ones.
   void put_down() {
     last_evidence_ = {};
     against_ = {};
   }
   void forget_all();
-  /// LogOddsMap::weaken_path().
+  /// See LogOddsMap::weaken_path().
   bool weaken_path(Cell from, const CellSet& to) { return log_odds_.weaken_path(from, to); }
 
   Size size() const { return maze_.size(); }
-  /// Whether it must be somewhere else: in its last two cells three sure readings spoke against its map. Only a learned
-  /// map asks.
+  /// Whether the believed position must be wrong: three sure readings in the last two cells contradicted the map. Only
+  /// true with the learned map.
   bool doubts_its_place() const { return asks_where_it_is_ && against_[0] + against_[1] >= 3; }
-  /// Whether its map weighs readings.
+  /// Whether the map combines contradicting readings, rather than keep the first.
   bool weighs() const { return weighs_; }
   const Knowledge& known() const { return log_odds_.view(); }
   const LogOddsMap& log_odds() const { return log_odds_; }
   Sighting sighting(const Pose& pose) const { return log_odds_.sighting(pose); }
-  /// Of these walls those that stand.
+  /// Those of these walls that are closed in the true maze.
   WallSet standing(const WallSet& walls) const;
 
  private:
-  /// A reading, to be taken back.
+  /// A reading that weaken_last() can weaken.
   struct Reading {
     Wall wall;
     int evidence = 0;
@@ -59,9 +59,9 @@ class BelievedWalls {
   PhysicalRecord& record_;
   LogOddsMap log_odds_;
   bool weighs_, asks_where_it_is_;
-  std::array<Reading, 12> last_evidence_{};  ///< the last readings, in turn
+  std::array<Reading, 12> last_evidence_{};  ///< ring buffer of the last readings
   std::size_t evidence_count_ = 0;
-  std::array<int, 2> against_{};  ///< sure readings against its map, in the last cell and the one before
+  std::array<int, 2> against_{};  ///< sure readings that contradicted the map, in the last cell and the one before
 };
 
 }  // namespace labmouse

@@ -4,7 +4,7 @@ namespace labmouse {
 namespace {
 
 constexpr MazeTime tick_time = 1000;
-/// A mouse that has slid so many ticks before a crash has crashed because of that.
+/// If the mouse slid within so many ticks before a crash, sliding counts as the cause.
 constexpr int slide_ticks = 300;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A body in a contest: its clock, the gates that it passes, what it touches, and the trace of it.
+// The simulated body of a mouse in a contest, with the clock. It records wall touches, passed gates and the trace.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@ class ClockedBody {
   ClockedBody(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, std::uint64_t seed,
               MazeTime time_limit, PhysicalRecord& record);
 
-  /// A hand puts it at the start.
+  /// Places the mouse at the start, by hand.
   void put_at_start() { body_.put(maze_.start(), maze_.start_heading()); }
-  /// A tick; false after a crash, and at the end of the time.
+  /// Simulates one tick; false after a crash, and at the end of the time.
   bool step(const Drive& duties);
   void wait(MazeTime time) { clock_ += time; }
-  /// Where the true mouse is, for the clock of that run.
+  /// Records the gates that the true mouse has passed in that run.
   void note_gates(DriveRun& run) const;
-  /// A point of the trace, where one is due: where the mouse is, and where it believes to be, if that is known.
+  /// Records a trace point if one is due: the true pose, and the estimated pose if there is one.
   void trace(const std::optional<BodyPose>& estimate);
   bool trace_due() const;
 
@@ -33,9 +33,9 @@ class ClockedBody {
   MazeTime clock() const { return clock_; }
   bool out_of_time() const { return clock_ >= time_limit_; }
   bool crashed() const { return body_.crashed(); }
-  /// Of a crash: whether its tyres did not hold, or it was elsewhere than it should be.
+  /// Cause of a crash: the tyres slid, or else the position was lost.
   RunEnd cause() const;
-  /// The cell in which the true mouse is; outside of the maze one that lies outside.
+  /// The cell of the true mouse, which may lie outside of the maze.
   Cell cell() const { return body_.field().cell_at(body_.motion().position); }
 
  private:

@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-/// A mouse that is slower stands.
+/// Below this speed a mouse counts as at rest.
 constexpr double rest_speed = 10.0;  // mm/s
 
 class CodeContest {
@@ -54,7 +54,7 @@ class CodeContest {
 
   DriveRun& run() { return record_.drive.runs.back(); }
 
-  /// Which run it is in.
+  /// Begins and ends runs by the position of the true mouse.
   void follow() {
     const bool home = body_.cell() == maze_.start();
     const bool rests = home && std::abs(body_.body().motion().speed) < rest_speed;
@@ -71,7 +71,7 @@ class CodeContest {
       end_run(on_the_way_home ? RunEnd::done : RunEnd::given_up);
   }
 
-  /// It has left the start cell, where it rested before.
+  /// Begins a run: the mouse has left the start cell.
   void begin_run() {
     if (starts_of(record_.drive) >= rules_.most_runs) {
       over_ = true;
@@ -96,7 +96,7 @@ class CodeContest {
     if (!over_) open_run(Kind::home, body_.clock());
   }
 
-  /// So it ended, unless it had been in a goal before; behind that only a search goes on.
+  /// Ends the run. It counts as done if a goal was entered; but a search that crashes later counts as crashed.
   void end_run(RunEnd end) {
     const bool goal = run().gate_in && (run().kind == Kind::fast || !is_crash(end));
     record_.ends.back() = goal ? RunEnd::done : end;
@@ -116,7 +116,7 @@ class CodeContest {
     over_ = over_ || starts_of(record_.drive) >= rules_.most_runs;
     if (over_) return;
     ++record_.carried;
-    // At least a tick, so that nobody is carried for ever.
+    // At least a tick, so that the contest ends even if a mouse asks to be carried all the time.
     body_.wait(std::max<MazeTime>(handling_, 1000));
     over_ = body_.out_of_time();
     body_.put_at_start();
@@ -139,7 +139,7 @@ class CodeContest {
   bool running_ = false, over_ = false;
   Kind next_ = Kind::search;
   MazeTime rest_ = 0;       ///< when it last stood in the start cell
-  bool goal_said_ = false;  ///< whether the mouse wants this run to be over
+  bool goal_said_ = false;  ///< whether the program has ended this run
 };
 
 }  // namespace

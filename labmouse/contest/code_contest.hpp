@@ -1,9 +1,9 @@
-// One contest in the physical world of a mouse whose whole program is somebody else's.
+// One contest in the physical world of a mouse with an external controller, which is its whole program.
 //
 //   at rest in the start cell ──► run ──► in a goal ──► way home ──► at rest in the start cell
 //                                  └── crash, or wants to be carried ──► carried to the start
 //
-// Where runs begin and end is seen from outside, as the gates and the judges of a contest see it.
+// Runs begin and end by what can be observed from outside, as by gates and judges at a contest.
 #pragma once
 
 #include <cstdint>

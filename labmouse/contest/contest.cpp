@@ -8,7 +8,7 @@
 namespace labmouse {
 namespace {
 
-/// How a contest ends whose steps are used up.
+/// Outcome of a contest that has used all its steps.
 Outcome outcome_at_the_end_of_steps(Run run, bool goal_entered) {
   if (run == Run::speed) return Outcome::speed_run_unfinished;
   return goal_entered ? Outcome::never_reset : Outcome::out_of_steps;

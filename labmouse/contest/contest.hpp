@@ -1,4 +1,4 @@
-// One contest that goes on, an action at a time: for whoever cannot wait in a loop until a mouse has decided.
+// One contest in the world of steps that the caller advances action by action, for example in an interactive page.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// What a mouse in that pose reads.
+/// The sensor reading in that pose.
 Sighting look(const Maze& maze, Pose pose);
 
 /// Where a step leads, and whether a wall ended it early.
@@ -19,26 +19,25 @@ struct StepResult {
 };
 StepResult perform(const Maze& maze, const Rules& rules, Pose pose, const Action& step);
 
-/// Begins with the mouse at the start. What the mouse itself has to add to the record, its words, counts and reasons,
-/// is left to the caller.
+/// Begins with the mouse at the start. The caller adds the mouse's own words, counts and reasons to the record.
 class Contest {
  public:
   /// The maze must outlive it.
   Contest(const Maze& maze, const Rules& rules);
 
   bool ended() const { return ended_; }
-  /// What is read where the mouse stands.
+  /// The reading at the present pose.
   Sighting sighting() const { return sighting_; }
-  /// The next action of a contest that has not ended.
+  /// Performs the next action; the contest must not have ended.
   void act(const Action& action);
 
-  /// All that happened so far. The outcome counts once the contest has ended.
+  /// The record so far. Its outcome is valid only after the end.
   const RunRecord& record() const { return record_; }
   RunRecord take_record() { return std::move(record_); }
 
  private:
   void end(Outcome outcome);
-  /// Performs a step; whether the contest is over by it.
+  /// Performs a step. Returns whether it ended the contest.
   bool step(const Action& action);
 
   const Maze& maze_;

@@ -1,4 +1,4 @@
-// The moving part of a contest in seconds: what takes a mouse from place to place, or fails to.
+// Interface of the driver in a contest in seconds: it moves the mouse as the strategy decides, or fails to.
 #pragma once
 
 #include <optional>
@@ -10,40 +10,40 @@
 
 namespace labmouse {
 
-/// Drives, and writes what happens into a record, whose last run it is part of.
+/// Drives the mouse, and writes the moves into the last run of a record.
 class ContestDriver {
  public:
   virtual ~ContestDriver() = default;
 
-  /// Whether it can detect walls wrongly and crash. One that cannot drives at the usual pace alone, and reads at all
-  /// edges.
+  /// Whether it can crash and detect walls wrongly. A driver that cannot drives at the usual pace only, and reads at
+  /// all edges.
   virtual bool errs() const = 0;
 
-  /// A hand puts the mouse at the start.
+  /// Places the mouse at the start, by hand.
   virtual void put_at_start() = 0;
-  /// A hand carries it there in the middle of a contest, which may take some time.
+  /// Carries the mouse there by hand during a contest, which may take time.
   virtual void carry_to_start() = 0;
-  /// Stands there, and reads the walls.
+  /// Reads the walls at rest.
   virtual void look_about() = 0;
-  /// A move of a search over one edge, a dash, or to rest, and what is read at its end; false where the run broke off.
+  /// Makes a search move over one edge, a dash, or to rest, and reads at its end; false if the run was aborted.
   virtual bool make(const Action& part, bool replanned) = 0;
-  /// A speed run from the start, and until the mouse stands; false where it broke off.
+  /// Makes a speed run from the start until the mouse stands; false if the run was aborted.
   virtual bool run(const DriveRoute& route) = 0;
-  /// From now on it drives at that part of its usual pace.
+  /// Sets the pace, as a part of the usual one.
   virtual void set_pace(double pace) = 0;
 
-  /// Where the mouse believes to be, between two moves.
+  /// The believed place, between two moves.
   virtual const SearchPlace& place() const = 0;
-  /// What it takes walls for.
+  /// The believed walls.
   virtual const Knowledge& known() const = 0;
-  /// What it tells the mouse of the walls about a pose that it has been in.
+  /// The walls around a pose that the mouse has been in, as the strategy gets them.
   virtual Sighting seen(const Pose& pose) const = 0;
-  /// Its map, where that weighs readings and may change its strategy; null where walls stay what they were first read
-  /// as.
+  /// The map, if it combines contradicting readings, so that walls can change; null if the first reading of a wall
+  /// stays.
   virtual BelievedWalls* weighed() = 0;
   virtual MazeTime clock() const = 0;
   virtual bool out_of_time() const = 0;
-  /// The cause of a crash; nothing where the mouse has not crashed since it was last put at the start.
+  /// The cause of a crash since the mouse was last put at the start, if there was one.
   virtual std::optional<RunEnd> crash() const = 0;
 };
 

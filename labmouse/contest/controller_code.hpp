@@ -1,4 +1,4 @@
-// The program of a mouse that is somebody else's: all of it, from what the sensors read to what the motors do.
+// Interface of an external controller: a mouse's whole program, from sensor readings to motor duties.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,27 @@
 
 namespace labmouse {
 
-/// What it knows before the mouse is put into the maze. How much noise there is, nobody tells.
+/// What the program knows before the contest. The amount of noise is not included.
 struct ControllerBriefing {
   Size size;
   Pose start;
   CellSet goals;
   const DriveModel& model;  ///< the robot and what it is built of
   const DriveRules& rules;
-  MazeTime handling = 0;   ///< that it takes to carry the mouse to the start
-  std::uint64_t seed = 0;  ///< for dice of its own
+  MazeTime handling = 0;   ///< time to carry the mouse to the start
+  std::uint64_t seed = 0;  ///< for random numbers of its own
 };
 
-/// What a program says beside its duties. On runs the truth alone decides; this says what the mouse takes them for.
+/// What a program reports with its duties. The true position decides on runs; this is only the program's intent.
 enum class ControllerWord : std::uint8_t {
   drive,    ///< nothing
   fast,     ///< the next run to begin is a fast one
-  goal,     ///< this run is over, once it has been in a goal: what follows is the way home
-  carry,    ///< a hand shall carry it to the start, and it does nothing more where it is
+  goal,     ///< ends this run after it has entered a goal; the way home follows
+  carry,    ///< asks to be carried to the start by hand
   give_up,  ///< the contest is over
 };
 
-/// What a program has its mouse do until the next tick.
+/// The program's output for one tick.
 struct ControllerTick {
   static constexpr int full = 32767;
 
@@ -46,19 +46,19 @@ struct ControllerTick {
   friend constexpr bool operator==(const ControllerTick&, const ControllerTick&) = default;
 };
 
-/// It has no clock but its ticks, and no dice but those of its seed, so that the same contest is the same again.
+/// It must take time only from ticks and chance only from its seed, so that contests can be repeated exactly.
 class ControllerCode {
  public:
   virtual ~ControllerCode() = default;
 
   /// Called each millisecond, the first time as the mouse stands at the start.
   virtual ControllerTick tick(const Sense& sense) = 0;
-  /// A hand has carried it to the start, where it stands as in the beginning: after a crash, or because it wanted to.
+  /// The mouse was carried to the start, where it stands as in the beginning: after a crash, or because it asked.
   virtual void carried(bool /*crashed*/) {}
 
   /// Why it gave up.
   virtual ForfeitReason reason() const { return ForfeitReason::gave_up; }
-  /// As of Strategy.
+  /// See Strategy.
   virtual bool started() const { return true; }
   virtual std::string_view last_words() { return {}; }
 };

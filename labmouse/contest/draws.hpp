@@ -1,9 +1,8 @@
-// What a contest's draws make of a mouse: one that is sound, or one that is weak somewhere, all through the contest.
+// Classes of robot samples: a contest's random draws give a sound mouse, or one with a weakness for the whole contest.
 //
-// Counted in the physical world, what breaks mice is their weakest motor or their tyres. With less than 0.3 of what the
-// book says of a motor hardly any finishes at its usual pace, and with more it does not matter how much more. Tyres are
-// not as sharp: with 0.5 some slide, with 0.3 most. Of the others, it is infrared sensors far from the nominal values
-// that make mice detect walls wrongly.
+// In the physical world, most failures come from the weaker motor or the tyres. Below 0.3 of the nominal motor, hardly
+// any mouse finishes at its usual pace; above that, the value matters little. Tyres have a softer limit: at 0.5 some
+// slide, at 0.3 most. Wall detection errors come from infrared sensors far from the nominal values.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 namespace labmouse {
 
 enum class Draws : std::uint8_t {
-  sound,           ///< none of what follows
+  sound,           ///< none of the weaknesses below
   eyes_apart,      ///< infrared sensors more than 0.3 from the nominal values, in logarithms (root mean square)
   eyes_far_apart,  ///< or more than 0.5
   tyres_below_50,  ///< they hold less than 0.5 of the nominal value, and so on
@@ -49,7 +48,8 @@ constexpr std::string_view name_of(Draws draws) {
   return names[static_cast<std::size_t>(draws)];
 }
 
-/// Of weak motors and weak tyres, whichever finish fewer contests. Without noise all are sound.
+/// The class of a robot sample: of weak motors and weak tyres, the one with which fewer contests are finished. Without
+/// noise all are sound.
 Draws draws_of(const RobotSample& mouse);
 
 }  // namespace labmouse

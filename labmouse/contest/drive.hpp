@@ -1,5 +1,5 @@
-// One contest in seconds in which nothing goes wrong: a mouse searches, drives home and runs, on one clock. The
-// protocol is that of contest/drive_contest, for all worlds in seconds.
+// One contest in seconds without errors: a mouse searches, drives home and makes speed runs, on one clock. The protocol
+// is that of contest/drive_contest.
 #pragma once
 
 #include "labmouse/contest/drive_record.hpp"
@@ -14,10 +14,10 @@ namespace labmouse {
 /// The briefing of a mouse in a contest in seconds. The model must outlive the mouse, and have no error.
 Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& model, std::uint64_t seed);
 
-/// Runs the contest, in a maze up to 32×32. The strategy must be new and briefed as above. A move through a wall that
-/// it has not seen to be open, a reset before a goal was entered, and an action that is none of a search end the
-/// contest as a forfeit, lost. After a run a strategy that has no more to do forfeits as finished: that ends the
-/// contest and is none.
+/// Runs the contest, in a maze up to 32×32. The strategy must be new and briefed as above. The contest ends as a
+/// forfeit (`lost`) on a move through a wall not seen open, a reset before a goal was entered, or an action that is
+/// none of a search. A strategy that has no more to do after a run forfeits as `finished`: that ends the contest, and
+/// does not count as a forfeit.
 DriveRecord drive(const Maze& maze, const DriveRules& rules, const DriveModel& model, DrivingStrategy& mouse);
 
 }  // namespace labmouse

@@ -40,16 +40,16 @@ class DriveContest {
     make_runs();
     DriveRecord& drive = record_.drive;
     const bool scored = score(drive, rules_).best.has_value();
-    // A mouse that errs and gives up has finished with what it has.
+    // In worlds with errors, a mouse that gives up keeps its score.
     if (drive.outcome == DriveOutcome::forfeit && !(errs_ && scored)) return;
     drive.outcome = scored ? DriveOutcome::finished : DriveOutcome::out_of_time;
   }
 
  private:
-  /// Where a mouse is after a run, or after a part of one.
+  /// State of the contest after a run or a part of one.
   enum class After { on_the_way, at_start, searching_again, at_goal, crashed, over };
 
-  /// Runs until the mouse, the rules or the time end it.
+  /// Makes runs until the mouse, the rules or the time end the contest.
   void make_runs() {
     Action action = decide_at_start();
     for (;;) {
@@ -61,7 +61,7 @@ class DriveContest {
       After after = start_run(action);
       action = Action::reset();
       if (after == After::at_goal) {
-        // It says at the goal what it will do at the start.
+        // The strategy decides at the goal what it will do at the start.
         action = decide({start_, true});
         if (action.kind == Action::Kind::forfeit && !is_no_way(action)) return give_up(action.reason);
         after = go_back(action);
@@ -75,7 +75,7 @@ class DriveContest {
     }
   }
 
-  /// The run that it decided on at the start; without errors the first one is a search, whatever it decided.
+  /// Makes the run that was decided on at the start. Without errors the first run is always a search.
   After start_run(const Action& action) {
     if (action.kind == Action::Kind::step || (!errs_ && record_.drive.runs.empty()))
       return begin(DriveRun::Kind::search) ? search(action) : After::over;
@@ -84,7 +84,7 @@ class DriveContest {
     return After::over;
   }
 
-  /// From the goal to the start. A mouse without errors is carried between two speed runs.
+  /// Returns from the goal to the start. A mouse without errors is carried between two speed runs.
   After go_back(const Action& next) {
     if (errs_ || next.kind == Action::Kind::step) return drive_home();
     driver_.carry_to_start();
@@ -99,21 +99,20 @@ class DriveContest {
     return decide_at_start();
   }
 
-  /// At the start with a map that has no route left, even with its least sure walls unknown: the mouse begins with an
-  /// empty one.
+  /// Clears a map that has no route left, even after weaken(), and begins again at the start.
   Action begin_anew() {
     weighed_->forget_all();
     weakens_ = 0;
     return carry_to_start();
   }
 
-  /// Stands at the start, looks, and decides.
+  /// Reads the walls at the start, and decides.
   Action decide_at_start() {
     driver_.look_about();
     return decide({start_, true});
   }
 
-  /// Opens the record of a run; false where time or rules allow none.
+  /// Opens the record of a run; false if time or rules allow none.
   bool begin(DriveRun::Kind kind) {
     if (driver_.out_of_time() || (kind != DriveRun::Kind::home && starts_of(record_.drive) >= rules_.most_runs))
       return false;
@@ -126,7 +125,7 @@ class DriveContest {
     run.open = known.open();
     run.closed = WallSet::all(maze_.size());
     run.closed -= known.possible();
-    // Of contests by dice there are millions: what nobody looks at is left out.
+    // Millions of contests are run in the failure model, so unused values are left out.
     if (!record_.by_dice) {
       if (hoped_over_ != known.possible()) hoped_ = plan(known.possible());
       hoped_over_ = known.possible();
@@ -140,7 +139,7 @@ class DriveContest {
     return true;
   }
 
-  /// The time of the fastest route over these walls, which is planned for.
+  /// Plans the fastest route through these passages, and returns its time.
   DriveTime plan(const WallSet& passages) {
     if (planned_over_ != passages) routes_.fill_for(start_, passages, maze_.goals());
     planned_over_ = passages;
@@ -152,7 +151,7 @@ class DriveContest {
     record_.drive.runs.back().end = driver_.clock();
     return after;
   }
-  /// A run that did not come to its end.
+  /// Ends a run that was aborted.
   After broken_off() {
     const std::optional<RunEnd> crash = driver_.crash();
     return crash ? end_run(*crash, After::crashed) : end_run(RunEnd::out_of_time, After::over);
@@ -165,7 +164,7 @@ class DriveContest {
     return action;
   }
 
-  /// Whether it sees no way, on a map that may change its strategy.
+  /// Whether the strategy found no route, on a map whose walls can change.
   bool is_no_way(const Action& action) const {
     return weighed_ != nullptr && action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::no_way;
   }
@@ -186,7 +185,7 @@ class DriveContest {
     return action;
   }
 
-  /// Shows it a reading on which it does not decide.
+  /// Passes a reading to the strategy without asking for a decision.
   void show(const Pose& pose) {
     if (weighed_ == nullptr) mouse_.show(pose, driver_.seen(pose));
   }
@@ -197,7 +196,7 @@ class DriveContest {
     record_.drive.reason = reason;
   }
 
-  /// Searches, beginning with that action, until the mouse resets, and drives home.
+  /// Searches from that action on until the strategy resets, then drives home.
   After search(Action action) {
     while (action.kind == Action::Kind::step) {
       if (const After after = move(action); after != After::on_the_way) return after;
@@ -214,7 +213,7 @@ class DriveContest {
     return drive_home();
   }
 
-  /// One action of the mouse, part by part with a reading at the end of each.
+  /// Makes one action, in parts with a reading after each.
   After move(const Action& action) {
     if (!is_search_step(driver_.place(), action)) return give_up_on_it();
     Action left = action;
@@ -232,7 +231,7 @@ class DriveContest {
     return After::on_the_way;
   }
 
-  /// What was read in the middle of a dash.
+  /// Passes on the readings in the middle of a dash.
   void pass(const Pose& from, int edges) {
     for (int edge = 1; edge < edges; ++edge) {
       const Pose pose = {neighbour(from.cell, from.heading, edge), from.heading};
@@ -241,17 +240,17 @@ class DriveContest {
     }
   }
 
-  /// Instead of driving through a wall that does not seem to be open, or not any more.
+  /// Reads again at a wall on the way that is not known to be open.
   After look_at(Wall wall, bool moved) {
     if (moved) return After::on_the_way;
-    // The mouse may be elsewhere than it believes.
+    // The believed position may be wrong.
     if (driver_.known().state(wall) != WallState::unknown) return give_up_on_it();
     driver_.look_about();
-    // It cannot see what is behind it.
+    // The wall may be behind the mouse, out of sight.
     return driver_.known().state(wall) == WallState::unknown ? give_up_on_it() : After::on_the_way;
   }
 
-  /// The mouse asked for something that it cannot have.
+  /// Ends the contest: the mouse asked for an impossible action.
   After give_up_on_it() {
     give_up(ForfeitReason::lost);
     return end_run(RunEnd::given_up, After::over);
@@ -265,7 +264,7 @@ class DriveContest {
     return After::on_the_way;
   }
 
-  /// By the fastest known moves to rest at the start, facing as it did there.
+  /// Drives by the fastest known moves to rest at the start, in the start heading.
   After drive_home() {
     const SearchPlace home = {start_, true};
     if (driver_.place() == home) return After::at_start;
@@ -293,13 +292,13 @@ class DriveContest {
     DriveRun& run = record_.drive.runs.back();
     run.route = route_;
     const bool stands = driver_.run(route_);
-    // What happens to it behind the goal is no matter of this run.
+    // A crash after the goal does not affect this run.
     if (!run.gate_in) return stands ? end_run(RunEnd::position_lost, After::crashed) : broken_off();
     if (!errs_) show(driver_.place().pose);
     return end_run(RunEnd::done, stands ? After::at_goal : driver_.crash() ? After::crashed : After::over);
   }
 
-  /// A speed run for which no route is known.
+  /// Handles a speed run without a known route.
   After find_no_way() {
     if (!errs_) {
       record_.drive.runs.pop_back();
@@ -322,16 +321,16 @@ class DriveContest {
   Pose start_;
   ContestDriver& driver_;
   bool errs_;
-  BelievedWalls* weighed_;  ///< where there are, the mouse gets another chance when its walls leave no way
+  BelievedWalls* weighed_;  ///< null: a map without a route ends the contest
   FastestRoutes routes_;
   SearchField home_;
-  std::optional<WallSet> planned_over_, hoped_over_;  ///< the walls for which there are fastest routes, and `hoped_`
+  std::optional<WallSet> planned_over_, hoped_over_;  ///< the passages of `routes_`, and of `hoped_`
   DriveTime hoped_ = no_time;
   DriveRoute route_;
   bool replanned_ = false;
   static constexpr int most_weakenings = 8;
   int weakens_ = 0;    ///< in this run
-  bool goal_entered_;  ///< whether it believes to have been in a goal
+  bool goal_entered_;  ///< whether a goal was entered, by the believed position
 };
 
 }  // namespace

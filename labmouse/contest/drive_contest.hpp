@@ -1,10 +1,10 @@
-// One contest in seconds, in any of its worlds: a strategy decides, a driver drives, or fails to, and an operator
-// carries the mouse back to the start.
+// The protocol of a contest in seconds, for all its worlds: a strategy decides, a driver moves the mouse or fails, and
+// an operator carries it back to the start.
 //
 //   search ──reset──► home ──► speed run ──► asked again        crash ──► carried to the start ──► asked again
 //
-// While it searches the mouse decides at every edge, and may reset wherever it is. Then it is driven: home over what is
-// known to be open, looking about on the way, and from the start along the fastest route that is known.
+// While it searches the mouse decides at every edge, and may reset wherever it is. Then it drives home over known open
+// walls, with readings on the way, and from the start along the fastest known route.
 #pragma once
 
 #include "labmouse/contest/contest_driver.hpp"
@@ -16,8 +16,8 @@
 
 namespace labmouse {
 
-/// Runs the contest. The strategy must be new, of a driver that errs with a sight of one cell; the driver new, and one
-/// that writes into the record.
+/// Runs the contest. Strategy and driver must be new; the driver must write into `record`. With a driver that errs, the
+/// strategy must have a sight of one cell.
 void run_contest(const Maze& maze, const DriveRules& rules, const DriveModel& model, DrivingStrategy& mouse,
                  ContestDriver& driver, PhysicalRecord& record);
 

@@ -6,7 +6,7 @@
 namespace labmouse {
 namespace {
 
-/// The cells from one to the other in a straight line, the first one left out.
+/// Inserts the cells on the straight line between two cells, without the first.
 void insert_way(Cell from, Cell to, CellSet& cells) {
   const auto sign = [](int value) { return (value > 0) - (value < 0); };
   const int dx = sign(to.x - from.x), dy = sign(to.y - from.y);

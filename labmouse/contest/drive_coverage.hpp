@@ -1,4 +1,4 @@
-// How much of a maze a search in seconds saw and drove through: a function of its record.
+// Computes from a record how much of a maze a search in seconds saw and visited.
 #pragma once
 
 #include "labmouse/contest/coverage.hpp"

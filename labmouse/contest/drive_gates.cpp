@@ -9,7 +9,7 @@
 namespace labmouse {
 namespace {
 
-/// How far a point lies at least from a cell of that side, in mm; 0 in it.
+/// A lower bound of the distance from a point to a cell of side `side`, mm; 0 inside.
 double distance_to(Cell cell, double side, const DriveSpot& spot) {
   const auto beyond = [side](double place, int from) {
     return std::max({from * side - place, place - (from + 1) * side, 0.0});
@@ -17,18 +17,18 @@ double distance_to(Cell cell, double side, const DriveSpot& spot) {
   return std::max(beyond(spot.x, cell.x), beyond(spot.y, cell.y));
 }
 
-/// How far it is at least to the outside of a cell, from a point in it.
+/// Shortest distance from a point in a cell to the outside, mm.
 double distance_out_of(Cell cell, double side, const DriveSpot& spot) {
   return std::min(
       {spot.x - cell.x * side, (cell.x + 1) * side - spot.x, spot.y - cell.y * side, (cell.y + 1) * side - spot.y});
 }
 
-/// The first moment of a route, in microseconds, at which arrived(Cell) holds of the cell that the mouse's middle is
-/// in. Steps for which left(DriveSpot), how far that is away at least, is too much are not looked at.
+/// The first time of a route, in microseconds, at which arrived(Cell) is true for the cell of the mouse's centre.
+/// left(DriveSpot) is a lower bound of the distance to go; steps within it are skipped.
 template <class Arrived, class Left>
 MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived arrived, Left left) {
   constexpr int steps_a_cell = 64, halvings = 40;
-  // Curves are sums that are rounded.
+  // A margin for rounding: curves are numerical sums.
   constexpr double sure_part = 0.99;
   const double cell = model.tables.cell;
   for (std::size_t i = 0; i < route.segments.size(); ++i) {
@@ -57,7 +57,7 @@ MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived 
   return route.time;
 }
 
-/// How far a point lies at least from the nearest of some cells.
+/// A lower bound of the distance from a point to the nearest of some cells, mm.
 double distance_to(const CellSet& cells, double side, const DriveSpot& spot) {
   double least = std::numeric_limits<double>::infinity();
   cells.for_each([&](Cell cell) { least = std::min(least, distance_to(cell, side, spot)); });

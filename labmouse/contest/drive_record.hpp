@@ -1,4 +1,4 @@
-// What happened in one contest in seconds: every move, wall and run, on the maze's clock in microseconds.
+// Record of one contest in seconds: every move, wall and run, with times in microseconds since the first start.
 #pragma once
 
 #include <cstdint>
@@ -33,9 +33,9 @@ struct SearchMove {
   MazeTime begin = 0;
   MazeTime end = 0;
   Pose from;
-  Action action;  ///< a quarter turn or none or a half turn (180), then so many cells ahead
+  Action action;  ///< rotation of 0, ±90 or 180 degrees, then so many cells ahead
   Pose to;
-  bool replanned = false;  ///< whether the strategy had to plan anew
+  bool replanned = false;  ///< whether the strategy planned a new route for it
 
   friend bool operator==(const SearchMove&, const SearchMove&) = default;
 };
@@ -50,12 +50,12 @@ struct DriveRun {
   std::optional<MazeTime> gate_out;  ///< left the start cell
   std::optional<MazeTime> gate_in;   ///< first entered a goal
   std::optional<MazeTime> centre;    ///< first in the middle of a goal cell
-  bool touched = false;              ///< whether a hand had touched the mouse in the maze before it
-  double pace = 1.0;              ///< the part of its usual pace at which the mouse was driven, where it has a choice
-  std::vector<SearchMove> moves;  ///< of a search and a way home
-  DriveRoute route;               ///< of a speed run; its times count from `begin`
-  /// What was known at the beginning, and the times of the fastest route that is known to exist and of the fastest that
-  /// may exist; no_time where there is none.
+  bool touched = false;              ///< whether the mouse had been touched in the maze before this run
+  double pace = 1.0;                 ///< pace of the run, as a part of the usual one
+  std::vector<SearchMove> moves;     ///< of a search and a way home
+  DriveRoute route;                  ///< of a speed run; its times count from `begin`
+  /// Walls known at the beginning, and the times of the fastest route over open walls and over walls not known to be
+  /// closed; no_time if there is none.
   WallSet open;
   WallSet closed;
   DriveTime known = no_time;
@@ -86,7 +86,7 @@ struct DriveRecord {
   std::vector<WallSeen> walls;
   DriveOutcome outcome = DriveOutcome::finished;
   ForfeitReason reason = ForfeitReason::none;
-  /// Decisions of the strategy, and those for which a route was planned anew.
+  /// Decisions of the strategy, and how many of them planned a new route.
   int decisions = 0;
   int replanned = 0;
 

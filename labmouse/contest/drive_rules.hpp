@@ -1,5 +1,5 @@
-// The rules of a contest in seconds. docs/reference/worlds-and-rules.md has them in words; rules/*.toml are those that
-// come with labmouse.
+// The rules of a contest in seconds. docs/reference/worlds-and-rules.md explains them; rules/*.toml are the built-in
+// ones.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@ namespace labmouse {
 
 struct DriveRules {
   std::string name;
-  std::string source;  ///< where and when they were in force, and what of them is unsure
+  std::string source;  ///< where and when they were in force, and what is uncertain
   /// Time in the maze, in microseconds, from the first start on; a run that has not ended by then does not count.
   std::int64_t time_limit = 0;
   /// Runs that may begin at the start, searches among them.
   int most_runs = 5;
   /// A run counts its own time and this part of the time in the maze before it began: 0, or 1/30.
-  int maze_time_divisor = 0;  ///< 30 for a thirtieth; 0 where the maze time does not count
+  int maze_time_divisor = 0;  ///< 30 for a thirtieth; 0 if the maze time does not count
   /// Whether the clock runs from gate to gate (leaves the start cell, enters a goal cell) or from rest to the centre of
   /// the goal.
   bool gate_to_gate = true;
-  /// Microseconds added to the time of a run after the mouse was touched, which happens in the physical world alone.
+  /// Microseconds added to the time of a run after the mouse was touched, which happens only in worlds with errors.
   std::int64_t touch_penalty = 0;
-  /// Microseconds taken off a run of a mouse that was never touched before it.
+  /// Microseconds subtracted from a run if the mouse was never touched before it.
   std::int64_t untouched_bonus = 0;
 };
 

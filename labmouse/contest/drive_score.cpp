@@ -5,7 +5,7 @@
 namespace labmouse {
 namespace {
 
-/// A run's score where it counts by the rules.
+/// Score of a run; nullopt if the run does not count by the rules.
 std::optional<DriveRunScore> score_of(const DriveRun& run, const DriveRules& rules) {
   DriveRunScore score;
   if (run.gate_out && run.gate_in) score.gate_to_gate = *run.gate_in - *run.gate_out;

@@ -31,8 +31,8 @@ FailureDriver::FailureDriver(const Maze& maze, const DriveModel& model, const Ph
   set_pace(1.0);
 }
 
-/// A contest between two noises that were counted is held under one of them, the likelier the nearer it is; and so a
-/// run between two paces.
+/// If the noise lies between two measured levels, one of them is drawn for the contest, the nearer with higher
+/// probability. The same holds for the pace of a run.
 void FailureDriver::set_pace(double pace) {
   pace_ = usual_pace_ * pace;
   const auto paces = between(rates_.paces, pace_, [](const RatesAtPace& at) { return at.pace; });
@@ -46,7 +46,7 @@ std::size_t FailureDriver::one_of(std::span<const double> shares) {
   double left = dice_.unit();
   std::size_t place = 0;
   while (place + 1 < shares.size() && left >= shares[place]) left -= shares[place++];
-  // What rounding has left over belongs to what there is.
+  // Rounding can leave a remainder: it goes to the last class with a positive share.
   while (place > 0 && shares[place] <= 0.0) --place;
   return place;
 }
@@ -73,11 +73,11 @@ void FailureDriver::look_about() {
   walls_.read(clock_, place_.pose, seen);
 }
 
-/// Where a mouse reads nothing it is by where it stands, and so for all walls about it: what is less clear than a wall
-/// has to be is not read.
+/// No evidence is an effect of the mouse's position, so all walls around it share one draw `clear`. A wall whose share
+/// of empty readings is above it gives none.
 Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
   const Wall wall = wall_at(place_.pose.cell, side);
-  // Nobody has to read the border.
+  // The border is known.
   if (on_border(wall, maze_.size())) return 0;
   const bool again = read_.contains(wall);
   read_.insert(wall);

@@ -1,4 +1,4 @@
-// The moving part of a contest in the failure model: times of the world in seconds, and dice.
+// The driver in the failure model: it takes the times of the world in seconds, and draws failures at random.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ class FailureDriver final : public TimedDriver {
   std::optional<RunEnd> crash() const override { return crash_; }
 
  private:
-  /// How a manoeuvre went: all of it, or the part of its time after which the mouse crashed.
+  /// Outcome of a manoeuvre: complete, or a crash after a part of its time.
   struct ManoeuvreOutcome {
     std::optional<RunEnd> crash = std::nullopt;
     double part = 1.0;
@@ -40,7 +40,7 @@ class FailureDriver final : public TimedDriver {
   std::size_t one_of(std::span<const double> shares);
   ManoeuvreOutcome drive(Manoeuvre manoeuvre, bool way_is_open);
   bool crash_at(MazeTime time, RunEnd cause);
-  /// Whether there is time left by then; the clock stands at its end where there is not.
+  /// Sets the clock to that time, or to the time limit. Returns whether time is left.
   bool reach(MazeTime time);
   bool is_open(const Action& part) const;
   Evidence read_wall(Heading side, bool ahead, double clear);
@@ -52,10 +52,10 @@ class FailureDriver final : public TimedDriver {
   const FailureRates& rates_;
   double noise_;
   Draws draws_ = Draws::sound;
-  double noise_share_;  ///< of this contest: which of two noises that were counted it is held under
+  double noise_share_;  ///< uniform draw of this contest that chooses between two measured noise levels
   const FailureRatesByDraw* odds_ = nullptr;
-  std::size_t position_error_ = 0;  ///< its level
-  WallSet read_;                    ///< at least once
+  std::size_t position_error_ = 0;  ///< level of the present localization error
+  WallSet read_;                    ///< walls read at least once
   std::optional<RunEnd> crash_;
 };
 

@@ -1,5 +1,5 @@
-// Failure rates: of each manoeuvre and each wall reading, by the localization error and the severity of the mouse's
-// draws. labmouse/lab/failure rates counts them in the physical world; the failure model draws errors at these rates.
+// Failure rates of each manoeuvre and each wall reading, by the localization error and the class of the mouse's draws.
+// labmouse/lab/failure_rates measures them in the physical world; the failure model draws errors at these rates.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace labmouse {
 
-/// Of a manoeuvre that begins with a mouse as far off its believed position. All are from 0 to 1.
+/// Probabilities (0 to 1) of a manoeuvre, for a given localization error at its beginning.
 struct ManoeuvreRates {
   double crash = 0.0;
-  double slid = 0.0;  ///< the part of crashes in which the tyres did not hold
+  double slid = 0.0;  ///< share of the crashes in which the tyres slid
   std::array<double, position_error_levels> after = {
-      1.0};  ///< how far off its believed position it is behind, where it did not crash
+      1.0};  ///< distribution of the localization error afterwards, if it did not crash
 };
 
-/// Classes of evidence: as many nats for a gap, nothing, as many nats for a wall.
+/// Classes of evidence: by whole nats for a gap, none, by whole nats for a wall.
 inline constexpr int most_nats_told = 8;
 inline constexpr std::size_t evidence_classes = 2 * most_nats_told + 1;
 
@@ -43,38 +43,39 @@ constexpr Evidence evidence_in(std::size_t place) {
 /// The shares of all classes of evidence.
 using ReadingRates = std::array<double, evidence_classes>;
 
-/// Of contests as lucky as each other.
+/// Rates of contests with the same class of draws.
 struct FailureRatesByDraw {
   std::array<double, position_error_levels> put = {
-      1.0};  ///< how far off its believed position a mouse is whom a hand has put at the start
+      1.0};  ///< distribution of the localization error after placement at the start by hand
   std::array<std::array<ManoeuvreRates, position_error_levels>, all_manoeuvres.size()> manoeuvres{};
   std::array<std::array<ReadingRates, position_error_levels>, all_readings.size()> readings{};
 };
 
-/// Under one noise.
+/// Rates at one noise level.
 struct RatesAtNoise {
   double noise = 0.0;
   std::array<FailureRatesByDraw, draw_classes> by_draws{};
 };
 
-/// Driven at that part of the usual pace.
+/// Rates at one pace, as a part of the usual one.
 struct RatesAtPace {
   double pace = 1.0;
   std::vector<RatesAtNoise> noises;  ///< by increasing noise, at least one
 };
 
 struct FailureRates {
-  double variation = 1.0;          ///< of the contests' draws
+  double variation = 1.0;          ///< scale of the variation between mice
   std::vector<RatesAtPace> paces;  ///< by increasing pace, at least one
 };
 
-/// Two places of a list, and how much of the way from the one to the other a value is.
+/// Two neighbouring indices of a list, and the fraction for linear interpolation between them.
 struct Between {
   std::size_t below = 0, above = 0;
   double part = 0.0;
 };
 
-/// The places of a list of increasing keys next to a key; one place twice where the key is there, or beyond the ends.
+/// The indices next to a key in a list of increasing keys; the same index twice if the key is in the list or beyond its
+/// ends.
 template <class List, class Key>
 Between between(const List& list, double key, Key key_of) {
   std::size_t above = 0;
@@ -85,7 +86,7 @@ Between between(const List& list, double key, Key key_of) {
   return {above - 1, above, (key - low) / (key_of(list[above]) - low)};
 }
 
-/// In which nothing goes wrong: noise 0.
+/// Rates without any failure: noise 0.
 RatesAtNoise no_failures();
 
 }  // namespace labmouse

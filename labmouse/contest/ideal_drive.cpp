@@ -15,7 +15,7 @@ Sighting IdealDriver::seen(const Pose& pose) const {
   return {read(left_of(pose.heading)), read(pose.heading), read(right_of(pose.heading))};
 }
 
-/// Reads the walls.
+/// Reads the walls, and records the new ones.
 void IdealDriver::arrive() {
   WallSet news = known_.unknown();
   [[maybe_unused]] const bool agrees = known_.learn(place_.pose, seen(place_.pose));

@@ -1,4 +1,4 @@
-// The moving part of a contest in which nothing goes wrong: the times of the model, and all walls as they are.
+// The driver without errors: it takes the times of the model, and reads all walls correctly.
 #pragma once
 
 #include "labmouse/contest/timed_driver.hpp"
@@ -6,7 +6,7 @@
 
 namespace labmouse {
 
-/// A move that has begun is made, also over the time limit.
+/// A move that has begun is completed even beyond the time limit.
 class IdealDriver final : public TimedDriver {
  public:
   /// All must outlive it.

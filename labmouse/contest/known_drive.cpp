@@ -12,7 +12,7 @@
 namespace labmouse {
 namespace {
 
-/// The moves of a search to the nearest goal, edge by edge; none where there is no way.
+/// Search moves to the nearest goal, edge by edge; empty if there is no way.
 std::vector<Action> search_moves(const Maze& maze, const SearchDrive& search) {
   SearchField field(maze.size(), search);
   field.fill(maze.open_walls(), CellSet(), maze.goals());
@@ -36,7 +36,7 @@ Knowledge knowledge_of(const Maze& maze) {
 }
 
 double angle_between(const Direction& a, const Direction& b) {
-  // The sine of so small an angle is that angle.
+  // Small angles: the sine is the angle.
   return a.sine * b.cosine - a.cosine * b.sine;
 }
 
@@ -68,7 +68,7 @@ class KnownDriver {
     controller_.put({maze.start(), maze.start_heading()});
   }
 
-  /// Nobody tells it of walls here: it corrects itself as in a search.
+  /// The controller gets no wall map here, as in a search.
   KnownDrive search(const std::vector<Action>& moves) {
     for (std::size_t next = 0;; ++next) {
       if (!drive_on()) return drive_;
@@ -88,7 +88,7 @@ class KnownDriver {
   }
 
  private:
-  /// Until the controller has arrived; false after a crash.
+  /// Ticks until the controller has arrived; false after a crash.
   bool drive_on() {
     for (;;) {
       if (!pending_) {

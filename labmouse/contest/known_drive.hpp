@@ -1,5 +1,4 @@
-// A mouse that knows the maze drives from the start to the goal in the physical world: how sure its controller is,
-// apart from any strategy.
+// Drives a known maze from the start to the goal in the physical world, to test the controller without a strategy.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +13,10 @@
 
 namespace labmouse {
 
-/// By the moves of a search, over the least time of these; or by the fastest route.
+/// The way: by search moves with the least total time, or by the fastest route.
 enum class KnownWay : std::uint8_t { search, fast };
 
-/// Sums of squares over ticks of how far something is from where it should be: along the way, aside of it, and in
-/// direction.
+/// Sums over ticks of squared deviations from the target: longitudinal, lateral, and in direction of motion.
 struct WayErrors {
   double along = 0.0;      ///< mm²
   double aside = 0.0;      ///< mm²
@@ -27,7 +25,7 @@ struct WayErrors {
   WayErrors& operator+=(const WayErrors& other);
 };
 
-/// Readings of walls, and how many of them were wrong.
+/// Wall readings, and wall detection errors among them.
 struct WallReadings {
   std::int64_t all = 0;
   std::int64_t wrong = 0;
@@ -37,31 +35,29 @@ struct WallReadings {
 
 struct KnownDrive {
   bool crashed = false;
-  int cells = 0;  ///< moves that were driven whole, of a search
+  int cells = 0;  ///< completed search moves
   std::int64_t ticks = 0;
   int grazes = 0;
   WayErrors truth;           ///< of the true mouse
-  WayErrors estimate;        ///< of where the mouse believes to be
-  double most_aside = 0.0;   ///< mm, of the true mouse
+  WayErrors estimate;        ///< of the estimated pose
+  double most_aside = 0.0;   ///< largest lateral deviation of the true mouse, mm
   WallReadings side, front;  ///< at the edges of a search
 };
 
-/// A tick as a log has it: what the mouse read, what it had its motors do from then on, and how it truly moved when it
-/// read that.
+/// One tick of a log: the readings, the duties that follow, and the true motion at the time of the readings.
 struct LoggedTick {
   Sense sense;
   Drive drive;
   BodyMotion motion;
 };
 
-/// One drive; nothing where no way leads to a goal. The robot must be one that can drive there. A log, where there is
-/// one, gets all ticks of it up to a crash; the mouse then stands for half a second before it drives, as mice do whose
-/// gyro is calibrated.
+/// Makes one drive; nullopt if no way leads to a goal. The robot must pass why_not_physical(). A log gets all ticks up
+/// to a crash; with a log the mouse first stands for half a second, as for the calibration of a gyro.
 std::optional<KnownDrive> drive_known_way(const Maze& maze, const DriveModel& model,
                                           const PhysicalConditions& conditions, KnownWay way, std::uint64_t seed,
                                           std::vector<LoggedTick>* log = nullptr);
 
-/// How many moves of a search lead there; 0 where none do.
+/// Number of search moves to the goal; 0 if there is no way.
 int moves_of_known_way(const Maze& maze, const DriveModel& model);
 
 }  // namespace labmouse

@@ -1,5 +1,4 @@
-// What can go wrong in a contest: at which manoeuvre, with a mouse how far off its believed position, and at which
-// reading of a wall.
+// Classes by which failure rates are counted: manoeuvres, localization errors, and wall readings.
 #pragma once
 
 #include <array>
@@ -12,15 +11,15 @@
 
 namespace labmouse {
 
-/// What a mouse does from one place to the next: a move of a search or of a way home, or a segment of a speed run.
+/// Kinds of moves: of a search or of a way home, and segments of a speed run.
 enum class Manoeuvre : std::uint8_t {
-  open_cell,  ///< straight through a cell without a wall beside
-  half_cell,  ///< with one
-  corridor,   ///< with two
+  open_cell,  ///< straight through a cell without side walls
+  half_cell,  ///< with one side wall
+  corridor,   ///< with two side walls
   dash,       ///< straight through several known cells
   turn,       ///< a quarter turn through a cell
-  turn_back,  ///< to rest in a cell, turned about on the spot, and out of it
-  halt,       ///< to rest in a cell, and turned on the spot
+  turn_back,  ///< stop in a cell, turn by 180 degrees, and out of it
+  halt,       ///< stop in a cell, and a turn on the spot
   start,      ///< from rest out of a cell
   run_straight,
   run_diagonal,
@@ -39,15 +38,15 @@ constexpr std::string_view name_of(Manoeuvre manoeuvre) {
   return names[static_cast<std::size_t>(manoeuvre)];
 }
 
-/// Straight on through the cell of that pose.
+/// The class of driving straight through the cell of that pose, by its side walls.
 Manoeuvre straight_through(const Maze& maze, const Pose& pose);
-/// A move of a search, over one edge, a dash or to rest.
+/// The class of a search move: over one edge, a dash or to rest.
 Manoeuvre manoeuvre_of(const Maze& maze, const SearchPlace& from, const Action& action);
-/// A segment of a speed run.
+/// The class of a segment of a speed run.
 Manoeuvre manoeuvre_of(const DriveSegment& segment);
 
-/// How far off its believed position a mouse is, by the distance between where it is and where it believes to be: below
-/// 2, 4, 8 and 16 % of a cell, and beyond.
+/// Levels of the localization error (distance between true and believed position): below 2, 4, 8 and 16 % of a cell,
+/// and beyond.
 inline constexpr std::array<double, 4> position_error_limits = {0.02, 0.04, 0.08, 0.16};
 inline constexpr std::size_t position_error_levels = position_error_limits.size() + 1;
 
@@ -58,8 +57,8 @@ constexpr std::size_t position_error_level(double share) {
   return level;
 }
 
-/// What is read: whether the wall is there, whether it is ahead or beside, and whether it was read before in the
-/// contest: what is read again is what was hard to read.
+/// Kinds of wall readings: wall or gap, ahead or beside, first or repeated. Walls that are read again in a contest are
+/// those that were hard to read.
 enum class Reading : std::uint8_t {
   wall_beside,
   gap_beside,

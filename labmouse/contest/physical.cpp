@@ -7,7 +7,7 @@
 namespace labmouse {
 namespace {
 
-/// With the map that the mouse wants.
+/// The conditions, with the map kind that the strategy chooses.
 PhysicalConditions conditions_for(const DrivingStrategy& mouse, PhysicalConditions conditions) {
   conditions.map = mouse.map_kind().value_or(conditions.map);
   return conditions;

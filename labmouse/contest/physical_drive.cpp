@@ -10,7 +10,7 @@ namespace labmouse {
 namespace {
 
 double angle_of(const Direction& ahead) {
-  // To the microradian, for traces: a fit to within an eighth of a turn, then a step of Newton's.
+  // Arctangent for traces, to the microradian: a rough start value, then three steps of Newton's method.
   const double c = ahead.cosine, s = ahead.sine;
   double angle = std::abs(c) > std::abs(s) ? (c > 0.0 ? s : pi - s) : (s > 0.0 ? pi / 2.0 - c : -pi / 2.0 + c);
   for (int i = 0; i < 3; ++i) {
@@ -20,7 +20,7 @@ double angle_of(const Direction& ahead) {
   return angle;
 }
 
-/// On a straight way from a cell.
+/// The walls between the cells of a straight way.
 WallSet walls_between(Cell from, const Pose& to) {
   WallSet walls;
   for (Cell cell = to.cell; cell != from; cell = neighbour(cell, opposite(to.heading)))
@@ -81,7 +81,7 @@ bool PhysicalDriver::make(const Action& part, bool replanned) {
 bool PhysicalDriver::run(const DriveRoute& route) {
   controller_.run(route);
   in_its_way_ = walls_.standing(walls_of(route));
-  // Its clock begins once it stands where runs begin.
+  // The clock starts after the mouse has backed up to the beginning of the run.
   while (!controller_.running())
     if (!tick()) return false;
   record_.drive.runs.back().begin = clock();
@@ -111,7 +111,8 @@ bool PhysicalDriver::tick() {
   return goes_on;
 }
 
-/// A mouse that turns home at the edge of a goal has entered it when it has come there, a moment later.
+/// A mouse that turns home at the edge of a goal may enter it a moment later, so the gates of the search are recorded
+/// on the way home, too.
 void PhysicalDriver::note_gates() {
   auto& runs = record_.drive.runs;
   if (runs.empty()) return;
@@ -122,8 +123,8 @@ void PhysicalDriver::note_gates() {
     body_.note_gates(runs[last - 1]);
 }
 
-/// A crash on a route through a wall is a wall detection error, whatever the mouse touches first: the wall, or a post
-/// beside it.
+/// A crash next to a closed wall on the planned way counts as a wall detection error, even if the mouse hits a post
+/// first.
 std::optional<RunEnd> PhysicalDriver::crash() const {
   if (!body_.crashed()) return std::nullopt;
   const Cell cell = body_.cell();

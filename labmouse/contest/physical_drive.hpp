@@ -1,5 +1,4 @@
-// The moving part of a contest in the physical world: body and controller, tick by tick, their clock, and what was
-// read.
+// The driver in the physical world: it simulates body and controller tick by tick, and collects wall readings.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +34,7 @@ class PhysicalDriver final : public ContestDriver {
   std::optional<RunEnd> crash() const override;
 
  private:
-  /// Until the controller has arrived; false where a crash or the end of the time came before.
+  /// Ticks until the controller has arrived; false after a crash or at the end of the time.
   bool drive_on();
   void read();
   bool tick();
@@ -46,12 +45,12 @@ class PhysicalDriver final : public ContestDriver {
   MazeTime handling_;
   double usual_pace_;
   BelievedWalls walls_;
-  Hardware told_;  ///< what the controller takes itself for
+  Hardware told_;  ///< the hardware as the controller knows it
   ClockedBody body_;
   Controller controller_;
   Drive drive_;
-  WallSet in_its_way_;    ///< walls that stand on the present way
-  bool pending_ = false;  ///< whether the controller has worked off the present tick
+  WallSet in_its_way_;    ///< closed walls on the present way
+  bool pending_ = false;  ///< whether the controller has processed the present tick
 };
 
 }  // namespace labmouse

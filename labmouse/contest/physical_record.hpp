@@ -1,5 +1,5 @@
-// What happened in one contest in the physical world, by the clock of the maze: what a contest in seconds is told by,
-// and beside it where the mouse was, where it believed to be, what its sensors said, and what it touched.
+// Record of one contest in the physical world or the failure model: that of a contest in seconds, and true and
+// estimated poses, sensor readings and wall touches.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@ namespace labmouse {
 
 /// How a run ended.
 enum class RunEnd : std::uint8_t {
-  done,           ///< as it should: in a goal, or at home
+  done,           ///< successfully: in a goal, or at home
   given_up,       ///< the strategy had no more to do in it
   slid,           ///< a crash because the tyres did not hold
-  position_lost,  ///< a crash because the mouse was not where it believed to be, or not where it should be
+  position_lost,  ///< a crash because of a localization or tracking error
   wall_error,     ///< a crash into a wall that it had read as open
-  no_route_left,  ///< its map had no way left, or did not fit what it saw
+  no_route_left,  ///< its map had no route left, or did not fit the readings
   out_of_time,
 };
 
@@ -48,17 +48,17 @@ struct BodyPose {
   friend bool operator==(const BodyPose&, const BodyPose&) = default;
 };
 
-/// One moment of both mice, the true one and the one that it thinks it is.
+/// One trace point: the true and the estimated pose.
 struct TracePoint {
   MazeTime time = 0;
   BodyPose truth;
-  std::optional<BodyPose> estimate;  ///< nothing of a mouse whose program does not tell
+  std::optional<BodyPose> estimate;  ///< none for an external controller
   std::array<std::int16_t, 4> infrared{};
 
   friend bool operator==(const TracePoint&, const TracePoint&) = default;
 };
 
-/// What the sensors said of the walls about a cell as it was entered.
+/// Evidence of the walls around a cell, at its entry.
 struct Look {
   MazeTime time = 0;
   Pose pose;
@@ -67,7 +67,7 @@ struct Look {
   friend bool operator==(const Look&, const Look&) = default;
 };
 
-/// A touch of a wall that the run survived, or not.
+/// A touch of a wall, with or without a crash.
 struct WallTouch {
   MazeTime time = 0;
   BodyPose at;
@@ -78,24 +78,24 @@ struct WallTouch {
 
 /// What a contest in the physical world adds to one in seconds.
 struct PhysicalNotes {
-  std::vector<RunEnd> ends;  ///< of each run
+  std::vector<RunEnd> ends;  ///< one per run
   std::vector<Look> looks;
   std::vector<WallTouch> touches;
-  std::vector<TracePoint> trace;     ///< every so often, where it was asked for
+  std::vector<TracePoint> trace;     ///< at the interval asked for, if any
   std::vector<Action> actions;       ///< all decisions of the strategy, in order
-  std::vector<ControllerTick> tape;  ///< in place of these, what a program of somebody else's said, tick by tick
-  bool foreign_parts = false;        ///< whether parts of the controller were somebody else's
-  bool by_dice = false;              ///< whether it was held in the failure model
-  int carried = 0;                   ///< how often a hand took it to the start
-  int wrong_walls = 0;               ///< walls that it took for what they are not
-  int contradictions = 0;            ///< readings against what it had taken a wall for
-  double severity = 0.0;  ///< how unlucky the draws of this contest were, in deviations: RobotSample::severity()
+  std::vector<ControllerTick> tape;  ///< instead of actions: the output of an external controller, tick by tick
+  bool foreign_parts = false;        ///< whether parts of the controller were external
+  bool by_dice = false;              ///< whether it was run in the failure model
+  int carried = 0;                   ///< how often it was carried to the start
+  int wrong_walls = 0;               ///< walls classified wrongly
+  int contradictions = 0;            ///< readings that contradicted the map
+  double severity = 0.0;             ///< RobotSample::severity(), in standard deviations
 
   friend bool operator==(const PhysicalNotes&, const PhysicalNotes&) = default;
 };
 
 struct PhysicalRecord : PhysicalNotes {
-  /// Runs, walls as the mouse took them, and decisions. Times of gates are those of the true mouse.
+  /// Runs, walls as classified by the mouse, and decisions. Times of gates are those of the true mouse.
   DriveRecord drive;
 
   friend bool operator==(const PhysicalRecord&, const PhysicalRecord&) = default;

@@ -1,4 +1,4 @@
-// What happened in one contest, step by step: append-only and complete.
+// Complete record of one contest in the world of steps, step by step.
 #pragma once
 
 #include <cstdint>
@@ -41,10 +41,10 @@ constexpr std::string_view name_of(Outcome outcome) {
   return "unknown";
 }
 
-/// One step: where the mouse stood, what it was shown, what it did.
+/// One step: pose, reading and action of the mouse.
 struct StepRecord {
   Run run = Run::search_run;
-  /// Count of the clock, from 1 over both runs.
+  /// Number of the step, from 1 over both runs.
   int step = 0;
   Pose pose;             ///< before the action
   Sighting sighting;     ///< as read in that pose
@@ -54,7 +54,7 @@ struct StepRecord {
   friend constexpr bool operator==(const StepRecord&, const StepRecord&) = default;
 };
 
-/// What a mouse counted, by name.
+/// A named counter of a strategy.
 struct Count {
   std::string name;
   std::int64_t value = 0;
@@ -62,9 +62,9 @@ struct Count {
   friend bool operator==(const Count&, const Count&) = default;
 };
 
-/// Why a mouse did what it did in a step.
+/// Reasons of a strategy's choice in a step.
 struct StepReasons {
-  int step = 0;  ///< count of the clock
+  int step = 0;  ///< its number
   Reasons reasons;
 
   friend bool operator==(const StepReasons&, const StepReasons&) = default;
@@ -76,11 +76,11 @@ struct RunRecord {
   Outcome outcome = Outcome::out_of_steps;
   /// Where the mouse stood at the end.
   Pose end;
-  /// What the mouse had to say, for people, in lines of whatever encoding; see Strategy::last_words.
+  /// Text for people, in lines of any encoding; see Strategy::last_words.
   std::string last_words;
   /// The mouse's own counters at the end, sorted by name.
   std::vector<Count> counts;
-  /// The reasons of the steps in which the mouse chose anew, by step; empty unless it was asked to keep them.
+  /// The reasons of the steps in which the strategy made a new choice, in order; empty unless asked for.
   std::vector<StepReasons> reasons;
 
   friend bool operator==(const RunRecord&, const RunRecord&) = default;

@@ -1,4 +1,4 @@
-// The numbers of the world of steps. docs/reference/worlds-and-rules.md has the rules in words.
+// The numbers of the world of steps. docs/reference/worlds-and-rules.md explains the rules.
 #pragma once
 
 namespace labmouse {
@@ -10,7 +10,7 @@ struct Rules {
   int search_factor = 30;
   /// The longest movement of one step, in cells; longer ones are cut to it.
   int stride = 3;
-  /// What a failed contest counts in means over all contests (the fourth report's habit).
+  /// Score of an unfinished contest in means over all contests.
   double failure_score = 100.0;
 
   friend constexpr bool operator==(const Rules&, const Rules&) = default;

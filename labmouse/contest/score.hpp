@@ -1,4 +1,4 @@
-// What a contest is worth: a function of its record, so that a record written by a real robot scores by the same code.
+// Scores the record of a contest in the world of steps. Records of real robots are scored by the same code.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,10 @@ namespace labmouse {
 
 struct Score {
   Outcome outcome = Outcome::out_of_steps;
-  /// Steps of each run; the reset's own step belongs to the search run. What was not finished is counted as far as it
-  /// went.
+  /// Steps of each run; the reset's own step belongs to the search run. An unfinished run counts its steps so far.
   int search_steps = 0;
   int speed_steps = 0;
-  /// Speed steps plus search steps / factor; nothing where the contest was not finished.
+  /// Speed steps plus search steps / factor; none if the contest was not finished.
   std::optional<double> value;
 };
 

@@ -1,4 +1,4 @@
-// A mouse that plays a prepared list of actions: for walks known before, and for records.
+// A strategy that plays a fixed list of actions, for example those of a record.
 #pragma once
 
 #include <utility>
@@ -8,11 +8,10 @@
 
 namespace labmouse {
 
-/// Plays its actions in order and forfeits when there is no other, in steps and in seconds. It knows nothing and looks
-/// at nothing.
+/// Plays its actions in order, then forfeits, in steps and in seconds. It ignores all readings.
 class Script final : public DrivingStrategy {
  public:
-  /// With the pace of each run; of those beyond the list it is the usual one.
+  /// `paces` has the pace of each run; runs beyond the list have the usual pace.
   Script(Size size, std::vector<Action> actions, std::vector<double> paces = {})
       : knowledge_(size), actions_(std::move(actions)), paces_(std::move(paces)) {}
 

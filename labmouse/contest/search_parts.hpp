@@ -1,4 +1,4 @@
-// The parts of a search's move over several edges: what is driven at once, with a reading at its end.
+// Splits a search move over several edges into parts, each driven at once with a reading at its end.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ inline Action first_part(const SearchDrive& drive, const SearchPlace& from, cons
   return Action::step(0, dash_length(drive, from.pose, move.movement, [&](Cell cell) { return known.knows(cell); }));
 }
 
-/// The first wall on the way of a part that is not known to be open.
+/// The first wall on the way of a part that is not known to be open, if there is one.
 inline std::optional<Wall> wall_not_open(const SearchPlace& from, const Action& part, const Knowledge& known) {
   const Heading heading = after_search(from, part).pose.heading;
   for (int cell = 0; cell < part.movement; ++cell)

@@ -1,5 +1,4 @@
-// One contest: a mouse, a maze and the rules of the world of steps. docs/reference/worlds-and-rules.md has them in
-// words.
+// Runs one contest in the world of steps. docs/reference/worlds-and-rules.md explains the rules.
 #pragma once
 
 #include "labmouse/contest/contest.hpp"
@@ -11,7 +10,7 @@
 
 namespace labmouse {
 
-/// What a mouse knows of a maze before the contest: the size, the start, the goals and its moves, but no wall.
+/// Information for a strategy before the contest: size, start, goals and moves, but no walls.
 Briefing brief(const Maze& maze, const Rules& rules, std::uint64_t seed);
 
 /// Runs the contest to its end. The strategy must be new, or in the state in which a new one would be. The record has

@@ -1,4 +1,4 @@
-// A program that says again what one said: for records.
+// A controller that replays the recorded output of another.
 #pragma once
 
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-/// Says what is on the tape, and then gives up, for that reason.
+/// Replays the tape, then gives up for that reason.
 class TapedCode final : public ControllerCode {
  public:
   TapedCode(std::vector<ControllerTick> tape, ForfeitReason reason) : tape_(std::move(tape)), reason_(reason) {}

@@ -1,4 +1,4 @@
-// A driver without a body: places, and the times that the model of the robot has for moves.
+// Base of the drivers without a simulated body: it takes the times of moves from the robot's model.
 #pragma once
 
 #include "labmouse/contest/contest_driver.hpp"
@@ -20,14 +20,14 @@ class TimedDriver : public ContestDriver {
   TimedDriver(const Maze& maze, const DriveModel& model, MazeTime time_limit, DriveRecord& record)
       : maze_(maze), model_(model), time_limit_(time_limit), record_(record) {}
 
-  /// How long something takes at the present pace.
+  /// A time at the usual pace, converted to the present pace.
   MazeTime slowed(MazeTime time) const { return at_pace(time, pace_); }
   MazeTime time_of(const Action& part) const;
-  /// Makes a move that begins then, edge by edge, and writes it and the gates that it passes into the last run.
+  /// Makes a move that begins at that time, edge by edge. Writes the move and the passed gates into the last run.
   void advance(const Action& part, MazeTime begin, bool replanned);
   /// Called at the end of each edge, and at rest.
   virtual void arrive() {}
-  /// Stands where a route ends that began at the start.
+  /// Sets the place to the end of a route, at rest.
   void stand_behind(const DriveRoute& route);
 
   const Maze& maze_;

@@ -6,13 +6,13 @@
 namespace labmouse {
 namespace {
 
-/// The duty that a motor needs to go at a rate and to change it.
+/// Feedforward: the duty for a rate and its rate of change.
 double needed(const MotorAxis& axis, double rate, double change) {
   const double almost = 0.005 * axis.gain;
   return (rate + axis.time * change) / axis.gain + axis.dead_zone * std::clamp(rate / almost, -1.0, 1.0);
 }
 
-/// A proportional and an integral term; the sum goes no farther than to a part of full duty.
+/// Adds a proportional and an integral term. The integral term is limited to half of full duty (anti-windup).
 double corrected(const AxisGains& gains, double error, double& sum) {
   constexpr double most = 0.5;
   sum += error * tick_seconds;

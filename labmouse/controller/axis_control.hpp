@@ -1,6 +1,6 @@
-// From how fast a mouse has to drive and turn to the duties of its motors.
+// Computes the duty cycles of the motors from the commanded speed and turn rate.
 //
-// Method: what a motor model says is needed, and what a proportional and an integral term add.
+// Method: feedforward from a motor model, plus a proportional and an integral term.
 #pragma once
 
 #include "labmouse/controller/gains.hpp"
@@ -14,14 +14,13 @@ class AxisControl {
   AxisControl(const Gains& gains, const Motors& motors) : gains_(gains), motors_(motors) {}
 
   void reset() { drive_sum_ = turn_sum_ = 0.0; }
-  /// One tick: the duties for a command, where the mouse drives and turns as fast as that, by a battery of so many
-  /// volts.
+  /// Returns the duties for one tick, from the measured speed (mm/s), turn rate (rad/s) and battery voltage.
   Drive control(const Command& command, double speed, double turning, double volts);
 
  private:
   Gains gains_;
   Motors motors_;
-  double drive_sum_ = 0.0, turn_sum_ = 0.0;  ///< of errors, mm and rad
+  double drive_sum_ = 0.0, turn_sum_ = 0.0;  ///< integrals of the speed and turn-rate errors, mm and rad
 };
 
 }  // namespace labmouse

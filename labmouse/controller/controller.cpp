@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-/// What a mouse waits after it has stopped, and after it has turned, so that it stands still when it reads.
+/// Seconds of rest after each stop and pivot, so that the mouse reads while it stands still.
 constexpr double settling = 0.05;
 
 Direction direction_of_eighths(int eighths) {
@@ -20,7 +20,7 @@ Direction direction_of_eighths(int eighths) {
 Direction direction_in(Heading heading) { return direction_of_eighths(2 * static_cast<int>(heading)); }
 Direction direction_of_node(const DriveNode& node) { return direction_of_eighths(eighths(node)); }
 
-/// Numbers that one can reckon with: up to a million of their units, and a direction of length one.
+/// Whether all numbers are within a million of their units, and the direction has length 1.
 bool makes_sense(const PoseEstimate& estimate) {
   constexpr double most = 1e6, exact = 1e-3;
   const auto within = [](double number) { return number >= -most && number <= most; };
@@ -33,7 +33,7 @@ bool makes_sense(const PoseEstimate& estimate) {
   return all;
 }
 
-/// From -1 to 1, and 0 of what is no number.
+/// Limits a duty to -1..1; NaN gives 0.
 float duty_of(float duty) { return duty >= -1.0F ? std::min(duty, 1.0F) : duty < -1.0F ? -1.0F : 0.0F; }
 
 Position along(const Position& from, const Direction& ahead, double way) {
@@ -65,7 +65,7 @@ void Controller::put(const Pose& pose) {
   estimator().put(estimate_.position, estimate_.ahead);
   tracker().reset();
   reader().begin(pose);
-  // It looks about before it drives.
+  // Rests first, to read the walls.
   begin_piece(Piece::rest(middle_of(pose.cell), direction_in(pose.heading), settling), 0.0);
 }
 
@@ -84,7 +84,7 @@ void Controller::add_pivot(const Position& at, Direction& ahead, int quarters) {
   add(Piece::rest(at, ahead, settling));
 }
 
-/// From the edge into the middle of the cell, and rest.
+/// Adds the way from the edge to the middle of the cell, and a rest.
 void Controller::add_stop(const Pose& pose) {
   const Direction ahead = direction_in(pose.heading);
   const double half = cell_ / 2.0, rate = manner_.acceleration;
@@ -113,7 +113,7 @@ void Controller::search(const Action& step) {
     const Position edge = along(middle_of(from.cell), ahead, -half);
     const TurnShape& shape = manner_.turn;
     const RampLimits limits{std::max(speed, turn_speed), rate, rate};
-    // The leads serve to come to the speed of the turn, and back.
+    // The straight lead-in and lead-out are for changing to the speed of the turn and back.
     if (turn_speed != speed) {
       add(Piece::straight(edge, ahead, Ramps(shape.lead_in, speed, turn_speed, limits)));
       Piece curve =
@@ -161,7 +161,7 @@ void Controller::begin_piece(const Piece& piece, double late, const std::optiona
   aim();
 }
 
-/// Where the walk is, moving as slowly as the pace is.
+/// Sets the target to that of the walk, scaled by the pace.
 void Controller::aim() {
   target_ = walk_.target();
   target_.speed *= pace_;
@@ -170,7 +170,7 @@ void Controller::aim() {
   target_.twisting *= pace_ * pace_;
 }
 
-/// The next piece that is to be driven, from so many seconds on; without one the mouse has arrived.
+/// Begins the next piece, `late` seconds into it. Without one the mouse has arrived.
 void Controller::begin_next(double late) {
   if (next_ < count_) {
     begin_piece(pieces_[next_++], late);
@@ -179,7 +179,8 @@ void Controller::begin_next(double late) {
   }
 }
 
-/// The next segment of a route, or after its last one the way on which the mouse stops.
+/// Begins the next segment of the route, or after its last one the straight on which the mouse brakes. False after
+/// that.
 bool Controller::begin_segment(double late) {
   if (route_ == nullptr || segment_ > route_->segments.size()) return false;
   if (segment_ == route_->segments.size()) {
@@ -223,7 +224,7 @@ Drive Controller::tick(const Sense& sense) {
   return parts_.tracker == nullptr ? duties : Drive{duty_of(duties.left), duty_of(duties.right)};
 }
 
-/// What makes no sense is not believed; only somebody else's part says such.
+/// Ignores an invalid estimate, which only an external part can return.
 void Controller::believe(const PoseEstimate& estimate) {
   if (parts_.estimator == nullptr || makes_sense(estimate)) estimate_ = estimate;
 }

@@ -1,12 +1,12 @@
-// The program of a mouse: it drives the moves of a search and fast routes, by what its sensors read, and says what they
-// show of walls. The belief; it knows no truth.
+// The motion controller of a mouse: it drives search moves and planned routes from sensor readings, and reports
+// evidence of walls. It has no access to the true state.
 //
 //   sense ──► estimator ◄── corrections        pieces of moves and routes ──► target
 //                 │                                                              │
 //                 └──────────────► tracker ◄─────────────────────────────────────┘
 //                                     └──► axis control ──► duties of the motors
 //
-// It takes no memory once it is made, and works off a tick in the same few thousand instructions each time.
+// It allocates no memory after construction, and each tick takes about the same few thousand instructions.
 #pragma once
 
 #include <array>
@@ -24,47 +24,45 @@
 
 namespace labmouse {
 
-/// What of a controller can be chosen.
+/// Options of a controller.
 struct ControllerChoice {
   CorrectionChoice corrections;
   double search_speed = 0.0;  ///< mm/s; 0: the robot's own
-  double pace = 1.0;          ///< of all that it drives: at one half everything takes twice its time
+  double pace = 1.0;          ///< scales all speeds: at 0.5 everything takes twice its time
 };
 
 class Controller {
  public:
-  /// Of a robot with limits and hardware; model and gains' owner must outlive it.
+  /// The model, the hardware and the parts must outlive it.
   Controller(const DriveModel& model, const Hardware& hardware, Size size, const Gains& gains,
              const ControllerChoice& choice = {}, const ControllerParts& parts = {});
 
-  /// It was put down at rest in the middle of a cell, about.
+  /// Sets the pose: the mouse was put down at rest, about in the middle of the cell.
   void put(const Pose& pose);
-  /// From the next move on all is driven as fast as a part of the usual pace says, above 0: the same curves, in slow
-  /// motion.
+  /// Scales all speeds by `pace`, above 0. The curves stay the same, in slow motion.
   void set_pace(double pace) { pace_ = pace; }
-  /// What is known of walls, for corrections; must outlive its use. Null: nothing.
+  /// Sets the wall map that corrections use, which must outlive its use. Null: no map.
   void know(const Knowledge* known) { known_ = known; }
-  /// Begins a move from place(): a step of a search over one edge, or a dash over more, or to rest.
+  /// Begins a search move from place(): over one edge, over several (a dash), or to rest.
   void search(const Action& step);
-  /// From rest, backs up to where runs begin, and drives a route, which must outlive the run; then stops.
+  /// Backs up from rest by the robot's run-up, drives a route, and stops. The route must outlive the run.
   void run(const DriveRoute& route);
 
-  /// One tick: what the motors do until the next one.
+  /// Processes one tick. Returns the duties of the motors until the next one.
   Drive tick(const Sense& sense);
 
-  /// Whether the last move is driven: now is the time for the next, or the mouse goes on straight.
+  /// Whether the last move is complete, so that the next one has to begin.
   bool arrived() const { return !moving_; }
-  /// Where it is then, as it believes.
+  /// The place at the end of the present move.
   const SearchPlace& place() const { return place_; }
-  /// Of the walls about that cell.
+  /// Evidence of the walls around the cell of place().
   WallEvidence evidence() const {
     return parts_.reader ? parts_.reader->evidence(estimate_) : reader_.evidence(estimate_);
   }
 
-  /// Where it believes to be.
   const PoseEstimate& estimate() const { return estimate_; }
   const Target& target() const { return target_; }
-  /// Whether a run has left its beginning: its clock is on.
+  /// Whether a run has left its start, so that its clock runs.
   bool running() const { return route_ != nullptr && segment_ > 0; }
 
  private:
@@ -92,15 +90,15 @@ class Controller {
   const Knowledge* known_ = nullptr;
 
   SearchPlace place_;
-  std::array<Piece, 6> pieces_{};  ///< that are still to be driven, the next first
+  std::array<Piece, 6> pieces_{};  ///< of the present move, in order
   std::size_t next_ = 0, count_ = 0;
   const DriveRoute* route_ = nullptr;
   std::size_t segment_ = 0;
   PieceWalk walk_;
   double pace_;
-  Target target_;  ///< of the walk, at that pace
+  Target target_;  ///< target of `walk_`, scaled by `pace_`
   bool moving_ = false;
-  double late_ = 0.0;  ///< seconds of the last tick, at the usual pace, that belong to the next move
+  double late_ = 0.0;  ///< unused time of the last tick, s at pace 1; the next move uses it
 };
 
 }  // namespace labmouse

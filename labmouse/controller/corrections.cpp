@@ -9,12 +9,12 @@
 namespace labmouse {
 namespace {
 
-/// A beam corrects each eighth tick: what makes its readings wrong (the wall, its gain) is the same all along a wall,
-/// so more of them would not say more.
+/// A beam corrects every eighth tick. Its errors (reflectance of the wall, gain) are the same along a wall, so more
+/// readings add no information.
 constexpr unsigned ticks_between = 8;
-/// Nor do those of the next walls say all that is new, by the gain.
+/// Factor on the variance: the gain error is the same at the next walls, too.
 constexpr double alike = 1.5;
-/// A mouse that is slower counts as one of that speed, in mm/s.
+/// Lower bound of the speed, mm/s.
 constexpr double slow = 50.0;
 
 WallState state_of(const Knowledge* known, Cell cell, Heading side, Size size) {
@@ -105,7 +105,7 @@ void Corrections::see_wall(std::size_t beam, double level, const View& view, con
   constexpr double least = 0.12, most = 0.95;
   if (level < least * infrared.gain || level > most * infrared.most) return;
   const Noise& noise = hardware_.noise;
-  // Each counts as less exact than it is, by how many there are in passing a wall.
+  // The errors of the readings of one wall are correlated, so their variance is multiplied by the number of readings.
   const double between = std::max(slow, std::abs(estimator.speed())) * ticks_between * tick_seconds;
   const double many = std::max(1.0, alike * cell_ / 2.0 / between);
   const double share = square(noise.reflectance) + square(noise.infrared_gain) + square(noise.infrared / level);
@@ -113,7 +113,7 @@ void Corrections::see_wall(std::size_t beam, double level, const View& view, con
                      slopes.distance[2], many * square(infrared.fall) * share + 0.25});
 }
 
-/// The cell is the one behind the line, on the corridor.
+/// `behind` is the cell of the corridor behind the line.
 void Corrections::see_edge(const SeenEdge& seen, const View& view, const ViewSlopes& slopes, Cell behind, Heading side,
                            Heading axis, const Knowledge* known, Estimator& estimator) const {
   const Cell before = neighbour(behind, axis, -1);
@@ -123,8 +123,8 @@ void Corrections::see_edge(const SeenEdge& seen, const View& view, const ViewSlo
     return state == WallState::unknown || (state == WallState::closed) == stands;
   };
   if (!fits(before, seen.edge == Edge::falls) || !fits(behind, seen.edge == Edge::rises)) return;
-  // What the mouse takes for so much behind the line is at the line; but a slanted beam also sees the side of a post:
-  // before it a wall seems to begin, and behind it to go on. How far is by sums over the light of such beams.
+  // The edge is at the line, but an oblique beam also sees the side of a post. So a wall seems to begin before the
+  // post, and to continue behind it. The factors come from sums over the light of such beams.
   const double post_side = 2.0 * half_wall_of(cell_) * std::sqrt(std::max(0.0, 1.0 / square(view.cosine) - 1.0));
   const double seeming = seen.edge == Edge::rises   ? -0.38 * post_side
                          : seen.edge == Edge::falls ? 0.2 * post_side
@@ -143,14 +143,13 @@ void Corrections::see_front(const Sense& sense, const Corridor& corridor, const 
   const int line = whole_below((face + half_wall_of(cell_)) / cell_ + 0.5);
   const double error = line * cell_ - half_wall_of(cell_) - face;
   const Cell before = cell_along(corridor, (line - 0.5) * cell_);
-  // A mouse that knows that it may be far off takes a wall for the nearest one all the same, up to where it could be
-  // another.
+  // The more uncertain the position, the larger the accepted error, up to where the wall could be another one.
   const double uncertainty = 2.5 * std::sqrt(estimator.variance_of(on.x, on.y, 0.0));
   const double most = std::clamp(uncertainty, 0.2 * cell_, 0.42 * cell_);
   if (sense.range > 2.0 * cell_ || std::abs(error) > most || !size_.contains(before)) return;
   if (state_of(known, before, corridor.axis, size_) == WallState::open) return;
   const Noise& noise = hardware_.noise;
-  // Seen less expected: a wall that is farther than it should be says that the mouse is less far.
+  // Measured less expected: if the wall is farther than expected, the mouse is less far along.
   estimator.correct({-error, -on.x, -on.y, 0.0, square(2.0 * noise.ranger) + square(0.01 * cell_)});
 }
 

@@ -1,5 +1,5 @@
-// What a mouse makes of the walls that it sees for where it is: side walls say how far aside and how much turned it is,
-// the edges of walls and posts how far along, and so do walls ahead.
+// Corrects the pose estimate from the walls that the sensors see. Side walls give the lateral and heading error; the
+// edges of walls, posts, and walls ahead give the longitudinal error.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace labmouse {
 
-/// Which of them a mouse makes use of.
+/// Which corrections are on.
 struct CorrectionChoice {
   bool sides = true;
   bool edges = true;
@@ -25,7 +25,7 @@ struct Corridor {
   Cell cell;
   Heading axis = Heading::north;
 };
-/// Along which it drives, or would once it has turned a little; none in the middle of a turn.
+/// The corridor along which the target moves, within 12 degrees; none in the middle of a turn.
 std::optional<Corridor> corridor_of(const Target& target, double cell);
 
 class Corrections {
@@ -33,7 +33,8 @@ class Corrections {
   /// The hardware must outlive it.
   Corrections(const Hardware& hardware, double cell, Size size, const CorrectionChoice& choice);
 
-  /// One tick. Walls that are known may not contradict what is seen; null where none are.
+  /// Corrects the estimator with one tick's readings. Readings that contradict the map `known` are ignored. Null: no
+  /// map.
   void apply(const Sense& sense, const Target& target, const Knowledge* known, Estimator& estimator);
   void forget();
   const Views& views() const { return views_; }

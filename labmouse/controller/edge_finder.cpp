@@ -5,7 +5,7 @@
 namespace labmouse {
 namespace {
 
-/// How much of a stretch is its first part, and its last.
+/// Length of the first and the last part of a stretch, as a share of the reach.
 constexpr double part = 0.25;
 
 }  // namespace
@@ -20,13 +20,13 @@ void EdgeFinder::begin(int line, double behind, double share) {
 
 std::optional<SeenEdge> EdgeFinder::pass(int line, double behind, double share) {
   const double step = behind - last_;
-  // A mouse that goes back, jumps, or comes in the middle of a stretch sees none.
+  // No edge is detected if the mouse reverses, jumps, or starts in the middle of a stretch.
   if (running_ && (line != line_ || step < 0.0 || step > reach_ / 2.0)) running_ = false;
   if (!running_) {
     if (behind < -reach_ && behind > -1.5 * reach_) begin(line, behind, share);
     return std::nullopt;
   }
-  // What of the step lies in the stretch, with the share in its middle.
+  // The part of the step inside the stretch, and the share interpolated at its middle.
   const double from = std::max(last_, -reach_), to = std::min(behind, reach_), length = to - from;
   const double middle = (from + to) / 2.0;
   const double mean = step > 0.0 ? last_share_ + (share - last_share_) * (middle - last_) / step : share;

@@ -1,20 +1,21 @@
-// Where a wall begins or ends, or a lone post stands, beside a mouse that drives past: what tells it how far it is.
+// Detects beside a passing mouse where a wall begins or ends, or a lone post stands. That gives its longitudinal
+// position.
 //
 //      wall ends          wall begins        post
 //      ====o                    o====         o          beside the mouse, that drives to the right
 //
-// Method: over a stretch about a line of the grid, the share is summed up. The sum says where the edge is, the sum
-// weighed with the place where the post is; no single reading counts for much.
+// Method: the share (reading over the reading of a whole wall) is integrated over a stretch around a grid line. The
+// integral gives the position of an edge, the first moment that of a post. So a single reading has little weight.
 #pragma once
 
 #include <optional>
 
 namespace labmouse {
 
-/// What stands on both sides of a line, as a mouse passes it.
+/// What a mouse passes at a grid line: the end of a wall, the beginning of a wall, or a post alone.
 enum class Edge { falls, rises, post };
 
-/// An edge, and how many mm behind the line of the grid it was seen; it is at 0 where the mouse knows its place.
+/// An edge, and how many mm behind the grid line it was measured; 0 if the position estimate is exact.
 struct SeenEdge {
   Edge edge = Edge::post;
   double behind = 0.0;
@@ -22,12 +23,12 @@ struct SeenEdge {
 
 class EdgeFinder {
  public:
-  /// Looks from so many mm before a line to as many behind it; walls and posts are twice `half_wall` thick.
+  /// Observes `reach` mm before and behind each line; walls and posts are twice `half_wall` thick.
   EdgeFinder(double reach, double half_wall) : reach_(reach), half_wall_(half_wall) {}
 
-  /// Whether it needs to know of a place in mm behind the nearest line.
+  /// Whether pass() has to be called at this place, in mm behind the nearest line (negative: before it).
   bool needs(double behind) const { return running_ || (behind < 0.0 && behind > -1.5 * reach_); }
-  /// A place in mm behind the nearest line, which has that number, and the share of a wall that is seen there. Returns
+  /// Adds a reading: the number of the nearest line, the place in mm behind it, and the share of a whole wall. Returns
   /// the edge at the end of a stretch, if there is one.
   std::optional<SeenEdge> pass(int line, double behind, double share);
   void forget() { running_ = false; }

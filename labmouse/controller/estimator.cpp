@@ -8,12 +8,12 @@
 namespace labmouse {
 namespace {
 
-/// Errors of gyro and slip are the same all through a turn; as noise of each tick they count by how long one lasts.
+/// Errors of gyro and slip are constant during a turn. To model them as noise per tick, their variance is scaled by the
+/// duration of a turn, s.
 constexpr double turn_seconds = 0.15;
-/// What is left of the gyro's error once the mouse knows what it is like, and how wrongly it feels its slip, as shares.
+/// Relative errors: of the gyro's scale after calibration, and of the measured slip.
 constexpr double gyro_rest = 0.2, slip_rest = 0.3;
-/// A mouse feels how it slips where it turns faster than that, in rad/s, and drives faster than that, in mm/s; and does
-/// not believe more than that, in rad.
+/// Slip is measured above this turn rate (rad/s) and this speed (mm/s), and limited to `most_slip` (rad).
 constexpr double least_turning = 2.0, least_speed = 100.0, most_slip = 0.5;
 
 }  // namespace
@@ -29,7 +29,7 @@ void Estimator::put(const Position& position, const Direction& ahead) {
   const auto own = [&](State state, double deviation) { return any_ ? covariance_[state][state] : square(deviation); };
   const double scale = own(at_scale, noise.encoder_scale), gyro = own(at_gyro, noise.gyro_scale);
   covariance_ = {};
-  // A little more than hands are off, so that the first walls are believed.
+  // Twice the standard deviation of placement by hand, so that the first wall observations are not rejected.
   covariance_[at_x][at_x] = covariance_[at_y][at_y] = 4.0 * square(noise.placement);
   covariance_[at_angle][at_angle] = 4.0 * square(noise.placement_turn);
   covariance_[at_bias][at_bias] = square(noise.gyro_bias);
@@ -50,15 +50,15 @@ void Estimator::predict(const Sense& sense) {
       speed_filter_ * way / (ticks * tick_seconds) + (1.0 - speed_filter_) * (speed_ + rate * ticks * tick_seconds);
   last_ = sense;
 
-  // Slip as the tyres of the nominal model have it.
+  // Slip angle by the nominal tyre model.
   constexpr double slow = 20.0;
   const double speed = std::max(std::abs(speed_), slow);
   const double turn = turning_ * ticks * tick_seconds;
   nominal_slip_ = (nominal_slip_ - turn) / (1.0 + hardware_.tyres.stiffness * ticks * tick_seconds / speed);
   const double most = hardware_.tyres.grip / hardware_.tyres.stiffness;
   nominal_slip_ = std::clamp(nominal_slip_, -most, most);
-  // As it is: what pulls the mouse aside bends its way, and what it turns beyond that is slip. Over more than a turn
-  // the noise of its accelerometer would add up to more than it slips.
+  // Measured slip: the lateral acceleration gives the turn rate of the path, and any further turn of the mouse is slip.
+  // It is integrated only in turns: over longer times the noise of the accelerometer would exceed the slip.
   if (feels_slip()) {
     const double pulled = sense.acceleration[1] * hardware_.sensors.acceleration_step;
     felt_slip_ += pulled / speed_ * ticks * tick_seconds - turn;
@@ -76,7 +76,7 @@ void Estimator::predict(const Sense& sense) {
 
 bool Estimator::feels_slip() const { return std::abs(turning_) > least_turning && speed_ > least_speed; }
 
-/// How errors of the angle and of what the mouse is like become errors of the position and the angle.
+/// Propagates errors of the angle, the gyro bias and the scales to the position and the angle.
 void Estimator::spread(double way, double turn, const Direction& went) {
   const double x_angle = -way * went.sine, y_angle = way * went.cosine;
   const double x_scale = -way * went.cosine, y_scale = -way * went.sine;
@@ -97,9 +97,9 @@ void Estimator::add_noise(double way) {
   const Noise& noise = hardware_.noise;
   const double turn = turning_ * tick_seconds, length = std::abs(way);
   constexpr double again = turn_seconds / tick_seconds;
-  // Encoders: ripple and what is left of wheels that slip.
+  // Encoders: ripple and residual wheel slip.
   const double along = square(0.02 * way) + 2e-5 * length * square(noise.ripple);
-  // What the noise of the accelerometer adds up to in a turn, and the more a mouse slips, what it feels wrongly.
+  // Noise of the accelerometer, integrated over a turn, and an error proportional to the slip.
   const double shaken = feels_slip() ? noise.acceleration / speed_ * std::sqrt(tick_seconds * turn_seconds) : 0.0;
   const double across = again * (square(shaken) + square(slip_rest * felt_slip_)) * square(way) +
                         floor_steps_a_mm_ * square(noise.floor_shift) * length;

@@ -1,9 +1,9 @@
-// Where a mouse believes to be, and how sure it is.
+// Estimates the pose of a mouse, and its covariance.
 //
-// Method: an extended Kalman filter over x, y, the angle, the bias of the gyro, and what differs from mouse to mouse:
-// by how much the encoders overstate a way, and the gyro a turn. Encoders and gyro say how it moved, and in turns the
-// accelerometer how it slips; what is seen of walls corrects it, one number at a time. What a mouse has found out about
-// itself it keeps when it is put down elsewhere.
+// Method: an extended Kalman filter over x, y, the angle, the gyro bias, and the scale errors of encoders and gyro,
+// which differ between mice. Encoders and gyro predict the motion; in turns, the accelerometer gives the slip angle.
+// Wall observations correct the state, one scalar at a time. The scale errors are kept when the mouse is put down
+// elsewhere.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@
 
 namespace labmouse {
 
-/// A number that was seen, beside what it should be by the estimate: seen less expected, how it should change with x, y
-/// (in mm) and the angle (in rad), and the variance of what was seen.
+/// A scalar observation: measured less expected value, the derivatives of the expected value by x, y (per mm) and the
+/// angle (per rad), and the variance of the measurement.
 struct Observation {
   double error = 0.0;
   double by_x = 0.0, by_y = 0.0, by_angle = 0.0;
@@ -30,24 +30,24 @@ class Estimator {
   /// The hardware must outlive it.
   Estimator(const Hardware& hardware, double cell, double speed_filter);
 
-  /// It was put there, about, and stands.
+  /// Sets the pose: the mouse was put about there, and is at rest.
   void put(const Position& position, const Direction& ahead);
-  /// What was read since the last time: of one tick, or of several where some were left out.
+  /// Predicts the motion since the last call. Ticks may have been left out.
   void predict(const Sense& sense);
-  /// Believes an observation, unless it is more than three deviations off; whether it did.
+  /// Applies an observation unless it is more than three standard deviations off. Returns whether it was applied.
   bool correct(const Observation& observation);
 
   const Position& position() const { return position_; }
-  /// Where it points, and where it goes.
+  /// The direction in which it points, and in which it moves.
   const Direction& ahead() const { return ahead_; }
   Direction way() const { return turned_by(ahead_, slip()); }
-  /// As it feels it. An estimate tells of the slip of the nominal model instead: a mouse that steers by what it feels
-  /// while its tyres slide turns in more, and slides more.
+  /// Slip angle from the accelerometer, rad. estimate() has that of the nominal tyre model instead: steering by the
+  /// measured slip while the tyres slide makes the mouse turn in more, and slide more.
   double slip() const { return felt_slip_; }
   double speed() const { return speed_; }      ///< mm/s
   double turning() const { return turning_; }  ///< rad/s
   PoseEstimate estimate() const;
-  /// As of PoseEstimate.
+  /// See PoseEstimate.
   double variance_of(double x, double y, double angle) const { return estimate().variance_of(x, y, angle); }
 
  private:
@@ -57,7 +57,7 @@ class Estimator {
 
   void spread(double way, double turn, const Direction& went);
   void add_noise(double way);
-  /// Whether it turns and drives fast enough to feel how it slips.
+  /// Whether it turns and drives fast enough to measure its slip.
   bool feels_slip() const;
 
   const Hardware& hardware_;
@@ -65,9 +65,9 @@ class Estimator {
   double floor_steps_a_mm_;
   Position position_;
   Direction ahead_;
-  double bias_ = 0.0;   ///< rad/s that the gyro shows at rest
-  double scale_ = 0.0;  ///< share by which encoders overstate
-  double gyro_ = 0.0;   ///< share by which the gyro does
+  double bias_ = 0.0;   ///< gyro rate at rest, rad/s
+  double scale_ = 0.0;  ///< relative error of the encoders' scale
+  double gyro_ = 0.0;   ///< relative error of the gyro's scale
   double nominal_slip_ = 0.0, felt_slip_ = 0.0;
   double speed_ = 0.0, turning_ = 0.0;
   std::array<Row, states> covariance_{};

@@ -5,7 +5,7 @@
 namespace labmouse {
 namespace {
 
-/// An axis whose error dies away at that frequency (rad/s), almost without swinging.
+/// Gains with which the error decays at that natural frequency (rad/s), with little overshoot.
 AxisGains axis_gains(const MotorAxis& axis, double frequency) {
   constexpr double damping = 0.9;
   return {std::max(0.0, 2.0 * damping * frequency * axis.time - 1.0) / axis.gain,

@@ -1,17 +1,17 @@
-// How hard a mouse corrects itself.
+// Gains of the control loops.
 #pragma once
 
 #include "labmouse/hardware/hardware.hpp"
 
 namespace labmouse {
 
-/// Of one axis: duty for an error of a mm/s or a rad/s, and for a mm or a rad of its sum.
+/// Gains of one axis: duty per mm/s or rad/s of error, and per mm or rad of its integral.
 struct AxisGains {
   double proportional = 0.0;
   double integral = 0.0;
 };
 
-/// Errors die away as those of an oscillator of that frequency and damping.
+/// Tracking errors decay like an oscillator of this frequency and damping.
 struct TrackerGains {
   double frequency = 12.0;  ///< rad/s
   double damping = 0.8;
@@ -22,13 +22,13 @@ struct TrackerGains {
 
 struct Gains {
   AxisGains drive, turn;
-  /// What the controller takes for the motors, for what it need not correct.
+  /// Motor models for the feedforward.
   MotorAxis drive_model, turn_model;
   TrackerGains tracker;
-  double speed_filter = 0.2;  ///< how much of a moment's speed by the encoders is believed
+  double speed_filter = 0.2;  ///< weight of a tick's encoder speed in the estimate, 0 to 1
 };
 
-/// Ours, for some hardware in cells of that many mm.
+/// The built-in gains for a robot's hardware and cells of `cell` mm.
 Gains gains_for(const Hardware& hardware, double cell);
 
 }  // namespace labmouse

@@ -1,7 +1,7 @@
-// What a controller is put together of, part by part, so that each can be somebody else's.
+// Interfaces of the parts of a controller. An external controller can replace each of them.
 //
-// Moves and routes, and when each of them is over, are the controller's own: its targets go by the time alone. So a
-// mouse with a bad part drives the same moves, and only less well.
+// The controller itself decides on the moves and routes and when each ends: its targets depend on time alone. So a bad
+// part drives the same moves, only less accurately.
 #pragma once
 
 #include "labmouse/controller/pose_estimate.hpp"
@@ -13,41 +13,40 @@
 
 namespace labmouse {
 
-/// Says where the mouse is.
+/// Estimates the pose of the mouse.
 class EstimatorPart {
  public:
   virtual ~EstimatorPart() = default;
-  /// A hand has put it there, about, and it stands.
+  /// The mouse was put about there by hand, and is at rest.
   virtual void put(const Position& position, const Direction& ahead) = 0;
-  /// Called each tick: what was read, where the mouse should be by now, and what is known of walls; null where nothing
-  /// is.
+  /// Called each tick, with the readings, the present target, and the map of walls `known` (null: no map).
   virtual PoseEstimate estimate(const Sense& sense, const Target& target, const Knowledge* known) = 0;
 };
 
-/// Says whether walls stand about a cell.
+/// Detects the walls around a cell.
 class ReaderPart {
  public:
   virtual ~ReaderPart() = default;
-  /// Reads that cell from now on, as seen in that heading; forgets what it has read before.
+  /// Begins to read the walls of the pose's cell, seen in its heading. Discards earlier readings.
   virtual void begin(const Pose& pose) = 0;
   /// Called each tick, after the estimate.
   virtual void read(const Sense& sense, const PoseEstimate& estimate) = 0;
-  /// What was read so far.
+  /// Evidence of the readings so far, relative to the heading given to begin().
   virtual WallEvidence evidence(const PoseEstimate& estimate) const = 0;
 };
 
-/// Brings the mouse to where it should be.
+/// Makes the mouse follow the target.
 class TrackerPart {
  public:
   virtual ~TrackerPart() = default;
-  /// It begins from rest.
+  /// Called when the mouse was put down, at rest.
   virtual void reset() = 0;
-  /// Called each tick, last: the duties until the next one.
+  /// Called each tick, after the other parts. Returns the duties until the next tick.
   virtual Drive follow(const Sense& sense, const Target& target, const PoseEstimate& estimate) = 0;
 };
 
-/// Parts that are somebody else's, in place of the controller's own; null: its own. They must outlive the controller,
-/// and serve no other.
+/// External parts that replace the controller's own; null: its own. They must outlive the controller, and serve no
+/// other.
 struct ControllerParts {
   EstimatorPart* estimator = nullptr;
   ReaderPart* reader = nullptr;

@@ -71,7 +71,7 @@ void PieceWalk::step(double seconds) {
   speed_ = speed;
 }
 
-/// From one length to another, along the curve where it is one.
+/// Moves the target from one length to another, along the curve if the piece is one.
 void PieceWalk::drive(double from, double to) {
   double bend = 0.0;
   if (piece_.shape != nullptr) {

@@ -1,4 +1,4 @@
-// One piece of what a mouse drives: a straight, a curve, a pivot, or a rest.
+// One piece of a path: a straight, a curve, a pivot, or a rest.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ struct Piece {
   Kind kind = Kind::rest;
   Position from;
   Direction ahead;
-  Ramps ramps;                       ///< of a straight's length, a curve's, or a pivot's angle; of a rest none
-  double seconds = 0.0;              ///< all of it
+  Ramps ramps;                       ///< over the length of a straight or curve (mm) or the angle of a pivot (rad)
+  double seconds = 0.0;              ///< duration of the piece
   const TurnShape* shape = nullptr;  ///< of a curve; must outlive it
   double shape_from = 0.0;           ///< mm along the shape where it begins
   bool left = true;                  ///< of a curve or a pivot
@@ -31,21 +31,21 @@ struct Piece {
   static Piece rest(const Position& at, const Direction& ahead, double seconds);
 };
 
-/// Follows a piece, a tick at a time.
+/// Computes the target along a piece, tick by tick.
 class PieceWalk {
  public:
   PieceWalk() = default;
-  /// From the first `late` seconds on. Of a route's segment with its own profile, which replaces the ramps.
+  /// Begins at the start of a piece. The profile of a route's segment replaces the ramps.
   explicit PieceWalk(const Piece& piece, const std::optional<DriveProfile>& profile = std::nullopt);
 
-  /// So many seconds on, not beyond the end.
+  /// Advances by so many seconds, at most to the end.
   void step(double seconds);
   const Target& target() const { return target_; }
-  /// What is left, in seconds.
+  /// Remaining time, s.
   double left() const { return piece_.seconds - time_; }
 
  private:
-  /// How far it has come by then, in mm or rad, and how fast it is.
+  /// Distance in mm or rad, and speed, at a time since the start.
   double length_at(double seconds) const;
   double speed_at(double seconds) const;
   void drive(double from, double to);

@@ -1,5 +1,4 @@
-// Where a mouse believes to be, and how sure it is of that: all that the other parts of a controller know of an
-// estimator.
+// Estimated pose of a mouse with its covariance: all that an estimator passes to the other parts of a controller.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +12,15 @@ namespace labmouse {
 struct PoseEstimate {
   Position position;
   Direction ahead;       ///< where it points
-  double slip = 0.0;     ///< rad to the left, from there to where it goes
+  double slip = 0.0;     ///< angle from `ahead` to the direction of motion, rad to the left
   double speed = 0.0;    ///< mm/s
   double turning = 0.0;  ///< rad/s to the left
-  /// Of x, y (in mm) and the angle (in rad). The half above the diagonal is read.
+  /// Of x, y (in mm) and the angle (in rad). Only the upper triangle is used.
   std::array<std::array<double, 3>, 3> covariance{};
 
-  /// Where it goes.
+  /// Direction of motion.
   Direction way() const { return turned_by(ahead, slip); }
-  /// The variance of a sum of x, y and the angle with those weights.
+  /// Variance of the sum of x, y and the angle with these weights.
   double variance_of(double x, double y, double angle) const {
     const auto& p = covariance;
     return std::max(0.0, x * (x * p[0][0] + 2.0 * (y * p[0][1] + angle * p[0][2])) +

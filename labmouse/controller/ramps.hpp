@@ -1,4 +1,4 @@
-// A way or an angle that is driven with even acceleration, at an even speed, and with even braking.
+// Trapezoidal speed profile over a distance or an angle: constant acceleration, constant speed, constant braking.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ struct RampLimits {
 class Ramps {
  public:
   Ramps() = default;
-  /// Over a length of 0 or more, from one speed to another, as fast as the limits allow. Where they do not allow it, it
-  /// ends at the speed that is reached.
+  /// The fastest profile over a length of 0 or more, from one speed to another. If the limits do not allow the final
+  /// speed, it ends at the nearest speed that they allow.
   Ramps(double length, double from, double to, const RampLimits& limits);
   /// At one speed.
   Ramps(double length, double speed);

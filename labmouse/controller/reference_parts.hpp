@@ -1,4 +1,5 @@
-// The parts of the built-in controller: a filter that walls correct, and a control law with a model of the motors.
+// The parts of the built-in controller: a Kalman filter with corrections by walls, and a tracking law with a motor
+// model.
 #pragma once
 
 #include "labmouse/controller/axis_control.hpp"

@@ -23,7 +23,7 @@ SearchManner search_manner(const DriveModel& model, double speed) {
   if (robot.pivot_speed > 0.0) {
     manner.pivot = {robot.pivot_speed, robot.pivot_acceleration, robot.pivot_acceleration};
   } else {
-    // A quarter turn of that time, half of it faster and faster.
+    // A quarter turn takes that time: half of it accelerating, half braking.
     const double seconds = model.search.quarter / 1e6, rate = 4.0 * (pi / 2.0) / (seconds * seconds);
     manner.pivot = {rate * seconds, rate, rate};
   }

@@ -12,11 +12,11 @@ struct SearchManner {
   double turn_speed = 0.0;                             ///< mm/s, in the curve of a quarter turn
   TurnShape turn;                                      ///< of a quarter turn inside of a cell
   double acceleration = 0.0;                           ///< mm/s², from and to rest
-  double known_speed = 0.0, known_acceleration = 0.0;  ///< over known cells; 0 where they are driven as others are
+  double known_speed = 0.0, known_acceleration = 0.0;  ///< over known cells; speed 0: as over others
   RampLimits pivot;                                    ///< rad/s and rad/s²
 };
 
-/// Of a robot with limits; speed in mm/s other than its own where it is not 0.
+/// The manner of a robot. A speed above 0, in mm/s, replaces the robot's own.
 SearchManner search_manner(const DriveModel& model, double speed = 0.0);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// Where a mouse should be at a moment, and how it should move there.
+// Reference position and motion of a mouse at one moment.
 #pragma once
 
 #include "labmouse/functions/angles.hpp"
@@ -6,7 +6,7 @@
 
 namespace labmouse {
 
-/// Angles and turning are to the left; `ahead` is where it should go.
+/// Angles and turn rates are positive to the left; `ahead` is the direction of motion.
 struct Target {
   Position position;
   Direction ahead;

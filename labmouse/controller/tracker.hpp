@@ -1,9 +1,9 @@
-// From where a mouse should be and where it believes to be to how fast it has to drive and turn.
+// Trajectory tracking: computes the commanded speed and turn rate from the target and the estimated pose.
 //
 // Method: dynamic feedback linearization (Oriolo, De Luca and Vendittelli, "WMR control via dynamic feedback
-// linearization", IEEE Transactions on Control Systems Technology 10, 2002): seen as a point whose acceleration is
-// chosen freely, the mouse follows by a proportional and a derivative term. At rest that law has no meaning; slow mice
-// follow a law of Samson's (the same paper, section III).
+// linearization", IEEE Transactions on Control Systems Technology 10, 2002): the mouse is treated as a point with free
+// acceleration, under PD control. That law is singular at rest, so slow mice use Samson's law (the same paper, section
+// III).
 #pragma once
 
 #include "labmouse/controller/gains.hpp"
@@ -11,14 +11,14 @@
 
 namespace labmouse {
 
-/// Where a mouse believes to be, and where it goes: its way may differ from where it points, by its slip.
+/// Estimated position and direction of motion, which differs by the slip angle from where the mouse points.
 struct Course {
   Position position;
   Direction way;
   double speed = 0.0;  ///< mm/s
 };
 
-/// How it has to move.
+/// Commanded motion.
 struct Command {
   double speed = 0.0;     ///< mm/s
   double speeding = 0.0;  ///< mm/s²
@@ -30,16 +30,16 @@ class Tracker {
  public:
   explicit Tracker(const TrackerGains& gains) : gains_(gains) {}
 
-  /// Forgets; before it begins from rest.
+  /// Call it before a start from rest.
   void reset() { speed_ = 0.0; }
-  /// One tick.
+  /// Returns the command for one tick.
   Command follow(const Target& target, const Course& course);
 
  private:
   Command follow_slowly(const Target& target, const Position& error, const Direction& off) const;
 
   TrackerGains gains_;
-  double speed_ = 0.0;  ///< that it was told last
+  double speed_ = 0.0;  ///< last commanded speed, mm/s
 };
 
 }  // namespace labmouse

@@ -49,7 +49,7 @@ bool Views::see(std::size_t beam, const Position& position, const Direction& ahe
 
 ViewSlopes Views::slopes(std::size_t beam, const Direction& ahead, const WallLine& line, const View& view) const {
   const auto& [out, on, face] = line;
-  // As the mouse turns, sensor and beam turn to the left.
+  // Derivative of the point that the beam meets by the mouse's angle, at a fixed length of the beam.
   const Position arm = arm_of(infrared_.beams[beam], ahead), way = way_of(beam, ahead);
   const Position turned = {-arm.y - view.distance * way.y, arm.x + view.distance * way.x};
   const double beside = dot(way, on);
@@ -57,7 +57,7 @@ ViewSlopes Views::slopes(std::size_t beam, const Direction& ahead, const WallLin
   slopes.distance = {-out.x / view.cosine, -out.y / view.cosine, -dot(turned, out) / view.cosine};
   slopes.along = {on.x + slopes.distance[0] * beside, on.y + slopes.distance[1] * beside,
                   dot(turned, on) + slopes.distance[2] * beside};
-  // What is slanted more reads as farther away.
+  // A more oblique wall reflects less, so it reads as farther away.
   if (returned_at(view.cosine) < 1.0) slopes.distance[2] += infrared_.fall / view.cosine * dot({way.y, -way.x}, out);
   return slopes;
 }

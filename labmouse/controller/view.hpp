@@ -1,4 +1,4 @@
-// What a beam should meet, by where a mouse believes to be: the face of a line of walls.
+// What an infrared beam should meet by the estimated pose: the face of a line of walls.
 #pragma once
 
 #include <array>
@@ -12,39 +12,39 @@ namespace labmouse {
 
 /// The line of walls on one side of a row or column of cells, as beams meet it.
 struct WallLine {
-  Position out;       ///< one mm towards it
-  Position on;        ///< one mm along it
-  double face = 0.0;  ///< mm along `out` at which its face lies
+  Position out;       ///< unit vector towards it
+  Position on;        ///< unit vector along it
+  double face = 0.0;  ///< coordinate of its face along `out`, mm
 };
 
-/// That on a side of a cell of so many mm, whose length is measured along an axis across the side.
+/// The wall line on a side of a cell of `size` mm. `axis` is the direction along the line.
 WallLine line_on(Cell cell, Heading side, Heading axis, double size);
 
 /// Where a beam meets a line.
 struct View {
   double distance = 0.0;  ///< mm from the sensor
-  double along = 0.0;     ///< mm on the line
-  double cosine = 1.0;    ///< of its incidence
+  double along = 0.0;     ///< mm along the line
+  double cosine = 1.0;    ///< of the angle of incidence
 };
 
-/// How a view changes with x, y and the angle of a mouse.
+/// Derivatives of a view by x, y and the angle of the mouse.
 struct ViewSlopes {
-  std::array<double, 3> distance{};  ///< of the distance that a reading stands for
+  std::array<double, 3> distance{};  ///< of the distance inferred from the reading
   std::array<double, 3> along{};
 };
 
-/// The beams of a mouse as it knows them.
+/// The controller's model of the beams.
 class Views {
  public:
   Views(const Infrared& infrared, double cell);
 
-  /// A beam against a line; false where it does not come towards it.
+  /// Computes where a beam meets a line; false if it does not, or too obliquely.
   bool see(std::size_t beam, const Position& position, const Direction& ahead, const WallLine& line, View& view) const;
   ViewSlopes slopes(std::size_t beam, const Direction& ahead, const WallLine& line, const View& view) const;
   /// Whether a beam looks to a side rather than ahead, and whether that is the left one.
   bool looks_aside(std::size_t beam) const { return aside_[beam]; }
   bool looks_left(std::size_t beam) const { return infrared_.beams[beam].angle > 0.0; }
-  /// What a whole wall should read there, in counts, and how far a wall is that reads so much at that incidence.
+  /// Expected reading of a whole wall, in counts, and the inverse: the distance (mm) of a wall with that reading.
   double level_of(std::size_t beam, const View& view) const;
   double distance_of(std::size_t beam, double level, const View& view) const;
 
@@ -53,11 +53,11 @@ class Views {
 
   const Infrared& infrared_;
   std::array<Direction, beam_count> directions_{};
-  std::array<double, beam_count> gains_{};  ///< counts at no distance
+  std::array<double, beam_count> gains_{};  ///< counts at distance 0
   std::array<bool, beam_count> aside_{};
 };
 
-/// One mm in a heading.
+/// Unit vector of a heading.
 Position way_in(Heading heading);
 inline double dot(const Position& a, const Position& b) { return a.x * b.x + a.y * b.y; }
 

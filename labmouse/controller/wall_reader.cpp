@@ -11,12 +11,12 @@
 namespace labmouse {
 namespace {
 
-/// One reading in so many is nothing that the controller knows of.
+/// Share of readings that the sensor model does not explain.
 constexpr double odd_readings = 3e-4;
-/// Nothing says more than that, and what would say less of a side says nothing.
+/// Log-odds of a wall (nats) are limited to the first; below the second there is no evidence.
 constexpr double most_nats = 8.0, least_nats = 1.0;
 
-/// Deviations at which a normal number is tried, and how much each of them counts.
+/// Points (in standard deviations) and weights that approximate a normal distribution.
 struct Trial {
   double deviations, weight;
 };
@@ -29,8 +29,8 @@ Evidence evidence_of(double nats) {
   return static_cast<Evidence>(eighths < 0.0 ? eighths - 0.5 : eighths + 0.5);
 }
 
-/// Student's distribution of three degrees of freedom, but for its constant: like a normal one, with room for what
-/// nobody thinks of.
+/// Density of Student's t with three degrees of freedom, without its constant. Its heavy tails allow for unmodelled
+/// errors.
 double density(double error, double variance) {
   constexpr double freedom = 3.0;
   return 1.0 / (square(1.0 + square(error) / (freedom * variance)) * std::sqrt(variance));
@@ -68,7 +68,7 @@ void WallReader::read_beam(std::size_t beam, const Sense& sense, const PoseEstim
   View view;
   if (!views_.see(beam, estimate.position, estimate.ahead, sight.line, view)) return;
   const double along = view.along - sight.begin;
-  // Behind the first post, and before the next one; ahead not farther than the front wall of a cell that is entered.
+  // Between the two posts; ahead, not farther than the front wall of a cell that the mouse enters.
   constexpr double first = 0.14, last = 0.86, far = 1.1, steep = 0.7;
   if (along < first * cell_ || along > last * cell_ || view.distance > far * cell_ || view.cosine < steep) return;
   Stretch& stretch = stretches_[beam];
@@ -80,7 +80,7 @@ void WallReader::read_beam(std::size_t beam, const Sense& sense, const PoseEstim
   stretch.ahead = estimate.ahead;
 }
 
-/// How likely a wall ahead makes a reading of the ranger, over how likely none does.
+/// Adds the log-likelihood ratio of a ToF reading: with a wall ahead against without.
 void WallReader::read_range(const Sense& sense, const PoseEstimate& estimate) {
   const Ranger& ranger = hardware_.sensors.ranger;
   const Position& on = front_.out;
@@ -98,14 +98,14 @@ void WallReader::read_range(const Sense& sense, const PoseEstimate& estimate) {
   ranged_ = std::clamp(ranged_ + log_of(with / without), -most_nats, most_nats);
 }
 
-/// What of a beam's spot lies on the posts of a wall that is not there.
+/// Share of a beam's spot on the two posts of an absent wall.
 double WallReader::post_share(double along, double cosine) const {
   const double half = half_wall_of(cell_), deviation = hardware_.sensors.infrared.footprint / cosine;
   const auto below = [&](double point) { return NormalShare::below((point - along) / deviation); };
   return below(half) - below(-half) + below(cell_ + half) - below(cell_ - half);
 }
 
-/// Of a mean reading, where so much of it is expected.
+/// Likelihood of a mean reading, given the expected one.
 double WallReader::likelihood(double level, double expected) const {
   const Noise& noise = hardware_.noise;
   const double alike = square(noise.reflectance) + square(noise.infrared_gain) + square(noise.infrared_share);
@@ -120,7 +120,7 @@ double WallReader::nats_of(std::size_t beam, const PoseEstimate& estimate) const
                along = stretch.along / stretch.count;
   const Infrared& infrared = hardware_.sensors.infrared;
   const ViewSlopes by = views_.slopes(beam, stretch.ahead, sights_[beam].line, stretch.view);
-  // A mouse that may be a whole cell off knows nothing.
+  // Limited to a cell: with a larger error the readings give no information.
   const auto deviation = [&](const std::array<double, 3>& slopes) {
     return std::min(cell_, std::sqrt(estimate.variance_of(slopes[0], slopes[1], slopes[2])));
   };
@@ -130,7 +130,7 @@ double WallReader::nats_of(std::size_t beam, const PoseEstimate& estimate) const
     const double whole = expected * exp_of(-aside.deviations * off / infrared.fall);
     for (const Trial& on : trials) {
       const double weight = aside.weight * on.weight, place = along + on.deviations * shifted;
-      // A mouse that is so far off that the spot is past the post does not see the wall.
+      // Past the post, the spot is not on this wall; half of its reading is expected.
       const double wall = place < 0.0 || place > cell_ ? 0.5 : 1.0;
       const double posts = std::min(1.0, post_share(place, stretch.view.cosine));
       with += weight * likelihood(level, std::min(infrared.most, wall * whole));

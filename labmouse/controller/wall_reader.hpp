@@ -1,8 +1,8 @@
-// Whether walls stand about a cell: what readings say, weighed by how sure a mouse is of its place.
+// Detects the walls around a cell from the readings, and allows for the uncertainty of the pose.
 //
-// Method: over a stretch each beam's readings are averaged, where it should meet the wall and no post. How likely that
-// mean is with the wall, and without it, is summed over places at which the mouse may be, near where it believes to be:
-// a mouse that may be off by a post's width does not take a post for a wall.
+// Method: each beam's readings are averaged over the stretch where it should meet the wall and no post. The likelihoods
+// of that mean with and without the wall are summed over possible positions near the estimate. So a mouse that may be
+// off by a post's width does not take a post for a wall.
 #pragma once
 
 #include <array>
@@ -25,17 +25,17 @@ class WallReader final : public ReaderPart {
   WallEvidence evidence(const PoseEstimate& estimate) const override;
 
  private:
-  /// What a beam looks at: the line on a side of the cell, and where on it the cell begins.
+  /// What a beam looks at: the wall line on a side of the cell, and the coordinate on it where the cell begins.
   struct Sight {
     Heading side = Heading::north;
     WallLine line;
     double begin = 0.0;
   };
-  /// A beam's readings of it.
+  /// Sums over a beam's readings of a sight.
   struct Stretch {
     int count = 0;
-    double level = 0.0, expected = 0.0, along = 0.0;  ///< sums: read, of a whole wall, and where behind the beginning
-    View view;                                        ///< the last one, and where the mouse pointed then
+    double level = 0.0, expected = 0.0, along = 0.0;  ///< sums: read, expected of a whole wall, mm from `begin`
+    View view;                                        ///< the last view, and the mouse's direction then
     Direction ahead;
   };
 
@@ -53,7 +53,7 @@ class WallReader final : public ReaderPart {
   std::array<Sight, beam_count> sights_;
   std::array<Stretch, beam_count> stretches_;
   WallLine front_;
-  double ranged_ = 0.0;  ///< what the ranger says: nats for a wall ahead
+  double ranged_ = 0.0;  ///< log-odds of a wall ahead by the ToF sensor, nats
 };
 
 }  // namespace labmouse

@@ -14,13 +14,13 @@
 namespace labmouse {
 namespace {
 
-/// The first line that a Python prints for a script; empty where it does not run.
+/// The first line of output of a Python script; empty if the Python does not run.
 std::string first_line(const std::string& python, const std::string& script, bool sandbox,
                        const std::vector<std::string>& environment = {}) {
   Launch launch;
   launch.environment = environment;
   launch.sandbox = sandbox;
-  // There it has no folder.
+  // It needs no folder.
   if (sandbox) launch.directory = "/";
   launch.words = {python, "-c", script};
   ExternalProcess process(launch);
@@ -57,7 +57,7 @@ std::string python_version(const std::string& python, bool sandbox) {
 }
 
 std::string python_packages(const std::string& python, const std::vector<std::string>& environment, bool sandbox) {
-  // For Python 2.7, too.
+  // The script must also run in Python 2.7.
   constexpr const char* script =
       "import hashlib, os, sys; ends = ('.dist-info', '.egg-info', '.egg', '.pth', '.egg-link'); "
       "names = sorted(n for p in sys.path if os.path.isdir(p) for n in os.listdir(p) if n.endswith(ends)); "

@@ -1,4 +1,4 @@
-// A command as users write it: words, and the program that the first one names.
+// Parses a command as users write it: splits it into words, and finds the program.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace labmouse {
 
-/// The words of a command as mms splits it: at blanks, except between double quotes; three quotes in a row are one of
-/// the word's own. No shell: no variables, no redirection. Empty where there is no word.
+/// The words of a command as mms splits it: at blanks, except between double quotes; three double quotes in a row are
+/// one literal quote. It is no shell: no variables, no redirection. Empty if there is no word.
 std::vector<std::string> split_command(std::string_view text);
 
-/// Whether a command ends between double quotes, so that its last word may not be all that was meant.
+/// Whether a double quote is not closed, so that the last word may be incomplete.
 bool has_open_quote(std::string_view text);
 
-/// The path of a program that can be executed: a name with a slash is taken as it is, seen from `directory` (empty:
-/// from here); another is looked for in PATH. Empty where there is none.
+/// The path of an executable program. A name with a slash is relative to `directory` (empty: the current one); another
+/// is searched in PATH. Empty if there is none.
 std::string program_path(std::string_view name, std::string_view directory);
 
 }  // namespace labmouse

@@ -12,14 +12,14 @@
 namespace labmouse {
 namespace {
 
-/// What an answer begins with; the first three have duties behind them.
+/// First words of answers; the first three are followed by duties.
 constexpr std::array<std::pair<std::string_view, ControllerWord>, 5> words = {{{"drive", ControllerWord::drive},
                                                                                {"fast", ControllerWord::fast},
                                                                                {"goal", ControllerWord::goal},
                                                                                {"carry", ControllerWord::carry},
                                                                                {"forfeit", ControllerWord::give_up}}};
 
-/// Takes one blank and a duty from the front of the text; false where there is none.
+/// Removes one blank and a duty from the front of the text; false if there is none.
 bool take_duty(std::string_view& text, std::int16_t& duty) {
   if (!text.starts_with(' ')) return false;
   text.remove_prefix(1);

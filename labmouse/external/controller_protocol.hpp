@@ -1,4 +1,4 @@
-// The lines between us and an external mouse that drives a mouse itself. docs/reference/protocols.md has them in words.
+// Line protocol between labmouse and an external controller. docs/reference/protocols.md explains it.
 #pragma once
 
 #include <cstddef>
@@ -15,19 +15,19 @@ namespace labmouse {
 /// The first line of both sides: the protocol and its version.
 inline constexpr std::string_view controller_greeting = "labmouse pilot 1";
 
-/// For so many milliseconds an answer may have duties.
+/// Largest number of milliseconds for which an answer may have duties.
 inline constexpr std::size_t longest_batch = 64;
 
-/// Adds what was read at a tick, as numbers with a blank before each.
+/// Appends the readings of a tick to a text, as numbers with a blank before each.
 void add_sense(const Sense& sense, std::string& text);
 
-/// What an answer has the mouse do, tick by tick, its word with the first of them; nothing where it is none.
+/// Parses an answer into duties tick by tick; the first tick has the answer's word. nullopt if it is invalid.
 std::optional<std::vector<ControllerTick>> read_duties(std::string_view line);
 
-/// Nothing where its first line is the greeting.
+/// Checks the first line; nullopt if it is the greeting.
 std::optional<Verdict> judge_controller_greeting(std::string_view line);
 
-/// What an answer says, a line without its end, unless the external mouse wrote more behind it or it is none.
+/// A parsed answer: its ticks, or a verdict if it is invalid.
 struct DutiesAnswer {
   std::vector<ControllerTick> ticks;
   std::optional<Verdict> verdict;

@@ -1,5 +1,5 @@
-// A contest of an external mouse whose program somebody else runs: it gets what to write to the program, and hears
-// what that said.
+// A contest of an external mouse whose program the caller runs, such as the page. The caller passes lines between this
+// object and the program.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +15,31 @@
 
 namespace labmouse {
 
-/// How a program ended that should not have, or was ended.
+/// How a program ended too early, or was ended.
 struct ProgramEnd {
   enum class Kind : std::uint8_t {
-    died,        ///< `what` is how: "exit code 1"
-    silent,      ///< `what` is for how long: "2 s"
-    printed,     ///< it wrote too much, of which `what` tells: "more than 1000 lines"
-    interrupted  ///< somebody stopped it
+    died,        ///< `what` says how: "exit code 1"
+    silent,      ///< it did not answer; `what` says how long: "2 s"
+    printed,     ///< it wrote too much; `what` says how much: "more than 1000 lines"
+    interrupted  ///< the user stopped it
   };
   Kind kind = Kind::died;
   std::string what;
 };
 
-/// The same contest, word for word, as of a ExternalStrategy whose program says the same.
+/// Gives the same record as ExternalStrategy with a program that gives the same answers.
 class Dialogue {
  public:
   Dialogue(const Maze& maze, const Rules& rules, std::uint64_t seed);
   Dialogue(const Dialogue&) = delete;
   Dialogue& operator=(const Dialogue&) = delete;
 
-  /// What is to be said to the program: whole lines, at first the briefing. Each is given once.
+  /// Returns the lines to write to the program, first the briefing, and clears them.
   std::string take_lines() { return std::exchange(to_say_, ""); }
-  /// What it wrote to its standard output, in pieces of any size, and to its standard error.
+  /// Takes the program's standard output, in pieces of any size, and its standard error.
   void hear(std::string_view output);
   void hear_errors(std::string_view errors);
-  /// The program is no more.
+  /// Ends the contest, because the program ended.
   void give_up(const ProgramEnd& end);
 
   const Contest& contest() const { return contest_; }
@@ -56,7 +56,7 @@ class Dialogue {
   LineBuffer lines_;
   std::string errors_, to_say_;
   bool greeted_ = false;
-  std::string sentence_;  ///< why it was given up
+  std::string sentence_;  ///< why the program was given up
   Contest contest_;
 };
 

@@ -1,5 +1,4 @@
-// A mouse whose whole program is another one: it is sent what its sensors read, and answers with the duties of its
-// motors.
+// An external controller: a program that gets sensor readings, and answers with motor duties.
 #pragma once
 
 #include <string>
@@ -10,8 +9,8 @@
 
 namespace labmouse {
 
-/// Starts the program and greets it, then asks it whenever all duties that it gave are driven. One that does not play
-/// by the protocol or its limits is ended, and gives up with that reason.
+/// Starts the program, exchanges greetings, then asks it whenever all its duties are used. A program that violates the
+/// protocol or a limit is ended, and gives up with that reason.
 class ExternalController final : public ControllerCode {
  public:
   /// `briefing`: the lines from the greeting to `begin`.
@@ -25,8 +24,8 @@ class ExternalController final : public ControllerCode {
 
  private:
   ExternalTalk talk_;
-  std::string events_, senses_;        ///< that it has not got yet
-  std::vector<ControllerTick> ticks_;  ///< that it answered
+  std::string events_, senses_;        ///< not yet sent to it
+  std::vector<ControllerTick> ticks_;  ///< of its last answer
   std::size_t next_ = 0;
 };
 

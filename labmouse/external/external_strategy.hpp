@@ -1,4 +1,4 @@
-// A mouse that is another program: it is asked by lines, and answers by lines.
+// A strategy that runs as another program, and is asked by a line protocol.
 #pragma once
 
 #include "labmouse/external/talk.hpp"
@@ -7,14 +7,14 @@
 
 namespace labmouse {
 
-/// Starts the program and greets it, then asks it at each step. A program that does not play by the protocol or its
-/// limits is ended, and what it did is a forfeit with that reason.
+/// Starts the program, exchanges greetings, then asks it at each step. A program that violates the protocol or a limit
+/// is ended, and forfeits with that reason.
 class ExternalStrategy final : public Strategy {
  public:
   ExternalStrategy(const Launch& launch, const Briefing& briefing);
 
   Action decide(const Sighting& seen) override;
-  /// Nothing: what an external mouse believes nobody sees.
+  /// Empty: the map of an external mouse is not visible.
   const Knowledge& knowledge() const override { return knowledge_; }
   StrategyReport report() override { return {.last_words = talk_.last_words(), .started = talk_.greeted()}; }
 

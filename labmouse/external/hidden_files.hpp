@@ -1,4 +1,4 @@
-// Files that no external mouse may see: the mazes of a race, its store, its records.
+// Files that external mice must not see: the mazes of a race, its store, its records.
 #pragma once
 
 #include <memory>
@@ -9,20 +9,20 @@
 
 namespace labmouse {
 
-/// A list of paths that grows while a command reads its arguments. Its mice share it: each takes what stands there when
-/// it is started. From several threads at once.
+/// A list of paths that grows while a command reads its arguments. All mice share it, and each uses its state at the
+/// mouse's start. Thread-safe.
 class HiddenFiles {
  public:
   using Paths = std::shared_ptr<const std::vector<std::string>>;
 
-  /// Adds a file or folder, as seen from the current directory; it need not exist yet. Where it is a link, what it
-  /// leads to is hidden, too. Empty paths are ignored.
+  /// Adds a file or folder, relative to the current directory, which need not exist yet. The target of a link is
+  /// hidden, too. Empty paths are ignored.
   void add(const std::string& path);
   /// Adds a store and the files that SQLite keeps beside it.
   void add_store(const std::string& path);
-  /// Whether nobody asked that of the folder before: then what is in it is still to be looked through.
+  /// Whether this is the first call for that folder, so that its contents still have to be searched.
   bool is_new_folder(const std::string& folder);
-  /// All paths, absolute, sorted, each once. The same list until one is added.
+  /// All paths, absolute, sorted, without duplicates. Returns the same list until a path is added.
   Paths paths() const;
 
  private:

@@ -21,8 +21,8 @@
 namespace labmouse {
 namespace {
 
-// Everything here runs between fork and exec, or in a process that never leaves this file: only functions that are safe
-// in a signal handler.
+// All of this runs between fork and exec, or in a process that never leaves this file, so it uses only
+// async-signal-safe functions.
 
 template <class Value>
 void report(int descriptor, const Value& value) {
@@ -39,19 +39,19 @@ void limit(int resource, rlim_t most, rlim_t beyond = 0) {
   rlimit now{};
   if (getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return;
   const rlimit wanted = {std::min(most, now.rlim_max), std::min(most + beyond, now.rlim_max)};
-  // A limit that cannot be set leaves the others and the wall clock.
+  // If a limit cannot be set, the other limits and the wall clock remain.
   setrlimit(static_cast<__rlimit_resource>(resource), &wanted);
 }
 
-/// A bound on all tasks of the user, threads among them, that leaves room for honest external mice: it only keeps a
-/// bomb from growing faster than it is seen. Root has none.
+/// Limit on all tasks (processes and threads) of the user, with room for normal mice. It only slows down a fork bomb
+/// until the watch detects it. It has no effect for root.
 rlim_t most_tasks() {
   constexpr rlim_t room = 1024;
   std::array<char, 64> text{};
   const int file = open("/proc/loadavg", O_RDONLY | O_CLOEXEC);
   const ssize_t size = file < 0 ? 0 : read(file, text.data(), text.size());
   if (file >= 0) close(file);
-  // "0.20 0.18 0.12 1/80 11206": behind the stroke are all tasks of the system.
+  // "0.20 0.18 0.12 1/80 11206": the number after the slash is that of all tasks of the system.
   std::string_view rest(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
   rest.remove_prefix(std::min(rest.find('/'), rest.size() - 1) + 1);
   const auto tasks = take_whole<rlim_t>(rest);
@@ -59,18 +59,18 @@ rlim_t most_tasks() {
 }
 
 void limit_all(const ExternalLimits& limits) {
-  // A second between the two: at the first limit comes a signal that says which limit it was, at the second no other
-  // than for everything else.
+  // One second between both limits: the first sends SIGXCPU, which names the limit; the second sends SIGKILL, which
+  // does not.
   limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds), 1);
-  // Memory that is written to. Address space would be the wrong measure: some interpreters reserve gigabytes unused.
-  // Twice what is allowed, so that who grows beyond it is met by the watch, which has a name for it.
+  // Limits writable memory, not address space, because some interpreters reserve gigabytes without use. Twice the
+  // allowed size, so that the watch detects the excess first and can report it.
   limit(RLIMIT_DATA, 2 * limits.memory);
   limit(RLIMIT_FSIZE, limits.written);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_NPROC, most_tasks());
 }
 
-/// Signals as a program expects them at its start.
+/// Restores default signal handlers and an empty signal mask, as a program expects.
 void reset_signals() {
   struct sigaction plain {};
   plain.sa_handler = SIG_DFL;
@@ -95,7 +95,7 @@ void reset_signals() {
   fail(ends);
 }
 
-/// Moves a descriptor to 3 or above, where no standard stream will be put over it, and to be closed by exec.
+/// Moves a descriptor to 3 or above, so that standard streams do not overwrite it; exec closes it.
 int moved_up(int descriptor) { return descriptor > STDERR_FILENO ? descriptor : fcntl(descriptor, F_DUPFD_CLOEXEC, 3); }
 
 void close_all_but(const std::array<int, 6>& kept) {
@@ -110,17 +110,18 @@ void close_all_but(const std::array<int, 6>& kept) {
   syscall(SYS_close_range, first, ~0U, 0U);
 }
 
-/// Ends all descendants and buries them.
+/// Kills and reaps all descendants.
 void end_all() {
   for (;;) {
-    // To wait for one that was not killed could take for ever.
+    // Waiting for a process that was not killed could block for ever.
     if (waitpid(-1, nullptr, kill_descendants(getpid()) ? 0 : WNOHANG) <= 0) return;
     while (waitpid(-1, nullptr, WNOHANG) > 0) {
     }
   }
 }
 
-/// How a process ended: by its limit of processor time, too, where it was deaf to the first signal.
+/// Wait status of an ended process; SIGXCPU instead of SIGKILL if it ignored the first signal of the processor time
+/// limit.
 int end_of(int status, const rusage& used, const ExternalLimits& limits) {
   const bool all_used = used.ru_utime.tv_sec + used.ru_stime.tv_sec >= limits.processor_seconds;
   return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL && all_used ? SIGXCPU : status;
@@ -128,15 +129,16 @@ int end_of(int status, const rusage& used, const ExternalLimits& limits) {
 
 void note_child_ended(int) {}
 
-/// Comes before external mice wherever that is allowed: among thousands of them it would not get to end them.
+/// Takes a higher priority than external mice, if allowed: among thousands of processes, the keeper would get no time
+/// to end them.
 void come_first() {
   sched_param priority{};
   priority.sched_priority = 1;
   sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &priority);
 }
 
-/// Lets only poll be woken by a child's end, lest it comes between a look and the wait. Returns the signals that poll
-/// shall let through.
+/// Blocks SIGCHLD except during ppoll, so that no signal is lost between a check and the wait. Returns the signal mask
+/// for ppoll.
 sigset_t hold_back_ends_of_children() {
   struct sigaction noted {};
   noted.sa_handler = note_child_ended;
@@ -149,8 +151,8 @@ sigset_t hold_back_ends_of_children() {
   return before;
 }
 
-/// The first process of a sandbox: it starts the external mouse, and takes the place of parents that have ended. With
-/// it all others there end.
+/// The first process (init) of a sandbox: it starts the external mouse, and adopts orphans. When it ends, all other
+/// processes of the sandbox end.
 [[noreturn]] void parent_program(const KeptExternal& external, const KeptEnds& ends) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   forget_command_line();
@@ -167,10 +169,10 @@ sigset_t hold_back_ends_of_children() {
   }
 }
 
-/// Ends the external mouse and all that it started.
+/// Ends the external mouse and all its descendants.
 void end_external(const KeptExternal& external, pid_t child, bool runs) {
-  // The whole group in one stroke, lest it forks faster than we look. Once the external mouse was buried its number may
-  // be another's.
+  // Kills the whole group at once, because it may fork faster than its processes can be listed. After the mouse was
+  // reaped, its process id may be reused.
   if (runs) kill(external.rooms != nullptr ? child : -child, SIGKILL);
   end_all();
 }
@@ -182,8 +184,8 @@ void keep_external(const KeptExternal& external, const KeptEnds& ends) {
                          moved_up(ends.failure), moved_up(ends.status), moved_up(ends.leash)};
   for (const int end : {kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash})
     if (end < 0) fail(ends);
-  // A session of its own: Ctrl-C and a closed terminal are not for external mice. Of other external mice it must hold
-  // nothing.
+  // A new session, so that Ctrl-C and a closed terminal do not reach external mice. It must not hold descriptors of
+  // other external mice.
   setsid();
   close_all_but({kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash});
   prctl(PR_SET_CHILD_SUBREAPER, 1);
@@ -196,7 +198,7 @@ void keep_external(const KeptExternal& external, const KeptEnds& ends) {
   if (child == 0 && external.rooms != nullptr) parent_program(external, kept);
   if (child == 0) become_external(external, kept);
   report(kept.status, KeeperWord{KeeperWord::Kind::first, child});
-  if (external.rooms == nullptr) setpgid(child, child);  // here too: whichever of the two comes first
+  if (external.rooms == nullptr) setpgid(child, child);  // in parent and child, because either may run first
   for (const int descriptor : {kept.input, kept.output, kept.errors, kept.failure}) close(descriptor);
 
   TreeWatch watch(external.rooms != nullptr ? child : getpid(), external.limits);

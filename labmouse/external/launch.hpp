@@ -1,4 +1,4 @@
-// What is said of an external mouse before it is started; on every system, since mice carry it along.
+// Options for the start of an external mouse; available on every system.
 #pragma once
 
 #include <atomic>
@@ -15,29 +15,29 @@ struct Surroundings;
 
 /// How to start an external mouse.
 struct Launch {
-  /// The program and its arguments; a name without a slash is looked for in PATH.
+  /// The program and its arguments; a name without a slash is searched in PATH.
   std::vector<std::string> words;
-  /// What its environment has besides ours, or in place of it: NAME=VALUE.
+  /// Variables NAME=VALUE, added to the inherited environment or replacing parts of it.
   std::vector<std::string> environment;
-  /// Where it runs; empty: here.
+  /// Its working directory; empty: the current one.
   std::string directory;
-  /// Whether that directory is the mouse's own folder, too; otherwise it is the folder of the file that its words name.
+  /// Whether that directory is also the mouse's own folder; otherwise the own folder is that of the file named by its
+  /// words.
   bool owns_directory = false;
-  /// What is done before its greeting, where a bridge of ours greets and not its author: "the Robot of robot.py was
-  /// made". Empty for all others.
+  /// For mice with a bridge: what happens before the greeting, for messages, such as "the Robot of robot.py was made".
+  /// Empty for others.
   std::string beginning;
   ExternalLimits limits;
-  /// Whether it lives in a sandbox (sandbox.hpp): it sees a copy of its folder, its interpreter and the system's
-  /// programs, reaches no network and no process outside, and starts nowhere where why_no_sandbox() has something to
-  /// say.
+  /// Whether it runs in a sandbox (sandbox.hpp). There it sees a copy of its folder, its interpreter and the system's
+  /// programs, and no network and no outside process. It is not started if why_no_sandbox() is not empty.
   bool sandbox = false;
-  /// In a sandbox: it writes to its folder itself, and finds there what it wrote in earlier contests.
+  /// In a sandbox: it writes to its real folder, so that files stay for later contests.
   bool keeps_folder = false;
-  /// In a sandbox: files that it does not see, wherever they are; may be null.
+  /// In a sandbox: files hidden from it; may be null.
   std::shared_ptr<const HiddenFiles> hidden;
-  /// In a sandbox: what it sees, found out once for many starts; null: found out at each start.
+  /// In a sandbox: what it sees, computed once for many starts; null: computed at each start.
   std::shared_ptr<const Surroundings> surroundings;
-  /// Once true, waiting for an external mouse ends; may be null.
+  /// When it becomes true, waits for the external mouse end; may be null.
   const std::atomic<bool>* stop = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// Bytes in, lines out.
+// Splits a stream of bytes into lines.
 #pragma once
 
 #include <algorithm>
@@ -9,25 +9,25 @@
 
 namespace labmouse {
 
-/// What an external mouse wrote and nobody has read: lines end with LF, and every CR is dropped.
+/// Unread output of an external mouse. Lines end with LF; every CR is dropped.
 class LineBuffer {
  public:
-  /// `longest`: bytes that a line may have.
+  /// `longest`: largest number of bytes of a line.
   explicit LineBuffer(std::size_t longest) : longest_(longest) {}
 
   void append(std::string_view bytes) {
-    // Lines that were taken go in one move, so that many short ones cost no more than their bytes.
+    // Removes all taken lines in one move, so that many short lines cost linear time.
     text_.erase(0, begin_);
     searched_ -= begin_;
     begin_ = 0;
     const std::size_t old = text_.size();
     text_ += bytes;
-    // Hardly anyone writes one.
+    // A CR is rare, so it is searched first.
     if (const std::size_t first = text_.find('\r', old); first != std::string::npos)
       text_.erase(std::remove(text_.begin() + static_cast<std::ptrdiff_t>(first), text_.end(), '\r'), text_.end());
   }
 
-  /// The next whole line without its end, valid until the next append; nothing where there is none or it is too long.
+  /// The next complete line without its end, valid until the next append; nullopt if there is none or it is too long.
   std::optional<std::string_view> next() {
     const std::size_t end = text_.find('\n', searched_);
     searched_ = end == std::string::npos ? text_.size() : end;
@@ -41,14 +41,14 @@ class LineBuffer {
   /// Whether the line that next() would return is longer than allowed; it stays so.
   bool too_long() const { return too_long_; }
 
-  /// What was not taken, whole lines or not.
+  /// All bytes not yet taken.
   std::string_view rest() const { return std::string_view(text_).substr(begin_); }
 
  private:
   std::size_t longest_;
   std::string text_;
   std::size_t begin_ = 0;
-  std::size_t searched_ = 0;  ///< no line ends before
+  std::size_t searched_ = 0;  ///< no line ends before this position
   bool too_long_ = false;
 };
 

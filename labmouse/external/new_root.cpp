@@ -17,11 +17,11 @@
 namespace labmouse {
 namespace {
 
-// All of this runs between fork and exec: only functions that are safe in a signal handler.
+// All of this runs between fork and exec, so it uses only async-signal-safe functions.
 
-// While the new root is put together the current one is a tmpfs of ours:
+// While the new root is built, the current root is a temporary tmpfs:
 constexpr std::string_view old_root = "/old", new_root = "/new";  // the old root, and the mount of the new one
-constexpr const char *tmp = "/tmp", *shm = "/shm", *upper = "/upper", *work = "/work";  // what can be written
+constexpr const char *tmp = "/tmp", *shm = "/shm", *upper = "/upper", *work = "/work";  // writable folders
 constexpr const char *lower = "/lower", *no_folder = "/none", *no_file = "/empty";
 
 struct Path {
@@ -54,7 +54,7 @@ bool make_file(const char* path) {
   return file >= 0 || errno == EEXIST || errno == EROFS;
 }
 
-/// All folders above a path of the new root.
+/// Creates all folders above a path of the new root.
 bool make_parents(std::string_view path) {
   for (std::size_t end = path.find('/', 1); end != std::string_view::npos; end = path.find('/', end + 1))
     if (!make_folder(Path(new_root, path.substr(0, end)).c_str())) return false;
@@ -63,7 +63,7 @@ bool make_parents(std::string_view path) {
 
 bool make_folders(std::string_view path) { return make_parents(path) && make_folder(Path(new_root, path).c_str()); }
 
-/// Lets a file or folder of the old root be seen in the new one. One that has gone meanwhile is left out.
+/// Makes a file or folder of the old root visible in the new one. A missing one is skipped.
 bool show(std::string_view path) {
   const Path from(old_root, path), to(new_root, path);
   struct stat kind {};
@@ -93,28 +93,28 @@ bool make_devices() {
   return true;
 }
 
-/// The mouse's own processes alone. Where parts of the old /proc are hidden, a new one is not allowed: there the mouse
-/// has none.
+/// Mounts a /proc with only the mouse's own processes. If parts of the old /proc are hidden, the system does not allow
+/// a new one, and the mouse has none.
 bool make_proc() {
   if (!make_folders("/proc")) return false;
   const Path proc(new_root, "/proc");
   constexpr unsigned long flags = MS_NOSUID | MS_NODEV | MS_NOEXEC;
-  // Nor the first one, which is a process of ours; older systems hide it from fewer users, or not at all.
+  // Hides the first process, too, which belongs to labmouse. Older systems hide it from fewer users, or not at all.
   for (const char* options : {"hidepid=ptraceable", "hidepid=2", ""})
     if (mount("labmouse", proc.c_str(), "proc", flags, options) == 0) break;
-  // How many processors there are.
+  // Shows the number of processors.
   constexpr std::string_view processors = "/sys/devices/system/cpu";
   return show(processors);
 }
 
-/// Nothing lies there any more.
+/// Hides a file or folder: deletes it in a copy, or covers it by an empty one.
 bool hide(std::string_view path, bool is_copy) {
   const Path place(new_root, path);
   struct stat kind {};
   if (lstat(place.c_str(), &kind) != 0) return true;
   if (S_ISDIR(kind.st_mode)) return bind(no_folder, place.c_str());
   if (is_copy && unlink(place.c_str()) == 0) return true;
-  // What a link leads to is hidden by its own name.
+  // The target of a link is hidden by its own path.
   return S_ISLNK(kind.st_mode) || bind(no_file, place.c_str());
 }
 
@@ -133,7 +133,7 @@ bool bind_own_folder(const char* from, const char* to, bool is_read_only) {
 bool make_own_folder(const Rooms& rooms) {
   const Path from(old_root, rooms.folder), to(new_root, rooms.folder);
   if (rooms.use != FolderUse::copy) return bind_own_folder(from.c_str(), to.c_str(), rooms.use == FolderUse::read_only);
-  // By a name without colons and commas.
+  // Binds it to a path without colons and commas, which overlay options cannot contain.
   if (!bind(from.c_str(), lower)) return false;
   const auto mount_overlay = [&](const char* options) {
     return mount("labmouse", to.c_str(), "overlay", 0, options) == 0;
@@ -141,19 +141,19 @@ bool make_own_folder(const Rooms& rooms) {
   if (mount_overlay("lowerdir=/lower,upperdir=/upper,workdir=/work,userxattr") ||
       mount_overlay("lowerdir=/lower,upperdir=/upper,workdir=/work"))
     return true;
-  // Of a folder in which other file systems are mounted there is no overlay.
+  // An overlay is impossible if other file systems are mounted in the folder.
   return errno == EINVAL && bind_own_folder(from.c_str(), to.c_str(), true);
 }
 
 bool exists(std::string_view path) { return access(Path(old_root, path).c_str(), F_OK) == 0; }
 
-/// What can be written, empty; other folders may lie in it.
+/// Makes the writable folders, empty. Other folders may lie in them.
 bool make_tmp() {
   return make_folders("/tmp") && make_folders("/dev") && make_folders("/dev/shm") &&
          bind(tmp, Path(new_root, "/tmp").c_str()) && bind(shm, Path(new_root, "/dev/shm").c_str());
 }
 
-/// Makes all read-only that the mouse may not write to.
+/// Makes everything but /tmp and /dev/shm read-only.
 bool close_all_but_tmp() {
   if (!change_mounts(new_root.data(), AT_RECURSIVE, MOUNT_ATTR_RDONLY, 0)) return false;
   return change_mounts(Path(new_root, "/tmp").c_str(), 0, 0, MOUNT_ATTR_RDONLY) &&
@@ -164,7 +164,7 @@ bool make_rooms(const Rooms& rooms) {
   const bool has_folder = *rooms.folder != '\0';
   if (!make_tmp() || !show_all(rooms) || !make_devices() || !make_proc()) return false;
   if ((has_folder && !make_folders(rooms.folder)) || !hide_all(rooms, false)) return false;
-  // To start in a folder that is not there fails, as outside.
+  // As outside, a start in a missing folder fails.
   if (exists(rooms.directory) && !make_folders(rooms.directory)) return false;
   if (!close_all_but_tmp()) return false;
   return !has_folder || (make_own_folder(rooms) && hide_all(rooms, true));

@@ -14,7 +14,7 @@
 namespace labmouse {
 namespace {
 
-/// Where labmouse may be installed below a folder.
+/// Adds the places below a folder where labmouse may be installed.
 void add_installation(const std::string& prefix, std::vector<std::string>& hidden) {
   constexpr std::array<std::string_view, 8> places = {"/bin/labmouse*",
                                                       "/lib*/liblabmouse*",

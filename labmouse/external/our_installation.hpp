@@ -1,4 +1,4 @@
-// Where labmouse itself lies, which holds the built-in mazes.
+// Finds the installation of labmouse, which contains the built-in mazes.
 #pragma once
 
 #include <set>
@@ -7,8 +7,8 @@
 
 namespace labmouse {
 
-/// Our programs, libraries and Python packages in these folders, in usual places for installations and in the folder of
-/// a mouse; and the file that this code was loaded from. Sorted.
+/// Programs, libraries and Python packages of labmouse in these folders, in usual installation places and in a mouse's
+/// folder; and the file of this code. Sorted.
 std::vector<std::string> our_installation(const std::set<std::string>& folders, const std::string& folder);
 
 /// The paths that match a pattern with `*`.

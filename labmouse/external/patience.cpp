@@ -9,14 +9,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// How often a mouse that does not answer is looked at: at most, since it may work on many processors; and at least,
-/// since what it does at that moment stands for the time before.
+/// Interval of measurements of a mouse that does not answer. The shortest limits the effort; the longest is small
+/// because the state at a measurement stands for the time before it.
 constexpr std::chrono::milliseconds shortest_pause{20}, longest_pause{200};
 
-/// So many times a limit may pass in time of which nobody knows whether it was the mouse's own; and at least that.
+/// Unclassified time may be this many times the limit, and at least `least_unknown`.
 constexpr int most_unknown = 10;
 constexpr std::chrono::milliseconds least_unknown{250};
-/// So many times a limit may pass by the clock, whatever the reason; and at least that.
+/// Real time may be this many times the limit, and at least `least_by_the_clock`.
 constexpr int most_by_the_clock = 30;
 constexpr std::chrono::seconds least_by_the_clock{5};
 
@@ -48,7 +48,7 @@ void ContestClock::add(Clock::duration waited, std::chrono::nanoseconds idle, st
 
 ContestClock::Clock::duration ContestClock::passed(const TreeTime& tree) const {
   if (tree.worked_before > 0ns) return tree.worked + idle_;
-  // Where it was not looked at, it was idle for what is left of the time in which it was waited for.
+  // Without measurements, the rest of the waiting time counts as idle.
   const auto host_waited = waited_for_processor() - host_waited_;
   return tree.worked + std::max(idle_, positive(waited_ - tree.worked - tree.waited - host_waited - unknown_));
 }

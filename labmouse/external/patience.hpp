@@ -1,4 +1,4 @@
-// How long a mouse may take: counted in its own time, which passes no faster on a busy machine.
+// Time limits of external mice, in a time that excludes waits for a busy machine.
 #pragma once
 
 #include <chrono>
@@ -9,19 +9,18 @@
 
 namespace labmouse {
 
-/// The time of a mouse: processor time of it and all that it started, and the time in which none of them worked, was
-/// ready to work or waited for a disk. It begins with the object.
+/// Own time of a mouse since construction: processor time of its process tree, plus the time in which no process of it
+/// ran, was ready to run or waited for a disk.
 class OwnTime {
  public:
   using Clock = ExternalProcess::Clock;
 
   explicit OwnTime(ExternalProcess& process) : last_(look(process)), begin_(last_.tree.worked) {}
 
-  /// To be called several times a second.
+  /// Updates the time; call it several times a second.
   void advance(ExternalProcess& process);
   std::chrono::nanoseconds idle() const { return idle_; }
-  /// Time of which nobody knows whether it was the mouse's own: it waited for a disk, or for something that the system
-  /// does not tell.
+  /// Time that cannot be classified as its own or not: waits for a disk, or for unknown causes.
   std::chrono::nanoseconds unknown() const { return unknown_; }
   std::chrono::nanoseconds passed() const { return idle_ + last_.tree.worked - begin_; }
 
@@ -29,7 +28,7 @@ class OwnTime {
   struct Look {
     Clock::time_point at;
     TreeTime tree;
-    std::chrono::nanoseconds host_waited{};  ///< of us, who may have looked late
+    std::chrono::nanoseconds host_waited{};  ///< wait of the calling thread for a processor
   };
   static Look look(ExternalProcess& process) { return {Clock::now(), process.tree_time(), waited_for_processor()}; }
 
@@ -37,7 +36,7 @@ class OwnTime {
   std::chrono::nanoseconds begin_, idle_{}, unknown_{};
 };
 
-/// The time of a mouse over all of a contest. Short waits cost nothing but a look at the clock.
+/// Own time of a mouse over a whole contest. Short waits only read the clock.
 class ContestClock {
  public:
   using Clock = ExternalProcess::Clock;
@@ -46,9 +45,9 @@ class ContestClock {
       : limit_(limit), next_look_(Clock::now() + pause(Clock::duration(0))), host_waited_(waited_for_processor()) {}
 
   bool is_over(ExternalProcess& process);
-  /// Whether it is over although nobody knows whether the mouse was slow.
+  /// False if it is over without a decision whether the mouse was slow.
   bool is_judged() const { return is_judged_; }
-  /// The mouse was waited for, and was idle for some of that time as far as that was looked at.
+  /// Adds a wait for the mouse, with the idle and the unclassified time measured in it.
   void add(Clock::duration waited, std::chrono::nanoseconds idle, std::chrono::nanoseconds unknown);
 
  private:
@@ -62,35 +61,35 @@ class ContestClock {
   bool is_over_ = false, is_judged_ = true;
 };
 
-/// The time between two signs of life of a mouse. Those that answer at once cost nothing: only once one has been silent
-/// for a moment its time begins to be counted, from there on.
+/// Time limit for the next line of a mouse. A fast answer costs no measurement: own time is measured only after a first
+/// short silence.
 class Patience {
  public:
   using Clock = ExternalProcess::Clock;
 
-  /// It may take so much of its own time, and its first process so much processor time; both from now on.
+  /// Limits, from now on: own time of the mouse, and processor time of its first process.
   Patience(Clock::duration silence, std::chrono::nanoseconds work);
 
-  /// Waits for output, and gives up with `timeout` when either is over, or the contest.
+  /// Waits for output. Returns `timeout` if one of the limits or that of the contest is reached.
   ExternalEvent wait(ExternalProcess& process, ContestClock& contest);
 
-  /// Whether it has worked for longer than it may; to be asked when its answer is there, too.
+  /// Whether it exceeded the processor time; to be checked after an answer, too.
   bool is_overworked(ExternalProcess& process);
-  /// How long it worked when it was looked at last.
+  /// Processor time at the last measurement.
   std::chrono::nanoseconds worked() const { return worked_; }
-  /// False where a timeout came although nobody knows whether the mouse was slow.
+  /// False if a timeout came without a decision whether the mouse was slow.
   bool is_judged() const;
 
  private:
   bool is_over() const;
-  /// Counts its time up to now.
+  /// Measures its time up to now.
   void look(ExternalProcess& process, ContestClock& contest);
   Clock::duration pause() const;
 
   Clock::duration silence_;
   std::chrono::nanoseconds work_;
   Clock::time_point next_look_;
-  std::optional<OwnTime> time_;  ///< once it was silent for a moment
+  std::optional<OwnTime> time_;  ///< set after a first short silence
   std::chrono::nanoseconds before_{}, worked_{};
 };
 

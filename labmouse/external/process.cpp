@@ -28,17 +28,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// How often a wait looks whether it shall stop: a signal wakes only one thread of a program.
+/// Interval at which a wait checks Launch::stop, because a signal wakes only one thread.
 constexpr auto glance = 10ms;
-/// A program that ends closes its output first; one that has not ended after so long has only closed it.
+/// An ending program closes its output first. If it has not ended after this time, it only closed its output.
 constexpr auto between_both = 500ms;
-/// How long an external mouse that waits for no reply may write on before it is read again; line by line, none fills
-/// its pipe much faster.
+/// Pause before the next read from a mouse that writes without waiting for replies. Line by line, none fills its pipe
+/// much faster.
 constexpr auto nap = 1ms;
-/// Bytes: a portion of less was not worth its wait.
+/// Portions of fewer bytes count as small.
 constexpr ssize_t small_portion = 4096;
 
-/// Writing to an external mouse that has gone is an error to be seen, not one to die of.
+/// A write to an ended mouse must return an error, not kill the calling program.
 void ignore_broken_pipes() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -60,7 +60,7 @@ bool same_variable(std::string_view one, std::string_view other) {
   return one.substr(0, one.find('=')) == other.substr(0, other.find('='));
 }
 
-/// Our environment with the launch's variables, for exec; points into both.
+/// The inherited environment with the launch's variables, for exec; points into both.
 std::vector<char*> environment_of(const Launch& launch) {
   std::vector<char*> variables;
   for (char** variable = environ; *variable != nullptr; ++variable)
@@ -72,7 +72,7 @@ std::vector<char*> environment_of(const Launch& launch) {
   return variables;
 }
 
-/// What a launch needs in its sandbox, as texts and lists for its keeper.
+/// The Rooms of a launch, with the texts and lists that they point to.
 class SandboxPlan {
  public:
   SandboxPlan(const Launch& launch, const std::string& program)
@@ -105,7 +105,7 @@ class SandboxPlan {
   Rooms rooms_;
 };
 
-/// The child of the first process of a sandbox; -1 where there is none yet.
+/// The child of a sandbox's first process; -1 if there is none yet.
 pid_t only_child(pid_t parent) {
   std::string children;
   std::getline(std::ifstream(fmt::format("/proc/{0}/task/{0}/children", parent)), children);
@@ -137,7 +137,7 @@ std::string describe(TreeLimit limit, const ExternalLimits& limits) {
   return "";
 }
 
-/// Pairs of ends, ours closed in every child by exec; what is left over closes itself.
+/// The pipes, closed by exec in every child; the destructor closes remaining ends.
 struct ExternalProcess::Pipes {
   struct Pair {
     int read = -1, write = -1;
@@ -204,7 +204,7 @@ void ExternalProcess::start(const Launch& launch, Pipes& pipes) {
   errors_end_ = std::exchange(pipes.errors.read, -1);
   status_end_ = std::exchange(pipes.status.read, -1);
   leash_ = std::exchange(pipes.leash.write, -1);
-  // Now the keeper alone has its ends: each is at its end when the keeper and the external mouse let go of it.
+  // Now only the keeper and the mouse hold these ends, so each pipe reports its end when both have closed it.
   for (int* end : {&pipes.input.read, &pipes.output.write, &pipes.errors.write, &pipes.failure.write,
                    &pipes.status.write, &pipes.leash.read})
     close_end(*end);
@@ -212,7 +212,7 @@ void ExternalProcess::start(const Launch& launch, Pipes& pipes) {
   while (read(pipes.failure.read, &reason, sizeof reason) < 0 && errno == EINTR) {
   }
   if (reason != 0) error_ = fmt::format("cannot start '{}': {}", launch.words.front(), std::strerror(reason));
-  // It is there, or in a moment: the keeper writes it as soon as it has a child.
+  // The keeper writes this message as soon as it has a child, so this wait is short.
   while (reason == 0 && child_ < 0 && status_end_ >= 0) read_status();
   sandboxed_ = launch.sandbox;
   if (!sandboxed_) external_ = child_;
@@ -223,7 +223,7 @@ std::chrono::nanoseconds ExternalProcess::processor_time() {
   clockid_t clock = 0;
   timespec time{};
   if (external_ < 0) external_ = only_child(child_);
-  // Of a program that was buried the number may be another's.
+  // After the program was reaped, its process id may be reused.
   if (!status_ && external_ > 0 && clock_getcpuclockid(external_, &clock) == 0 && clock_gettime(clock, &time) == 0)
     processor_time_ = std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
   return processor_time_;
@@ -231,7 +231,7 @@ std::chrono::nanoseconds ExternalProcess::processor_time() {
 
 void ExternalProcess::send(std::string_view bytes) {
   if (deaf()) return;
-  // While some are on their way, there is room for more only once a look has found it.
+  // If earlier bytes are unsent, the pipe is full until look() finds room.
   const bool full = unsent() > 0;
   unsent_ += bytes;
   if (!full) write_some();
@@ -242,7 +242,7 @@ ExternalEvent ExternalProcess::wait(Clock::time_point deadline) {
     if (stop_ != nullptr && stop_->load()) return ExternalEvent::interrupted;
     if (status_ && output_ >= 0 && read_output()) return ExternalEvent::output;
     if (exceeded_ != TreeLimit::none) return ExternalEvent::exceeded;
-    // The program's own ends of its pipes were closed before it had ended: whoever holds one open now is another.
+    // The program's pipe ends are closed when it has ended, so an open one belongs to another process.
     if (status_ || keeper_ < 0) return output_ < 0 ? ExternalEvent::ended : ExternalEvent::left;
     const auto now = Clock::now();
     if (now >= closed_due_) return ExternalEvent::closed;
@@ -253,7 +253,7 @@ ExternalEvent ExternalProcess::wait(Clock::time_point deadline) {
 }
 
 bool ExternalProcess::look(Clock::duration left) {
-  // The input is watched even if there is nothing to write: an error says that nobody reads it any more.
+  // The input is polled even without unsent bytes: an error means that its reader is gone.
   const short writable = unsent() > 0 ? POLLOUT : 0;
   std::array<pollfd, 4> ends = {
       {{output_, POLLIN, 0}, {errors_end_, POLLIN, 0}, {status_end_, POLLIN, 0}, {input_, writable, 0}}};
@@ -277,7 +277,7 @@ void ExternalProcess::write_some() {
     if (count < 0 && errno == EAGAIN) return;
     if (count < 0) return drop_input();
     sent_ += static_cast<std::size_t>(count);
-    // An external mouse that always leaves something unread must not make us keep all that it did read.
+    // Frees written bytes even if the mouse always leaves some unread.
     if (sent_ > unsent_.size() / 2) unsent_.erase(0, std::exchange(sent_, 0));
   }
   unsent_.clear();
@@ -293,7 +293,7 @@ void ExternalProcess::drop_input() {
 bool ExternalProcess::read_output() {
   const ssize_t count = read(output_, portion_.data(), portion_.size());
   if (count > 0) lines_.append(std::string_view(portion_).substr(0, static_cast<std::size_t>(count)));
-  // Who leaves replies unread, or cannot hear any, waits for none: each line of its own should not wake us.
+  // A mouse that leaves replies unread, or closed its input, waits for none: do not wake up for each of its lines.
   writes_on_ = count > 0 && count < small_portion && (unsent() > 0 || deaf());
   if (count == 0) {
     close_end(output_);
@@ -312,7 +312,7 @@ bool ExternalProcess::read_errors() {
 }
 
 std::string_view ExternalProcess::errors() {
-  // As much as a pipe can hold, and no more of one who never stops.
+  // At most what a pipe can hold, in case the program never stops writing.
   constexpr int portions = 16;
   for (int i = 0; i < portions && errors_end_ >= 0 && read_errors(); ++i) {
   }
@@ -320,7 +320,7 @@ std::string_view ExternalProcess::errors() {
 }
 
 void ExternalProcess::read_last_errors() {
-  // The end comes when the last process has gone that could still write, which is now or in a moment.
+  // The pipe ends when the last process that could write to it has ended, which takes at most a moment.
   constexpr int moment = 200;  // milliseconds
   while (errors_end_ >= 0) {
     pollfd errors = {errors_end_, POLLIN, 0};
@@ -343,7 +343,7 @@ void ExternalProcess::read_status() {
     return;
   }
   if (count == sizeof word) exceeded_ = static_cast<TreeLimit>(word.value);
-  // It was killed by its keeper, or with it, which then says nothing: what it may still say counts no more.
+  // It was killed by its keeper or together with it (without a message): its remaining output is ignored.
   status_ = ExitStatus{0, SIGKILL};
   close_end(output_);
 }
@@ -352,7 +352,7 @@ void ExternalProcess::end(std::chrono::milliseconds grace) {
   if (keeper_ < 0) return;
   if (grace > 0ms) wait_for_its_end(Clock::now() + grace);
   close_end(leash_);
-  // Should the external mouse have stopped its keeper, it goes on now.
+  // Continues the keeper, in case the external mouse stopped it.
   kill(keeper_, SIGCONT);
   while (waitpid(keeper_, nullptr, 0) < 0 && errno == EINTR) {
   }
@@ -366,7 +366,7 @@ void ExternalProcess::wait_for_its_end(Clock::time_point until) {
   close_end(input_);
   for (auto now = Clock::now(); !status_ && now < until && (stop_ == nullptr || !stop_->load()); now = Clock::now()) {
     look(std::min<Clock::duration>(until - now, glance));
-    // Nobody reads what it still says.
+    // Its remaining output is dropped.
     lines_ = LineBuffer(limits_.longest_line);
   }
 }

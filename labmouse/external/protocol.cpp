@@ -7,10 +7,10 @@
 namespace labmouse {
 namespace {
 
-/// Wrong rotations and movements are part of a contest, within what a record can hold.
+/// Invalid rotations and movements are allowed in a contest, up to what a record can hold.
 constexpr int farthest = 1'000'000;
 
-/// Takes one blank and a whole number from the front of the text; false where there is none.
+/// Removes one blank and a whole number from the front of the text; false if there is none.
 bool take_number(std::string_view& text, int& number) {
   if (!text.starts_with(' ')) return false;
   text.remove_prefix(1);

@@ -1,4 +1,4 @@
-// The lines between us and an external mouse of the world of steps. docs/reference/protocols.md has them in words.
+// Line protocol between labmouse and an external mouse in the world of steps. docs/reference/protocols.md explains it.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ std::string briefing_text(const Briefing& briefing);
 /// The question of one step, as a line.
 std::string question(const Sighting& seen);
 
-/// Reads an answer, a line without its end: `move ROTATION MOVEMENT`, `reset` or `forfeit`; nothing where it is none.
+/// Parses an answer, a line without its end: `move ROTATION MOVEMENT`, `reset` or `forfeit`; nullopt if it is invalid.
 std::optional<Action> read_answer(std::string_view line);
 
 }  // namespace labmouse

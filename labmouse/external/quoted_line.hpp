@@ -1,4 +1,4 @@
-// What an external mouse wrote, quoted so that what is wrong with it shows.
+// Quotes output of an external mouse for messages, with invisible characters escaped.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace labmouse {
 
-/// The beginning of a line in quotation marks, as printable ASCII: a tab as \t, a byte that is no such letter as \xNN.
-/// What is easily overlooked is said behind it: "'\ufeffmove 0 1' (it begins with a byte-order mark)".
+/// The beginning of a line in quotation marks, as printable ASCII: a tab as \t, other bytes as \xNN. A byte-order mark
+/// and a carriage return at the end are explained: "'\ufeffmove 0 1' (it begins with a byte-order mark)".
 std::string quoted_line(std::string_view line);
 
 }  // namespace labmouse

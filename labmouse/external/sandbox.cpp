@@ -26,7 +26,8 @@
 namespace labmouse {
 namespace {
 
-// All but the two last functions runs between fork and exec: only functions that are safe in a signal handler.
+// Except for try_out() and the last two functions, all of this runs between fork and exec, so it uses only
+// async-signal-safe functions.
 
 bool write_whole(const char* path, const ShortText& text) {
   const int file = open(path, O_WRONLY | O_CLOEXEC);
@@ -36,7 +37,7 @@ bool write_whole(const char* path, const ShortText& text) {
   return good;
 }
 
-/// In a namespace of its own a process is nobody until it says who it was outside.
+/// In a new user namespace a process is `nobody` until it maps its user and group ids.
 bool stay_the_same_user(uid_t user, gid_t group) {
   ShortText users, groups, deny;
   users << user << " " << user << " 1";
@@ -46,7 +47,7 @@ bool stay_the_same_user(uid_t user, gid_t group) {
          write_whole("/proc/self/gid_map", groups);
 }
 
-/// What it says to itself by way of the loopback stays with it; where that cannot be switched on, it has none.
+/// Switches on the loopback interface of the new network namespace; without success there is none.
 void switch_loopback_on() {
   const int end = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (end < 0) return;
@@ -57,7 +58,7 @@ void switch_loopback_on() {
   close(end);
 }
 
-/// Whether it could be entered, tried by a process that is given up for it; the errno where not.
+/// Tries a sandbox in a child process. Returns 0, or the errno of the failure.
 int try_out(FolderUse use) {
   const pid_t trial = fork();
   if (trial == 0) {
@@ -77,7 +78,7 @@ int try_out(FolderUse use) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : EINTR;
 }
 
-/// The value of a line of /proc/self/stat that stands behind so many others; 0 where it cannot be read.
+/// The number in /proc/self/stat that follows so many other fields; 0 if it cannot be read.
 std::uintptr_t number_of_stat(std::string_view text, int before) {
   // The name, in brackets, may hold anything.
   text.remove_prefix(std::min(text.rfind(')') + 2, text.size()));
@@ -115,7 +116,7 @@ void drop_privileges() {
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0);
   for (int number = 0; number <= last_known; ++number) prctl(PR_CAPBSET_DROP, number, 0, 0, 0);
-  // The root of a namespace would get them back by starting any program.
+  // Root of a namespace would get them back by exec.
   prctl(PR_SET_SECUREBITS, SECBIT_NOROOT | SECBIT_NOROOT_LOCKED, 0, 0, 0);
   __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};
   std::array<__user_cap_data_struct, 2> none{};

@@ -1,4 +1,4 @@
-// Text between fork and exec, where nothing may be allocated.
+// Text functions without allocation, for code between fork and exec.
 #pragma once
 
 #include <unistd.h>
@@ -11,7 +11,7 @@
 
 namespace labmouse {
 
-/// A path or a line that is put together in room of its own; what does not fit is cut.
+/// A path or line in a fixed buffer; longer text is cut.
 class ShortText {
  public:
   ShortText& operator<<(std::string_view part) {
@@ -30,11 +30,11 @@ class ShortText {
   std::size_t size() const { return size_; }
 
  private:
-  std::array<char, 4200> text_{};  ///< the longest path, and something before it
+  std::array<char, 4200> text_{};  ///< the longest path plus a prefix
   std::size_t size_ = 0;
 };
 
-/// Calls `take` with each whole number of a file of numbers.
+/// Calls `take` with each positive whole number in a file of numbers.
 template <class Take>
 void for_each_number(int file, const Take& take) {
   std::array<char, 4096> text{};

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array system_folders = {"/usr",    "/bin", "/sbin", "/lib", "/lib32", "/lib64",
                                        "/libx32", "/etc", "/opt",  "/nix", "/gnu"};
-/// A longer word is a program, not a name: the bridge to capstone robots.
+/// A longer word is not a file name but program text, such as the capstone bridge.
 constexpr std::size_t longest_word = 200;
 
 bool is_there(const fs::path& path) {
@@ -39,7 +39,7 @@ std::string environment_value(const Launch& launch, std::string_view name) {
   return value == nullptr ? "" : value;
 }
 
-/// The path from the root, without dots; links stay.
+/// The absolute path without `.` and `..`; links are not resolved.
 std::string absolute(const fs::path& path, const fs::path& directory) {
   std::error_code error;
   std::string text = fs::absolute(directory / path, error).lexically_normal().string();
@@ -52,7 +52,7 @@ bool is_of_the_system(std::string_view path) {
                      [&](const char* folder) { return lies_in(path, folder); });
 }
 
-/// Whether programs lie there for everybody to start, beside a folder of their libraries.
+/// Whether a folder is one for installed programs, by its name.
 bool holds_programs(const fs::path& folder) {
   const fs::path name = folder.filename();
   return name == "bin" || name == "shims" || name == "sbin";
@@ -73,7 +73,7 @@ class Collection {
     if (real != "/" && !real.empty()) visible_.insert(real);
   }
 
-  /// Adds the links on that way, as if each led straight to its end; returns where the way leads.
+  /// Adds the links on a path, each with its final target. Returns the resolved path.
   std::string follow(const fs::path& path) {
     const fs::path whole = path.lexically_normal();
     fs::path done = "/";
@@ -94,7 +94,7 @@ class Collection {
           std::none_of(around_.visible.begin(), around_.visible.end(),
                        [&](const std::string& folder) { return lies_in(path, folder); }))
         around_.visible.push_back(path);
-    // Of links that lie in a folder that is seen anyway nothing has to be made.
+    // Links in a visible folder are visible already.
     for (const auto& link : links_)
       if (std::none_of(around_.visible.begin(), around_.visible.end(),
                        [&](const std::string& folder) { return lies_in(link.first, folder); }) &&
@@ -110,7 +110,7 @@ class Collection {
   std::set<std::pair<std::string, std::string>> links_;
 };
 
-/// The folder that a virtual environment was made from, as its file says; empty where it is none.
+/// The base folder of a Python virtual environment, from its pyvenv.cfg; empty if it is none.
 std::string base_of_environment(const fs::path& environment) {
   std::ifstream file(environment / "pyvenv.cfg");
   for (std::string line; std::getline(file, line);)
@@ -121,7 +121,7 @@ std::string base_of_environment(const fs::path& environment) {
   return "";
 }
 
-/// The program that the first line of a script names; empty where there is none.
+/// The program in the first line (`#!`) of a script; empty if there is none.
 std::string program_of_script(const std::string& path) {
   std::array<char, 256> bytes{};
   std::ifstream file(path, std::ios::binary);
@@ -134,7 +134,7 @@ std::string program_of_script(const std::string& path) {
   return words[0];
 }
 
-/// Adds a program with what it is installed with: the libraries beside it, and of a virtual environment its base.
+/// Adds a program with its installation: the libraries beside it, and the base of a virtual environment.
 void add_program(const std::string& path, Collection& all, int depth = 0) {
   constexpr int deepest = 6;
   if (path.empty() || path.front() != '/' || depth > deepest) return;
@@ -155,7 +155,7 @@ void add_program(const std::string& path, Collection& all, int depth = 0) {
     add_program(program_of_script(path), all, depth + 1);
 }
 
-/// Adds folders of a variable such as PYTHONPATH.
+/// Adds the folders of a variable such as PYTHONPATH.
 void add_listed(const std::string& list, const std::string& directory, Collection& all) {
   for (std::string_view rest = list; !rest.empty();) {
     const std::string_view each = rest.substr(0, rest.find(':'));
@@ -164,7 +164,7 @@ void add_listed(const std::string& list, const std::string& directory, Collectio
   }
 }
 
-/// What a robot's own code may import lies beside it: in its folder, or in a folder above for Node.
+/// Adds the node_modules of a folder and of those above it, from which Node imports.
 void add_node_modules(const std::string& folder, Collection& all) {
   for (fs::path each = folder; each.has_relative_path(); each = each.parent_path()) {
     all.add((each / "node_modules").string());
@@ -187,14 +187,14 @@ std::string folder_of(const Launch& launch, const std::string& program) {
     const std::string& word = i == 0 ? program : launch.words[i];
     if (!names_file(word)) continue;
     const std::string file = absolute(word, start);
-    // An interpreter is no mouse.
+    // An installed interpreter is not the mouse's own file.
     if (i == 0 && holds_programs(fs::path(file).parent_path())) continue;
     if (!fs::is_regular_file(file, error) || is_of_the_system(fs::canonical(file, error).string())) continue;
     folder = fs::path(file).parent_path().string();
     break;
   }
   const fs::path real = fs::canonical(folder, error);
-  // A folder that is not there is found out by the external mouse itself.
+  // A missing folder is reported when the external mouse starts.
   return error ? folder : real.string();
 }
 
@@ -212,7 +212,7 @@ Surroundings surroundings_of(const Launch& launch, const std::string& program) {
   for (const std::string& word : launch.words) {
     if (!names_file(word) || word == launch.words.front()) continue;
     const std::string path = absolute(word, start);
-    // To name the root or a home is no wish to read all of it.
+    // A word such as the root or a home folder does not make all of it visible.
     if (!lies_in(start, path)) all.add(path);
   }
   for (const char* name : {"PYTHONPATH", "LD_LIBRARY_PATH", "NODE_PATH", "PYTHONHOME", "PYENV_ROOT", "NVM_DIR"})

@@ -18,7 +18,7 @@
 namespace labmouse {
 namespace {
 
-// All of this runs in the keeper: only functions that are safe in a signal handler.
+// Most of this runs in the keeper, so it uses only async-signal-safe functions.
 
 constexpr std::size_t portion = 4096;
 
@@ -28,7 +28,7 @@ int open_of(pid_t process, std::string_view name) {
   return open(path.c_str(), O_RDONLY | O_CLOEXEC);
 }
 
-/// The beginning of a file about a process; empty where there is none, or none for us.
+/// The beginning of a /proc file of a process; empty if it cannot be read.
 class Facts {
  public:
   Facts(pid_t process, std::string_view name) : Facts(open_of(process, name)) {}
@@ -38,15 +38,15 @@ class Facts {
     close(file);
   }
 
-  /// The whole number behind that word; 0 where it does not stand there.
+  /// The whole number after that word; 0 if the word is missing.
   std::uint64_t number_after(std::string_view word) const {
     const std::string_view text = this->text();
     const auto at = text.find(word);
     return at == std::string_view::npos ? 0 : number(text.substr(at + word.size()));
   }
-  /// The whole number behind so many words.
+  /// The whole number after so many words.
   std::uint64_t number_behind(int words) const { return number(behind(text(), words)); }
-  /// What stands behind the name in `stat`, which may hold anything: the state, and numbers.
+  /// The part of `stat` after the process name, which may contain any character: state and numbers.
   std::string_view behind_name() const {
     const std::string_view text = this->text();
     const auto end = text.rfind(')');
@@ -71,7 +71,7 @@ class Facts {
 
 std::uint64_t written_by(pid_t process) {
   const Facts facts(process, "io");
-  // The first counts what went to files and pipes by way of calls, the second pages of files, however they came.
+  // The first counts bytes of write calls, the second written pages of files, including memory-mapped ones.
   return std::max(facts.number_after("wchar: "), facts.number_after("\nwrite_bytes: "));
 }
 
@@ -82,7 +82,7 @@ std::uint64_t memory_of(pid_t process, bool shares) {
   return (facts.number_after("\nRssAnon:") + facts.number_after("\nRssShmem:") + facts.number_after("\nVmSwap:")) * kib;
 }
 
-/// Those whose descendants are still to be looked for, and all that were found.
+/// List of found processes, which is also the queue of the search.
 class Found {
  public:
   explicit Found(std::size_t most) : most_(std::min(most, all_.size())) {}
@@ -109,7 +109,7 @@ std::chrono::nanoseconds ticks(std::uint64_t count) {
   return std::chrono::nanoseconds(static_cast<std::int64_t>(count) * (second / in_a_second));
 }
 
-/// Adds what one thread of a process does and did.
+/// Adds the state and the waiting time of one thread.
 void add_time(int tasks, const char* thread, TreeTime& sum) {
   ShortText stat, schedule;
   stat << thread << "/stat";
@@ -121,8 +121,7 @@ void add_time(int tasks, const char* thread, TreeTime& sum) {
   sum.waited += std::chrono::nanoseconds(waits.number_behind(1));
 }
 
-/// Adds the processor time of a process and of its children that were waited for; of the root only that of the
-/// children.
+/// Adds the processor time of a process and of its reaped children; for the root only that of the children.
 void add_work(pid_t process, bool is_root, TreeTime& sum) {
   // Behind the name: utime, stime, cutime and cstime.
   constexpr int own = 11, of_children = 13;
@@ -135,7 +134,7 @@ void add_work(pid_t process, bool is_root, TreeTime& sum) {
   sum.worked_before += both(of_children);
 }
 
-/// Adds the children that one thread started; false where they cannot be known.
+/// Adds the children of one thread; false if they cannot be read.
 bool add_children(int tasks, const char* thread, Found& found) {
   ShortText path;
   path << thread << "/children";
@@ -147,7 +146,8 @@ bool add_children(int tasks, const char* thread, Found& found) {
   return true;
 }
 
-/// Calls `take` with a descriptor of the folder of its threads and the name of each; false where they cannot be known.
+/// Calls `take` for each thread with a descriptor of the `task` folder and the thread's name; false if it cannot be
+/// read.
 template <class Take>
 bool for_each_thread(pid_t process, const Take& take) {
   const int tasks = open_of(process, "task");
@@ -163,7 +163,7 @@ bool for_each_thread(pid_t process, const Take& take) {
   return true;
 }
 
-/// Adds the children of a process, whichever of its threads started them; false where they cannot be known.
+/// Adds the children of all threads of a process; false if they cannot be read.
 bool add_children(pid_t process, Found& found) {
   bool all = true;
   const bool known = for_each_thread(process, [&](int tasks, const char* thread) {

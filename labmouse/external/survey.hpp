@@ -1,4 +1,4 @@
-// What a process and all that it started hold together.
+// Measures the resources and times of a process tree, from /proc.
 #pragma once
 
 #include <sys/types.h>
@@ -10,55 +10,55 @@
 
 namespace labmouse {
 
-/// The sums over a tree of processes, as far as the system tells.
+/// Sums over a process tree, as far as the system reports them.
 struct Holdings {
   int processes = 0;
-  /// Bytes that each has for itself, or shares with others that count them too.
+  /// Bytes of private and shared memory; without `shares`, shared memory counts in each process.
   std::uint64_t memory = 0;
-  /// Bytes written to files and pipes, by those that have ended, too.
+  /// Bytes written to files and pipes, including those of ended processes.
   std::uint64_t written = 0;
-  /// It ended with these processes: there are more than are counted.
+  /// There are more processes than were counted.
   bool is_full = false;
 };
 
-/// The processes that descend from `root`, which itself counts only for what it and the ended ones wrote. Stops after
-/// `most` of them. Allocates nothing and takes no lock. `shares`: memory in common is divided among those that have it,
-/// which takes the system a thousand times as long.
+/// Measures the descendants of `root`, which itself counts only for what it and ended processes wrote. Stops after
+/// `most` processes. Allocates nothing and takes no lock. `shares`: divides shared memory among its users, which takes
+/// the system a thousand times as long.
 Holdings survey(pid_t root, int most, bool shares);
 
-/// What a tree of processes did with its time, as far as the system tells.
+/// Times of a process tree, as far as the system reports them.
 struct TreeTime {
-  /// Processor time, of those that have ended, too.
+  /// Processor time, including that of ended processes.
   std::chrono::nanoseconds worked{};
-  /// What of it was the work of processes that have ended: how long those waited nobody knows.
+  /// The part of it from ended processes, whose waiting time is unknown.
   std::chrono::nanoseconds worked_before{};
-  /// How long its threads, those that have not ended, were ready to run and no processor was free.
+  /// Time in which its living threads were ready to run, but had no processor.
   std::chrono::nanoseconds waited{};
-  /// Whether one of them is at work now, or ready, or waits for a disk.
+  /// Whether a thread is running, ready, or waiting for a disk now.
   bool is_busy = false;
 };
 
 /// The sums over the processes that descend from `root`, which itself does not count. Allocates nothing.
 TreeTime time_of_tree(pid_t root);
 
-/// How long the calling thread was ready to run and no processor was free.
+/// Time in which the calling thread was ready to run, but had no processor.
 std::chrono::nanoseconds waited_for_processor();
 
-/// Ends the processes that descend from `root`, up to 4096 of them, parents first: one that was told to end has no more
-/// children. Those of parents that ended meanwhile may be left; they come to be children of who takes them. False where
-/// one of them is of another user and may not be ended, or where the system does not tell who they are.
+/// Kills the descendants of `root`, up to 4096, parents first, so that killed ones start no more children. Orphans of
+/// parents that ended meanwhile may be left; they become children of the subreaper. False if a process must not be
+/// killed because it belongs to another user, or if the system does not list them.
 bool kill_descendants(pid_t root);
 
-/// The limit that the tree has passed.
+/// A limit of a process tree.
 enum class TreeLimit : int { none, processes, memory, written };
 
-/// Looks at the tree now and then, and the more seldom the longer a look takes.
+/// Checks the limits of a process tree. After a slow check, the next pause is longer.
 class TreeWatch {
  public:
   TreeWatch(pid_t root, const ExternalLimits& limits) : root_(root), limits_(limits) {}
 
   TreeLimit look();
-  /// How long to wait for the next look, in milliseconds.
+  /// Pause before the next check, ms.
   int pause() const { return pause_; }
 
  private:

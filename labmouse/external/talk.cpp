@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// At its end an external mouse may still put something down.
+/// Time for an external mouse to write files at its end.
 constexpr auto grace = 250ms;
 
 ForfeitReason reason_of(TreeLimit limit) {

@@ -1,5 +1,5 @@
-// What is said between us and an external mouse: its greeting, questions and answers, and the end of one that does not
-// play by its protocol or its limits.
+// The dialogue with an external mouse: greeting, questions and answers, and the end of a mouse that violates the
+// protocol or a limit.
 #pragma once
 
 #include <string>
@@ -11,31 +11,31 @@
 
 namespace labmouse {
 
-/// A program that was started, and is asked line by line until it is given up.
+/// A running program that is asked line by line until it is given up.
 class ExternalTalk {
  public:
-  /// `greeting`: what its first line is to be, for those who read why it was given up.
+  /// `greeting`: its expected first line, for messages.
   ExternalTalk(const Launch& launch, std::string_view greeting);
   ExternalTalk(const ExternalTalk&) = delete;
   ExternalTalk& operator=(const ExternalTalk&) = delete;
   ~ExternalTalk();
 
-  /// Tells it what it is to know, and hears its first line; nothing where it was given up, as in all that follows.
-  /// Lines are valid until the next call.
+  /// Sends the briefing, and returns its first line; nullopt if it was given up, here and below. Lines are valid until
+  /// the next call.
   std::optional<std::string_view> greet(std::string_view briefing);
-  /// Its first line was as it should be.
+  /// Marks its first line as correct.
   void accept() { greeted_ = true; }
-  /// Its answer, a line.
+  /// Sends a question, and returns its answer, one line.
   std::optional<std::string_view> ask(std::string_view question);
-  /// What it wrote behind that line, which should be nothing.
+  /// What it wrote after that line, which should be empty.
   std::string_view rest() { return process_.lines().rest(); }
 
-  /// Ends the external mouse and keeps why, the first time.
+  /// Ends the external mouse; the first reason is kept.
   void give_up(ForfeitReason reason, std::string_view sentence);
   void give_up(const Verdict& verdict) { give_up(verdict.reason, verdict.sentence); }
 
   bool greeted() const { return greeted_; }
-  /// Why it was given up; none while it was not.
+  /// Why it was given up; `none` if it was not.
   ForfeitReason reason() const { return reason_; }
   /// Why it was given up, and what it wrote to its standard error.
   std::string_view last_words() { return reason_ == ForfeitReason::none ? process_.errors() : last_words_; }
@@ -43,12 +43,12 @@ class ExternalTalk {
  private:
   using Clock = ExternalProcess::Clock;
 
-  /// Its next line, before which it may take so much of its own time and work for so long.
+  /// Its next line, with limits of own time and processor time.
   std::optional<std::string_view> hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work);
   void give_up(ExternalEvent event, const Patience& patience, std::chrono::milliseconds silence);
 
   ExternalLimits limits_;
-  std::string beginning_;  ///< as of its launch
+  std::string beginning_;  ///< from its Launch
   std::string greeting_;
   ContestClock contest_;
   ExternalProcess process_;

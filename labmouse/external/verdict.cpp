@@ -7,7 +7,7 @@
 namespace labmouse {
 namespace {
 
-/// A text without the ends of its last lines.
+/// A text without line ends at its end.
 std::string_view without_end(std::string_view text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
   return text;

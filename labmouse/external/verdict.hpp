@@ -1,5 +1,4 @@
-// What an external mouse said or left unsaid, judged: the same words for a program of the command line and for one of
-// the page.
+// Checks the lines of external mice, and words the messages, for the command line and the page.
 #pragma once
 
 #include <cstddef>
@@ -18,33 +17,33 @@ struct Verdict {
   std::string sentence;
 };
 
-/// What to do by an answer; where it forfeits, there is a verdict.
+/// The action of an answer; with a verdict if it forfeits.
 struct Answer {
   Action action;
   std::optional<Verdict> verdict;
 };
 
-/// Nothing where its first line is the greeting.
+/// Checks the first line; nullopt if it is the greeting.
 std::optional<Verdict> judge_greeting(std::string_view line);
 
-/// An answer, a line without its end, and what the external mouse wrote behind it, which should be nothing.
+/// Checks an answer, a line without its end. `more`: what the mouse wrote after it, which should be empty.
 Answer judge_answer(std::string_view line, std::string_view more);
 
-/// Behind its answer it wrote more.
+/// It wrote more after its answer.
 Verdict wrote_more(std::string_view answer, std::string_view more);
 
-/// It wrote a line of more than so many bytes, which begins so.
+/// It wrote a line of more than `longest` bytes, which begins with `line`.
 Verdict too_long(std::size_t longest, std::string_view line);
 
-/// It was silent for that time, "2 s" or with the option that sets it. `begun`: what it wrote of a line. `beginning`:
-/// what it should have come to, "the Robot of robot.py was made"; empty for the greeting.
+/// It wrote no line for that time, such as "2 s". `begun`: its incomplete line. `beginning`: what should have happened,
+/// such as "the Robot of robot.py was made"; empty for the greeting.
 Verdict hung(std::string_view time, bool greeted, std::string_view begun, std::string_view beginning = "");
 
-/// It ended, with "exit code 1" or a word on its error; `greeting` is what it should have written first.
+/// It ended, `how` such as "exit code 1"; `greeting` is its expected first line.
 Verdict died(std::string_view how, bool greeted, std::string_view beginning = "",
              std::string_view greeting = program_greeting);
 
-/// What is kept of an external mouse that was given up: the sentence, and the last that it wrote to its standard error.
+/// Text that is kept of an external mouse that was given up: the sentence, and the end of its standard error.
 std::string last_words_of(std::string_view sentence, std::string_view errors);
 
 }  // namespace labmouse

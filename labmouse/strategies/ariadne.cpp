@@ -5,11 +5,11 @@
 //   the lowest S is next; once the goal was entered, only of walls with  T(e) + stop_travel * d(e) < K + stop_margin
 //
 // T(e) is the cost of the cheapest run through e (EdgeCosts), K that of the shortest known run, d the steps to where e
-// is seen or the goal is entered, and u how many unseen walls are seen from there. The other names are parameters,
-// those of Phase with other values after the goal. In seconds: ariadne/driver.hpp.
+// is seen or the goal is entered, and u the number of unseen walls seen from there. The other names are parameters;
+// those of Phase have other values after the goal. In seconds: ariadne/driver.hpp.
 //
-// Limits: one wall at a time; what a look at the next could be worth for the one after is not asked. Its prior is that
-// of contest mazes.
+// Limits: it considers one wall at a time, and ignores what a look is worth for later ones. Its prior is that of
+// contest mazes.
 #include <algorithm>
 #include <optional>
 
@@ -67,7 +67,7 @@ class Ariadne final : public Explorer {
   Action explore() override {
     chose_ = false;
     const bool news = outlook_.learn(pose(), seen());
-    // Standing on a goal without having entered it: the start is one. A step has to end there.
+    // The start is a goal: it counts as entered only when a step ends there.
     if (!goal_entered() && briefing().goals.contains(pose().cell)) return Action::step(0, 0);
     const bool just_entered = goal_entered() && phase_ == &policy_.before;
     if (just_entered) {
@@ -91,15 +91,15 @@ class Ariadne final : public Explorer {
     return Explorer::race();
   }
 
-  /// Whether the walls say that there is one way only, clearly: e^2 to one, and e^16 in large mazes, because a prior
-  /// that was learned from few of them is a little wrong about each of many walls.
+  /// Whether the walls seen clearly indicate a maze without loops: odds of e^2, and e^16 in large mazes. A prior
+  /// learned from few large mazes is slightly wrong for each of many walls.
   bool stops_at_the_goal() const {
     const int clearly = 2 * 32 * (is_large_ ? 8 : 1);
     return policy_.loop_free || (policy_.may_be_loop_free && outlook_.evidence_against_loops() > clearly);
   }
 
-  /// Whether the budget is small for this maze, or half of it is gone without the goal: then it floods, as the mice do
-  /// that find most goals in time.
+  /// Whether the budget is small for this maze, or half of it is used before the goal. Then it floods, which finds most
+  /// goals in time.
   bool in_a_hurry() const {
     return 8 * briefing().budget < 7 * briefing().size.area() || 2 * steps_left() < briefing().budget;
   }
@@ -115,14 +115,14 @@ class Ariadne final : public Explorer {
     return pose().cell == start ? Action::reset() : flood_to(CellSet::of(start));
   }
 
-  /// The last moment at which the reset and the known run still fit into the budget, or a moment past that. Costs stand
-  /// for steps here and below; where moves cost more than one that is on the safe side.
+  /// Whether the reset and the known run only just fit into the budget, or not any more. Here and below, costs are used
+  /// as steps; this is on the safe side if moves cost more than one.
   bool last_call() const { return steps_left() <= 1 + known_run(); }
 
-  /// Steps of the shortest known speed run, which has one even where the start is a goal.
+  /// Steps of the shortest known speed run: at least one, even if the start is a goal.
   int known_run() const { return std::max(known_, 1); }
 
-  /// Says what it goes by, before the candidates if there are any.
+  /// Records the kind of the decision, and clears the candidates.
   void give_ground(Ground ground) {
     chose_ = true;
     reasons_.ground = ground;
@@ -153,7 +153,7 @@ class Ariadne final : public Explorer {
 
   /// Before the goal has been entered: the best wall, or the goal.
   void choose_before() {
-    // What is much dearer than the last choice is not asked for, unless all that was found is dearer, too.
+    // First tries only walls about as cheap as the last choice, to save time.
     const bool near =
         !keeps_reasons_ && score_ > 0 && choose_near(static_cast<int>(score_ / one) + ariadne::step_price);
     if (near) return;
@@ -172,7 +172,7 @@ class Ariadne final : public Explorer {
     return false;
   }
 
-  /// Every way that is left leads through a wall that was taken for closed.
+  /// Chooses again with no wall counted as closed, because every other way is.
   void choose_as_last_resort() {
     if (policy_.last_resort == policy_.before.prices) return;
     outlook_.price(policy_.last_resort);
@@ -183,7 +183,7 @@ class Ariadne final : public Explorer {
 
   /// After the goal: the best of the walls that are worth a look, if there is one.
   void choose_after() {
-    // Only runs are asked for that beat the known one; who watches sees the others, too.
+    // Only runs better than the known one are computed, unless reasons are recorded.
     if (keeps_reasons_)
       costs_.plan(outlook_.prices(), phase_->way_here);
     else
@@ -219,7 +219,7 @@ class Ariadne final : public Explorer {
     take(candidate, *nearest_goal_);
     candidate.through = known_ * ariadne::step_price;
     const std::int64_t score = judged(candidate.through, phase_->way_here) + judged(candidate.travel, phase_->travel);
-    // Of equals it is the goal.
+    // The goal wins ties.
     add(candidate, score - policy_.goal_bonus - 1);
   }
 
@@ -228,7 +228,7 @@ class Ariadne final : public Explorer {
     candidate.travel = viewpoint.travel;
   }
 
-  /// A cost with its weight.
+  /// Weighted cost.
   static std::int64_t judged(int cost, int weight) { return static_cast<std::int64_t>(cost) * weight; }
 
   bool pays(const Candidate& wall) const {
@@ -236,13 +236,13 @@ class Ariadne final : public Explorer {
            judged(known_ * ariadne::step_price, one) + policy_.stop_margin;
   }
 
-  /// Whether the budget allows to go there, turn, come back, enter the goal, and run.
+  /// Whether the budget suffices to go there, turn, come back, enter the goal, and run.
   bool leaves_time_for_the_goal(const Candidate& wall) const {
     return !nearest_goal_ || 2 * wall.travel + 1 + nearest_goal_->travel + 1 + known_run() <= steps_left();
   }
 
   void add(Candidate candidate, std::int64_t score) {
-    // The bonus is small: most often there is no need to count.
+    // Skips the count of visible walls if even the largest bonus would not make this candidate the best.
     const bool near = !target_ || score - judged(most_insights, phase_->insight) < score_;
     if (!candidate.goal && (near || keeps_reasons_))
       score -= judged(views_.unseen_from(candidate.seen_from, outlook_.prices()), phase_->insight);
@@ -255,7 +255,7 @@ class Ariadne final : public Explorer {
     if (keeps_reasons_) reasons_.candidates.push_back(candidate);
   }
 
-  /// The rest of the reasons: what it hoped for, and at which price.
+  /// Completes the reasons: the best run considered after the goal, and the price of the way to it.
   void conclude() {
     if (!target_) reasons_.chosen = -1;
     reasons_.way_here = static_cast<double>(phase_->way_here) / one;
@@ -270,8 +270,8 @@ class Ariadne final : public Explorer {
     }
   }
 
-  /// The next step of a shortest known way to the target: of several the one that ends beside most unseen walls, and of
-  /// these one that does not go backwards. In sight of the target but with the back to it, a turn.
+  /// The next step of a shortest known way to the target; ties go to the step that ends beside most unseen walls, then
+  /// to one that does not go backwards. At the viewpoint with the wall behind the mouse, a turn.
   Action go() const {
     if (pose().cell == target_->seen_from) return Action::step(90, 0);
     const Motion& motion = briefing().motion;
@@ -310,7 +310,7 @@ class Ariadne final : public Explorer {
   bool chose_ = false;
 };
 
-/// One that was learned serves at every size.
+/// The prior of the settings. An attached one is used at every size.
 const WallPrior* prior_for(const Briefing& briefing, const Settings& settings) {
   const WallPrior* learned = settings.attached();
   return learned == nullptr && settings.choice("prior") == "contest" ? contest_prior_for(briefing.size) : learned;

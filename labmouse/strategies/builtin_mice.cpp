@@ -6,7 +6,7 @@ namespace labmouse {
 
 std::span<const BuiltinMouse* const> builtin_mice() {
   static constexpr std::array entries = {
-      // What moves by chance or by rote.
+      // Random and fixed rules.
       &random_move_mouse,
       &dead_end_mouse,
       &visit_counter_mouse,
@@ -15,7 +15,7 @@ std::span<const BuiltinMouse* const> builtin_mice() {
       &cautious_mouse,
       &wall_left_mouse,
       &wall_right_mouse,
-      // What plans on what it knows.
+      // Planning on a map.
       &manhattan_mouse,
       &frontier_mouse,
       &potential_mouse,

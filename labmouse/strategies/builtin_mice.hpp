@@ -1,4 +1,4 @@
-// The list of built-in mice: every mouse that labmouse brings, in two plain tables.
+// The built-in mice, in two tables.
 #pragma once
 
 #include <memory>
@@ -17,20 +17,20 @@ namespace labmouse {
 using MouseFactory = std::unique_ptr<Strategy> (*)(const Briefing& briefing, const Settings& settings);
 using DriverFactory = std::unique_ptr<DrivingStrategy> (*)(const Briefing& briefing, const Settings& settings);
 
-/// One mouse: its name, what it does in a line, how it does that in sentences, where the idea comes from, its
-/// parameters, and how it is made. Each strategy's file defines its own.
+/// One built-in mouse: name, summary, method, source of the idea, parameters, and factories. Each strategy's file
+/// defines its own.
 struct BuiltinMouse {
   std::string_view name;
   std::string_view summary;
   std::string_view method;
   std::string_view source;
   std::span<const Parameter> parameters = {};
-  /// For a briefing in steps; null where it does not race in steps.
+  /// Makes it for a briefing in steps; null if it does not race in steps.
   MouseFactory make = nullptr;
-  /// Whether it is stochastic under these settings: then one run says little, and races give it several.
+  /// Whether it is stochastic under these settings, so that races repeat its runs.
   bool (*uses_chance)(const Settings& settings) = never;
 
-  /// For a briefing in seconds; null where it does not race in seconds.
+  /// Makes it for a briefing in seconds; null if it does not race in seconds.
   DriverFactory drive = nullptr;
 
   bool walks() const { return make != nullptr; }
@@ -62,9 +62,9 @@ extern const BuiltinMouse ariadne_mouse;
 extern const BuiltinMouse ariadne_deep_mouse;
 extern const BuiltinMouse festina_mouse;
 
-/// All that play in steps, from the simplest to the best.
+/// All that race in steps, from the simplest to the best.
 std::span<const BuiltinMouse* const> builtin_mice();
-/// Those that only drive, behind them.
+/// Those that race only in seconds.
 std::span<const BuiltinMouse* const> only_drivers();
 /// All of both.
 std::vector<const BuiltinMouse*> all_mice();

@@ -1,11 +1,11 @@
-// cautious: into a new cell where there is one, else to where it has been least.
+// cautious: goes to a new neighbour if there is one, else to the least visited cell near.
 //
-// Limits: does not care where the goal is. Most of a share near 1 is spent on the search for the last cells; where
-// cells are walled off such a share is never reached, and the budget ends.
-// Choices: as the report's program does it. A visit is a step that begins in the cell, and the start has one more; a
-// neighbour is a cell one move of one cell away, behind too; where all are visited the mouse goes to the cell of the
-// fewest visits that one known move leads to, up to three cells away, of equals to the first that a set of Python 3.4
-// lists. The share counts all cells of the maze, also those never seen.
+// Limits: ignores where the goal is. With a share near 1, most steps are spent on the last cells; if cells are
+// unreachable, the share is never reached, and the budget ends.
+// Choices: as the report's program does it. A visit is a step that begins in the cell; the start has one more. A
+// neighbour is one cell away, in any direction. If all are visited, the mouse goes to the least visited cell that one
+// known move leads to, up to three cells away; ties go to the first in the order of a Python 3.4 set. The share is of
+// all cells of the maze, including those never seen.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -35,14 +35,14 @@ class Cautious final : public MoveMapper {
   Action choose() override {
     visits_.add(pose().cell);
     const auto cells = map().of(pose().cell);
-    // Nowhere to go: look at the wall behind.
+    // No known move: turn to see the wall behind.
     if (cells.empty()) return Action::step(90, 0);
     if (const auto fresh = unvisited_neighbour()) return go_to(*fresh);
     return go_to(
         *std::min_element(cells.begin(), cells.end(), [&](Cell a, Cell b) { return visits_.of(a) < visits_.of(b); }));
   }
 
-  /// One of those that are one cell away and were never visited, each equally likely; nothing where there is none.
+  /// A random unvisited cell that is one cell away; nullopt if there is none.
   std::optional<Cell> unvisited_neighbour() {
     std::array<Cell, 4> fresh;
     std::size_t count = 0;

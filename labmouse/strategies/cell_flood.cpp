@@ -14,13 +14,13 @@ CellFlood::CellFlood(const Briefing& briefing, TieOrder ties)
 Action CellFlood::explore() {
   if (!goal_found_ && !goal_can_be_reached()) return Action::forfeit(ForfeitReason::no_way);
   if (!goal_found_ && pose().cell != goals_.back()) return step_towards(goals_.back());
-  // The start may be the goal; a step has to end there.
+  // The start may be the goal: it counts as entered only when a step ends there.
   if (!goal_entered()) return Action::step(0, 0);
   goal_found_ = true;
   return after_goal();
 }
 
-/// Whether there is a goal cell left to flood to, after those that have turned out to be closed off are dropped.
+/// Drops goal cells that turned out to be unreachable. Returns whether one is left.
 bool CellFlood::goal_can_be_reached() {
   const DistanceField& from_here = reachable();
   while (!goals_.empty() && !from_here.reaches(goals_.back())) goals_.pop_back();
@@ -38,7 +38,7 @@ Action CellFlood::step_towards(Cell target) {
   const auto [cell, heading] = pose();
   assert(cell != target);
   Heading best = opposite(heading);  // with walls on three sides it turns, too
-  int least = unreachable + 1;       // where no way leads to the target, all directions are equally good
+  int least = unreachable + 1;       // without a way to the target, all directions are equal
   for (const Heading direction : ties_.from(heading)) {
     if (!passages.contains(wall_at(cell, direction)) || distance_.at(neighbour(cell, direction)) >= least) continue;
     least = distance_.at(neighbour(cell, direction));
@@ -58,7 +58,7 @@ Action CellFlood::race() {
   return move_in(pose().heading, last.direction, last.cells);
 }
 
-/// The longest move in a direction of which each cell brings the mouse one nearer; 0 where not even the first does.
+/// Cells of the longest move in a direction in which each cell is one nearer to the goal; 0 if there is none.
 int CellFlood::longest_descent(const WallSet& passages, Heading direction) const {
   int cells = 0;
   for (Cell cell = pose().cell; cells < briefing().motion.longest; ++cells) {

@@ -1,13 +1,12 @@
-// Flood fill cell by cell: what flood-block and flood-explore have in common.
+// Flood fill cell by cell: the base of flood-block and flood-explore.
 //
-// Exploration: distances in cells to one goal cell, over all walls not known to be closed; one cell a step to the
-// neighbour that is least far, and among equals to the first in the tie order. Where that neighbour lies behind, a
-// quarter turn takes the place of the move, because no sensor looks there. The goal is found where a step ends in that
-// one cell; to pass through another cell of the goal ends nothing.
-// Speed run: distances in cells to the same cell, over the map that the mouse has made of its knowledge. All straight
-// moves are listed, the directions in the tie order, in each the shortest first; the last on the list whose every cell
-// is one nearer to the goal is made. So the directions count here in the opposite order, and the longest move in the
-// chosen one is taken.
+// Search run: distances in cells to one goal cell, over all walls not known to be closed. Each step goes one cell, to
+// the neighbour with the lowest distance; ties go to the first in the tie order. If that neighbour is behind, the mouse
+// makes a quarter turn instead, because no sensor looks there. The goal is found when a step ends in that cell; other
+// cells of the goal do not count.
+// Speed run: distances in cells to the same cell, over the map of map(). All straight moves in which each cell is one
+// nearer to the goal are listed, directions in the tie order, shorter ones first; the last one is made. So the last
+// direction of the order wins, with its longest move.
 #pragma once
 
 #include <vector>
@@ -18,8 +17,7 @@
 
 namespace labmouse {
 
-/// A mouse that floods cell by cell; what it does between goal and reset, and which map it races on, is the strategy's
-/// own.
+/// Floods cell by cell. Derived strategies decide what to do between goal and reset, and on which map to race.
 class CellFlood : public Explorer {
  public:
   CellFlood(const Briefing& briefing, TieOrder ties);
@@ -27,12 +25,12 @@ class CellFlood : public Explorer {
  protected:
   /// One action of the search run once the goal is found.
   virtual Action after_goal() = 0;
-  /// The passages of the speed run: some of the known ones, those of the way to the goal among them.
+  /// The passages of the speed run: a subset of the known ones that contains the way to the goal.
   virtual WallSet map() const = 0;
 
-  /// One step of the search run towards a cell that a route that could exist leads to.
+  /// One step of the search run towards a cell to which a possible route leads.
   Action step_towards(Cell target);
-  /// The cells that routes that could exist lead to, as distances in cells from where the mouse stands.
+  /// Distances in cells from the mouse, over all walls not known to be closed.
   const DistanceField& reachable();
 
  private:
@@ -44,8 +42,8 @@ class CellFlood : public Explorer {
 
   TieOrder ties_;
   DistanceField distance_;
-  /// The goal's cells that may still be reached, column by column from the west, from north to south in each; the mouse
-  /// floods to the last of the vector, so they stand there in reverse.
+  /// Goal cells that may be reachable. The mouse floods to the last one, so the order is reversed: the westernmost
+  /// column last, and in it the northernmost cell last.
   std::vector<Cell> goals_;
   bool goal_found_ = false;
 };

@@ -1,6 +1,7 @@
 // certify: explores until its route is proven shortest, and no further.
 //
-// Limits: buys the proof at any price; a point of score is 30 steps of the search run, and the proof often costs more.
+// Limits: proves the route at any cost. 30 steps of the search run cost as much as one of the speed run, and the proof
+// often costs more than it saves.
 #include "labmouse/mouse/driving_explorer.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/runs.hpp"
@@ -22,7 +23,7 @@ class Certify final : public Explorer {
   }
 
   Action enter_goal() {
-    // The start may be a goal; a step has to end there.
+    // The start may be a goal: it counts as entered only when a step ends there.
     if (briefing().goals.contains(pose().cell)) return Action::step(0, 0);
     return ways_.step_towards(briefing().goals, knowledge(), pose());
   }
@@ -30,7 +31,7 @@ class Certify final : public Explorer {
   Action go_and_look() {
     if (runs_.hopeless()) return Action::forfeit(ForfeitReason::no_way);
     const CellSet viewpoints = viewpoints_of(runs_.unknown_walls(), knowledge(), briefing().sight);
-    // Standing where the wall could be seen and not seeing it: it is behind.
+    // At a viewpoint and still unseen: the wall is behind the mouse.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
     return ways_.step_to_look(viewpoints, knowledge(), pose());
   }
@@ -61,7 +62,7 @@ class CertifyDriver final : public DrivingExplorer {
 
   Action go_and_look() {
     const CellSet viewpoints = viewpoints_of(runs_.unknown_walls(), knowledge(), briefing().sight);
-    // Standing where the wall could be seen and not seeing it: it is behind.
+    // At a viewpoint and still unseen: the wall is behind the mouse.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
     return ways_.step_towards(viewpoints, knowledge(), place());
   }

@@ -1,6 +1,6 @@
-// dead-end: chance, but no step lost to walls.
+// dead-end: random turns, but only to free cells.
 //
-// Limits: a corridor or a loop holds it as long as chance will. Where the share cannot be reached it wanders for ever.
+// Limits: it can stay in a corridor or a loop for long. If the share cannot be reached, it never resets.
 // Choices: as for random-move.
 #include <array>
 

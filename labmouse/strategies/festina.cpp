@@ -1,7 +1,7 @@
-// festina: makes haste slowly. It searches as another strategy does, with a log-odds map, at a pace that its body
-// bears, and runs faster from try to try; and where no speed run ends well it makes sure of a slow one.
+// festina: wraps another strategy, and adds a log-odds map and a choice of pace. It searches more slowly after crashes,
+// makes speed runs faster after each success, and makes a slow, safe run if no speed run finished.
 //
-// Limits: what it knows of its body is how its runs ended; it does not know the noise of the day.
+// Limits: it adapts only to how runs ended; it does not know the noise level.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace labmouse {
 namespace {
 
-/// Where nothing goes wrong all paces are the same, and no reading is against the map.
+/// A parameter without effect in worlds without errors: there, all paces are equal, and no reading contradicts the map.
 constexpr Parameter number_with_errors(std::string_view name, std::string_view value, double low, double high,
                                        std::string_view meaning) {
   return Parameter::real(name, value, low, high, meaning, ParameterScope::errors);
@@ -42,14 +42,15 @@ constexpr std::array festina_parameters = {
         ParameterScope::errors),
 };
 
-/// A search has to come to its goal within half of the time: that takes about half of the cells, each with its turns.
+/// Lowest pace with which a search can reach the goal within half of the time limit. It passes about half of the cells,
+/// and turns add a quarter.
 double least_pace_of(const Briefing& briefing) {
   constexpr double least = 0.3, turns = 1.25;
   const double cells = turns * briefing.size.area() * briefing.drive.model->search.cell;
   return std::clamp(cells / (briefing.drive.pace * static_cast<double>(briefing.drive.time_limit)), least, 1.0);
 }
 
-/// What a crash costs is a run of a few, or the bonus of a mouse that was never touched.
+/// Pace of the first speed run: slower if a crash is costly, because runs are few or an untouched mouse gets a bonus.
 double first_run_pace(const Briefing& briefing, double chosen) {
   constexpr double with_bonus = 0.75, of_few = 0.9, least = 0.2;
   constexpr int many_runs = 10;
@@ -63,20 +64,20 @@ const BuiltinMouse& explorer_for(const Briefing& briefing, std::string_view chos
   return briefing.drive.maze_time_divisor > 0 ? ariadne_mouse : certify_mouse;
 }
 
-/// The pace of speed runs: how fast one went well, and how fast one did not.
+/// Chooses the pace of the next speed run from the fastest one that finished and the slowest one that crashed.
 class RunLadder {
  public:
   RunLadder(double first, double step) : next_(first), step_(step) {}
 
   double pace() const { return next_; }
-  /// Runs that crashed, where none has gone well.
+  /// Number of crashed runs, as long as none has finished.
   int crashes_alone() const { return good_ ? 0 : crashes_; }
   void crashed() {
     ++crashes_;
     bad_ = std::min(bad_.value_or(1.0), next_);
     next_ = good_ ? middle() : std::max(least, next_ * step_);
   }
-  /// Whether another run is worth trying.
+  /// Records a finished run. Returns whether a faster one is worth trying.
   bool went_well() {
     good_ = std::max(good_.value_or(0.0), next_);
     if (*good_ >= 1.0) return false;
@@ -95,7 +96,7 @@ class RunLadder {
 
 class Festina final : public DrivingStrategy {
  public:
-  /// `briefing` as the strategy has it; the fields, unless they are somebody else's, which the briefing then has, too.
+  /// `briefing` is that of the wrapped strategy; `fields` are null if the caller's briefing already had some.
   Festina(const Briefing& briefing, std::unique_ptr<DriveFields> fields, std::unique_ptr<DrivingStrategy> strategy,
           const Settings& settings, double search_pace, double least_pace, double run_pace, double usual_pace)
       : goals_(briefing.goals),
@@ -150,7 +151,8 @@ class Festina final : public DrivingStrategy {
     const int crashes = ladder_.crashes_alone();
     return makes_sure_ && crashes > 0 && (runs_ + 1 == most_runs_ || crashes == many_crashes);
   }
-  /// To the goal by known ways, as in a search; there, or where there is none, it goes on with speed runs.
+  /// A step of the safe run: to the goal by search moves over known walls. At the goal, or without a way, it returns to
+  /// speed runs.
   Action safe_step(const LogOddsMap& log_odds, const SearchPlace& place) {
     const Knowledge& known = log_odds.view();
     fields_->ways().fill(known.open(), known.known_cells(), goals_);
@@ -158,7 +160,7 @@ class Festina final : public DrivingStrategy {
     safe_run_ = step.kind == Action::Kind::step && !goals_.contains(place.pose.cell);
     return safe_run_ ? step : Action::reset();
   }
-  /// Asked after a speed run, the other strategy has no more to do; whether to run again is festina's to say.
+  /// After a speed run the wrapped strategy has no more to do; festina decides on another run.
   Action then(const Action& action) {
     const bool over = action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::finished;
     return running_ && over && ladder_.went_well() ? Action::reset() : action;
@@ -169,16 +171,16 @@ class Festina final : public DrivingStrategy {
   std::unique_ptr<DriveFields> own_fields_;
   DriveFields* fields_;  ///< in seconds
   std::unique_ptr<DrivingStrategy> strategy_;
-  double usual_pace_;  ///< the part of the robot's own that is 1 to it
+  double usual_pace_;  ///< pace of the briefing, as a part of the robot's own; all other paces are relative to it
   double search_pace_, least_pace_;
   double slower_;
   RunLadder ladder_;
   bool makes_sure_;
   MapKind map_;
-  int runs_ = 0;          ///< that it has begun at the start
-  bool running_ = false;  ///< whether its last run was, or is, a fast one
+  int runs_ = 0;          ///< runs begun at the start
+  bool running_ = false;  ///< whether the last or present run is a speed run
   bool stands_at_start_ = true;
-  bool safe_run_ = false;  ///< whether it drives one
+  bool safe_run_ = false;  ///< whether a safe run is under way
 };
 
 std::unique_ptr<DrivingStrategy> drive_festina(const Briefing& briefing, const Settings& settings) {

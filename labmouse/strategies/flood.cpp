@@ -1,6 +1,6 @@
-// flood, flood-return: the classic of the contests.
+// flood, flood-return: flood fill, the classic strategy of contests.
 //
-// Limits: neither knows whether a shorter route is left.
+// Limits: neither checks whether a shorter route may exist.
 #include <algorithm>
 #include <array>
 
@@ -36,7 +36,7 @@ class Flood final : public Explorer {
   Action explore() override {
     const Cell start = briefing().start.cell;
     if (goal_entered()) return !returns_ || pose().cell == start ? Action::reset() : step_towards(CellSet::of(start));
-    // Standing on a goal without having entered it: the start is one. A step has to end there.
+    // The start is a goal: it counts as entered only when a step ends there.
     return briefing().goals.contains(pose().cell) ? Action::step(0, 0) : step_towards(briefing().goals);
   }
 

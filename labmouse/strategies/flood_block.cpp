@@ -1,13 +1,13 @@
-// flood-block: floods to the goal and closes off every cell that it has not visited.
+// flood-block: floods to the goal; its speed run uses only visited cells.
 //
-// Limits: races along what it has walked, detours that loop back to visited cells cut off, however near a shorter way
-// lies; counts cells, not steps, so it prefers a crooked way to a straight one of two cells more.
+// Limits: the speed run follows visited cells only, even if an unvisited shortcut was seen; loops back to a visited
+// cell are skipped. It counts cells, not steps, so it prefers a crooked way to a straight one of two cells more.
 // Choices: The tie order wsen is the only one of the 48 that gives the reported score in all three mazes (25.4 as 42
 // steps and 24, 48 as 90 and 45, 40.767 as 83 and 38), and only where the flood starts from the north-western cell of
-// the goal and the search run ends in that cell alone. Which moves the speed run prefers, and whether the turn on the
-// spot goes left or right, changes none of these numbers; flood-explore decides the first, the second is a right turn.
-// Of goals elsewhere the mouse takes the northernmost cell of the westernmost column; where walls close that one off,
-// the next one to the south or east, of which the report does not speak.
+// the goal and the search run ends in that cell alone. The moves that the speed run prefers, and the direction of turns
+// on the spot, do not affect these scores. The first is determined by flood-explore; the second is a right turn. In
+// other goals the mouse takes the northernmost cell of the westernmost column; if that is unreachable, the next one to
+// the south or east, which the report does not specify.
 #include <array>
 
 #include "labmouse/strategies/builtin_mice.hpp"

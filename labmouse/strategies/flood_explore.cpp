@@ -1,15 +1,13 @@
 // flood-explore: floods to the goal, then to every cell that it has not visited.
 //
-// Limits: buys the whole map at any price and does not watch the budget: in large mazes it never resets, and in mazes
-// with a cell that cannot be reached it looks for that one for ever. Counts cells, not steps, so even on the whole map
-// its way is seldom the fastest.
-// Choices: What is farthest? Distances to the mouse, the goal or the start, in cells, straight or as Manhattan's,
-// sorted once or anew at each cell or step, miss the reported scores; a list of points [column, row] sorted backwards
-// gives all three exactly (33.733 as 412 steps and 20, 43.367 as 551 and 25, 52.4 as 822 and 25). So the easternmost
-// column comes first, and in it the northernmost cell: far from the start's corner. The same scores settle that the
-// speed run prefers the end of the tie order, which flood-block alone settles; ahead before left before right, and a
-// few more, would do as well. Where an unvisited cell cannot be reached (the report's mazes have none), all distances
-// to it are equal, and the first direction in order wins at each step, for ever.
+// Limits: explores all cells regardless of the budget. In large mazes, and in mazes with an unreachable cell, it never
+// resets. It counts cells, not steps, so its route is seldom the fastest even with the complete map. Choices: the
+// report does not define "farthest". Distances to the mouse, the goal or the start do not reproduce its scores; a list
+// of points [column, row] in reverse order gives all three exactly (33.733 as 412 steps and 20, 43.367 as 551 and 25,
+// 52.4 as 822 and 25). So the easternmost column comes first, and in it the northernmost cell. The same scores require
+// that the speed run prefers the end of the tie order (flood-block determines that order); some other orders, such as
+// ahead, left, right, give the same scores. For an unreachable cell (the report's mazes have none) all distances are
+// equal, so each step takes the first direction in the order, and the search never ends.
 #include <array>
 #include <optional>
 

@@ -1,8 +1,8 @@
-// frontier: to the nearest cell that it has not visited.
+// frontier: goes to the nearest unvisited cell.
 //
-// Limits: does not care where the goal is; follows long dead ends to their end, and takes wide rooms cell by cell.
-// Choices: of equally near cells the first that a map of Python 3.4 lists (MoveMapper): so all scores of the report
-// come out, here as in the author's own mazes.
+// Limits: ignores where the goal is; follows dead ends to their end, and visits wide rooms cell by cell.
+// Choices: ties go to the first cell in the order of a Python 3.4 map (MoveMapper). This reproduces all scores of the
+// report.
 #include <array>
 
 #include "labmouse/strategies/builtin_mice.hpp"

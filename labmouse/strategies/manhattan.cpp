@@ -1,10 +1,10 @@
-// manhattan: to the cell that looks nearest to the goal.
+// manhattan: goes to the unvisited cell with the least Manhattan distance to the goal.
 //
-// Limits: keeps crossing the maze where two regions near the goal are both closed to it, and seldom looks at the edge,
-// where many a maze has its way in.
-// Choices: the report's program does not measure to the goal's middle: by a slip of sign it measures to the point one
-// cell south-west of it. So it is here, because its printed scores come from it; of equally near cells the first that a
-// map of Python 3.4 lists (MoveMapper).
+// Limits: it crosses the maze again and again if two regions near the goal are both closed, and seldom explores the
+// edge, where the way to the goal often is.
+// Choices: by a sign error, the report's program measures to the point one cell south-west of the goal's middle. That
+// is kept, because the printed scores depend on it. Ties go to the first cell in the order of a Python 3.4 map
+// (MoveMapper).
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -27,7 +27,7 @@ class Manhattan final : public Seeker {
   }
 
  private:
-  /// In half cells.
+  /// Manhattan distance, in half cells.
   int cost(const SearchTree&, Cell cell) const override {
     return std::abs(2 * (cell.x - x_) + 1) + std::abs(2 * (cell.y - y_) + 1);
   }

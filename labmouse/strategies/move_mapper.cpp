@@ -18,7 +18,7 @@ Action MoveMapper::explore() {
     plan_.clear();
     return Action::reset();
   }
-  // Standing on a goal without having entered it: the start is one. A step has to end there.
+  // The start is a goal: it counts as entered only when a step ends there.
   if (!goal_entered() && briefing().goals.contains(pose().cell)) return Action::step(0, 0);
   return choose();
 }

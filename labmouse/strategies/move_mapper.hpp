@@ -1,10 +1,11 @@
-// What the robots of the third report share: manhattan, frontier, potential, cautious and the two that go by chance.
+// Base of the strategies of the third report: manhattan, frontier, potential, cautious, random and
+// random-then-shortest.
 //
-// They note which cells one move leads to, as far as single readings show it (ConnectedCells), in tables of their
-// language's (Python 3.4's); of equal choices they take the first that such a table lists. A cell is visited where a
-// step ends in it, and the search run ends where that is a goal. The speed run is planned once: a breadth-first search
-// over the map to the first goal cell, column by column, that is in it; it ends in the first goal cell on that way.
-// Source: Edward Kish, "Plot and Navigate a Virtual Maze" (the third report), and the program behind it.
+// They map which cells can be reached in one move, as single readings show (ConnectedCells). Ties go to the first in
+// the order of a hash table of Python 3.4, as in the original. A cell is visited when a step ends in it; the search run
+// ends when that is a goal. The speed run is planned once, by breadth-first search over the map to the first mapped
+// goal cell, column by column. It ends in the first goal cell on that way.
+// Source: Edward Kish, "Plot and Navigate a Virtual Maze" (the third report), and its program.
 #pragma once
 
 #include <vector>
@@ -20,23 +21,23 @@ inline constexpr Parameter table_order = Parameter::choice(
     "order", "python-3.4", all_cell_orders,
     "Order of the hash table of that Python version, or row by row (rows), in which equally good choices are tried.");
 
-/// A mouse that moves over a map of the moves that it has seen. A strategy derives from it and writes choose().
+/// A mouse that moves over a map of seen moves. Strategies derive from it and define choose().
 class MoveMapper : public Explorer {
  public:
   /// Takes the parameter `order`.
   MoveMapper(const Briefing& briefing, const Settings& settings);
 
  protected:
-  /// One action of the search run. What is seen here is in the map.
+  /// One action of the search run. The present reading is already in the map.
   virtual Action choose() = 0;
-  /// Whether the search run, which has entered a goal, is over.
+  /// Whether the search run is over, once a goal was entered.
   virtual bool is_done() const { return true; }
   Action race() override;
 
   /// Adds the present reading to the map.
   void look() { map_.learn(pose(), seen()); }
   const ConnectedCells& map() const { return map_; }
-  /// Searches the shortest routes from the present cell.
+  /// Computes the shortest routes from the present cell.
   const SearchTree& find_routes();
   /// The next action on the planned route.
   Action follow();
@@ -51,7 +52,7 @@ class MoveMapper : public Explorer {
 
   ConnectedCells map_;
   SearchTree routes_;
-  std::vector<Cell> plan_;  ///< where the moves end, the last first
+  std::vector<Cell> plan_;  ///< the cells in which moves end, in reverse order
 };
 
 }  // namespace labmouse

@@ -29,7 +29,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// A number without the zeros that say nothing: `3`, `0.25`.
+/// A number without leading and trailing zeros: `3`, `0.25`.
 std::string plain(std::string_view number) {
   const bool negative = number.front() == '-';
   if (negative) number.remove_prefix(1);
@@ -43,7 +43,7 @@ std::string plain(std::string_view number) {
   return negative && whole != "0" ? "-" + whole : whole;
 }
 
-/// With six decimals at most, and the same in every locale.
+/// With at most six decimals, independent of the locale.
 std::string plain(double number) {
   constexpr long long one = 1'000'000;
   const long long millionths = std::llround(std::abs(number) * static_cast<double>(one));
@@ -185,7 +185,7 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
       nearest = candidate;
     }
   if (!nearest.empty() || word.size() < 3) return nearest;
-  // Half a name is meant for the whole.
+  // A part of a name also matches.
   for (const auto candidate : candidates)
     if (candidate.find(word) != std::string_view::npos) return candidate;
   return nearest;

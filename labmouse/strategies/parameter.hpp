@@ -1,4 +1,4 @@
-// Parameters of mice: declared once, in a table that the command line, the results and every other reader share.
+// Parameters of mice. Each is declared once, in a table that command line, results and documentation use.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,24 @@ namespace labmouse {
 
 struct WallPrior;
 
-/// A `prior` is one of its choices or else the path of a file that `labmouse learn` wrote.
+/// Type of a parameter. A `prior` is one of its choices or the path of a file from `labmouse learn`.
 enum class ParameterType : std::uint8_t { whole, real, flag, choice, list, prior };
 
 std::string_view name_of(ParameterType type);
 
-/// Where the parameter of a mouse makes a difference; `errors`: only in those worlds in seconds in which things go
-/// wrong.
+/// The worlds in which a parameter has an effect; `errors`: only those in seconds with errors.
 enum class ParameterScope : std::uint8_t { steps, seconds, both, errors };
 
 /// One parameter of one mouse.
 struct Parameter {
   std::string_view name;
   ParameterType type = ParameterType::whole;
-  /// As it would be written in a SPEC: `3`, `0.5`, `yes`, `3/5/3`.
+  /// As written in a SPEC: `3`, `0.5`, `yes`, `3/5/3`.
   std::string_view default_value;
-  /// Smallest and largest value (of each element, for a list); without meaning for flags and choices.
+  /// Smallest and largest value (of each element, for a list); unused for flags and choices.
   double low = 0.0;
   double high = 0.0;
-  /// For a choice or a prior: what can be chosen, separated by `/`.
+  /// For a choice or a prior: the choices, separated by `/`.
   std::string_view choices;
   std::string_view meaning;
   ParameterScope scope = ParameterScope::steps;
@@ -81,7 +80,7 @@ class Settings {
   /// Sets a value that has passed check_value.
   void set(std::string_view name, std::string_view value);
 
-  /// A value by its parameter's name, which must be declared, as the type that it was declared with.
+  /// The value of a parameter, which must be declared with that type.
   int whole(std::string_view name) const;
   double real(std::string_view name) const;
   bool flag(std::string_view name) const;
@@ -90,8 +89,8 @@ class Settings {
 
   std::span<const Setting> all() const { return settings_; }
 
-  /// Gives a prior that was learned (null takes it away): a mouse with a parameter of that type expects this in place
-  /// of what the parameter's choice names. Strategies made under these settings use it: the settings must outlive them.
+  /// Attaches a learned prior (null removes it), which replaces the choice of a parameter of type `prior`. The settings
+  /// must outlive strategies made with them.
   void attach(std::shared_ptr<const WallPrior> prior) { prior_ = std::move(prior); }
   const WallPrior* attached() const { return prior_.get(); }
 
@@ -100,21 +99,21 @@ class Settings {
   std::shared_ptr<const WallPrior> prior_;
 };
 
-/// What can be chosen of a choice or a prior, in the table's order.
+/// The choices of a choice or a prior, in the table's order.
 std::vector<std::string_view> choices_of(const Parameter& parameter);
 
-/// Why a value does not suit a parameter, as a line for the user; empty where it does. For a prior any path does: this
-/// room opens no file.
+/// Why a value is invalid for a parameter, as a message for the user; empty if it is valid. A prior may be any path,
+/// because no file is opened here.
 std::string check_value(const Parameter& parameter, std::string_view value);
 
-/// A value that has passed check_value in its one spelling: `3` for `03`, `0.5` for `.50`, `yes` for `true`.
+/// The canonical spelling of a value that has passed check_value: `3` for `03`, `0.5` for `.50`, `yes` for `true`.
 std::string canonical_value(const Parameter& parameter, std::string_view value);
 
-/// The candidate that is spelled most like a word, for "did you mean"; empty where none is near.
+/// The candidate with the most similar spelling, for "did you mean"; empty if none is similar.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> candidates);
 
-/// A decimal number such as `-12` or `0.25`, all of the text, without a power of ten; nothing where it is none, or a
-/// double cannot hold it.
+/// Parses the whole text as a decimal number such as `-12` or `0.25`, without an exponent; nullopt if it is none or too
+/// large for a double.
 std::optional<double> parse_plain_number(std::string_view text);
 
 }  // namespace labmouse

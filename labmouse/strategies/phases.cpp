@@ -1,16 +1,17 @@
 // phases: three exchangeable phases, each with methods to choose from.
 //
-// Limits: searches by chance and the left hand may not arrive. None watches the budget before a goal is entered.
+// Limits: random searches and the wall follower may not find the goal. No method regards the budget before a goal is
+// entered.
 // Choices: as the report's program does it; `optimistic`, `coverage`, `worthwhile` and `unexplored-cell` are not in it.
-//   A side is explored once it is known, the border from birth, even if it was only seen.
-//   goal-oriented chooses among the cells that a search from the start reaches, cell by cell in the order of `ties`,
-//   and that have an unexplored side: the least sum of the strides from here and the explored sides. The text adds the
-//   distance to the goal, which in the program is the same for all cells. Of equals the first that a set of Python 2.7
-//   lists (`order`), on the way that a search from here finds first.
-//   Where no way has a weight, all are equally likely.
+//   A side is explored once it is seen; the border is explored from the beginning.
+//   goal-oriented considers the cells that a search from the start reaches, cell by cell in the order of `ties`, and
+//   that have an unexplored side. It takes the lowest sum of strides from here and explored sides. The report's text
+//   adds the distance to the goal, which in its program is the same for all cells. Ties go to the first in the order
+//   of a Python 2.7 set (`order`), on the way that a search from here finds first.
+//   If all weights are 0, all ways are equally likely.
 //   all-goals takes one cell a step.
-//   coverage also ends when all that can be reached is explored.
-//   worthwhile looks at the unknown walls on the shortest optimistic routes, as long as these are shorter than the
+//   coverage also ends when every reachable cell is explored.
+//   worthwhile explores the unknown walls on the shortest optimistic routes, as long as these are shorter than the
 //   shortest known one in the moves of the speed run; so it ends with the proof that none is shorter.
 //   Continuing ends in time for the reset and the known route.
 #include <array>

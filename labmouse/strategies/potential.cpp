@@ -1,10 +1,10 @@
-// potential: rolls downhill to the goal and raises the ground behind it.
+// potential: moves to the cell of lowest potential, and raises that of visited cells.
 //
-// Limits: it never gives up, also where no way leads to the goal; nothing tells it which routes are left to see.
+// Limits: it never gives up, even if no way leads to the goal, and does not know what is still unexplored.
 // Choices: as the report's program does it. A cell's first potential is its distance to the nearest column of the goal
-// plus that to the nearest row; where all three readings are 0 it becomes twice the maze's side; and where more than
-// one known move leads away it is doubled, at each visit, in a dead end too. It moves to the lowest of the cells that
-// one known move leads to, also back; of equals to the first that a set of Python 3.4 lists (MoveMapper).
+// plus that to the nearest row; where all three readings are 0 it becomes twice the maze's side; where more than one
+// known move leads away it is doubled at each visit, even in a dead end. It moves to the lowest of the cells that one
+// known move leads to, including backwards; ties go to the first in the order of a Python 3.4 set (MoveMapper).
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -34,7 +34,7 @@ class Potential final : public MoveMapper {
  private:
   Action choose() override {
     const auto cells = map().of(pose().cell);
-    // Nowhere to go: look at the wall behind.
+    // No known move: turn to see the wall behind.
     if (cells.empty()) return Action::step(90, 0);
     if (seen() == Sighting{0, 0, 0})
       potential(pose().cell) = 2.0 * std::max(briefing().size.width, briefing().size.height);

@@ -1,6 +1,6 @@
 // random: the benchmark that every other mouse should beat.
 //
-// Limits: the second run is left to chance too, so it seldom ends within the budget.
+// Limits: the speed run is random, too, so it seldom ends within the budget.
 // Choices: a move may go backwards, and a cell within range is any that one move can reach through known passages.
 #include <array>
 
@@ -19,7 +19,7 @@ class RandomMouse final : public MoveMapper {
  private:
   Action choose() override {
     const Cell next = walk_.next(pose().cell, map().of(pose().cell));
-    // Nowhere to go: look at the wall behind.
+    // No known move: turn to see the wall behind.
     return next == pose().cell ? Action::step(90, 0) : go_to(next);
   }
   Action race() override {

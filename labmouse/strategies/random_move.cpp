@@ -1,9 +1,9 @@
-// random-move: chance alone.
+// random-move: random turns, regardless of walls.
 //
-// Limits: of three draws, the walls of a corridor waste two, and a dead end takes two turns the same way; so it seldom
-// covers its share within the budget. Where the share cannot be reached it wanders for ever.
-// Choices: the report prints nothing of this mouse; where its three strategies differ in the share, by the date of the
-// program, this is the one of the report's listing, 5/6.
+// Limits: in a corridor, two of three draws hit a wall; a dead end takes two turns in the same direction. So it seldom
+// covers its share within the budget. If the share cannot be reached, it never resets.
+// Choices: the report prints no scores of this mouse. Versions of its program differ in the share; 5/6 is that of the
+// report's listing.
 #include <array>
 
 #include "labmouse/strategies/builtin_mice.hpp"
@@ -17,7 +17,7 @@ class RandomMove final : public Wanderer {
   using Wanderer::Wanderer;
 
  private:
-  // A wall costs the step, the turn is made.
+  // If a wall is in the way, the step only turns.
   Action wander() override {
     const int quarters = draw();
     return Action::step(90 * quarters, is_free(quarters) ? 1 : 0);

@@ -1,8 +1,7 @@
-// random-then-shortest: explores by chance, races by what it has seen.
+// random-then-shortest: explores at random, then takes the shortest seen route.
 //
 // Limits: in larger mazes the walk often does not find the goal within the budget.
-// Choices: a cell "within range" is any that one move can reach, also backwards; none is ruled out for having been
-// there.
+// Choices: a cell "within range" is any that one move can reach, also backwards; visited cells are not excluded.
 #include <array>
 
 #include "labmouse/strategies/builtin_mice.hpp"
@@ -20,7 +19,7 @@ class RandomThenShortest final : public MoveMapper {
  private:
   Action choose() override {
     const Cell next = walk_.next(pose().cell, map().of(pose().cell));
-    // Nowhere to go: look at the wall behind.
+    // No known move: turn to see the wall behind.
     return next == pose().cell ? Action::step(90, 0) : go_to(next);
   }
 

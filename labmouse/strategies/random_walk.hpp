@@ -1,4 +1,4 @@
-// The random walk of the mice that wander through what they know.
+// Random walk over known moves, for random and random-then-shortest.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace labmouse {
 
-/// At each step one of the cells that one known move leads to, all equally likely.
+/// Draws at each step one of the cells that one known move leads to, with equal probability.
 class RandomWalk {
  public:
   /// `stride` is the longest move in cells.
@@ -19,7 +19,7 @@ class RandomWalk {
     near_.reserve(4 * static_cast<std::size_t>(Motion::max_longest));
   }
 
-  /// One of the connected cells; the present one where none is near enough.
+  /// Draws one of the connected cells within the stride; returns `here` if there is none.
   Cell next(Cell here, std::span<const Cell> connected) {
     near_.clear();
     for (const Cell cell : connected)

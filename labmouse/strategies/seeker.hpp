@@ -1,4 +1,4 @@
-// What manhattan and frontier share: they have seen a cell, have not stood in it, and go there.
+// Base of manhattan and frontier, which go to cells that they have seen but not visited.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,18 @@
 
 namespace labmouse {
 
-/// A mouse that goes to the cheapest unvisited cell of its map by a whole shortest route, whatever it sees on the way,
-/// and chooses again. A strategy derives from it and says what a cell costs.
+/// Goes to the cheapest unvisited cell of its map by a shortest route, without replanning on the way, then chooses
+/// again. Derived strategies define the cost of a cell.
 ///
-/// A cell into which a mouse moves was seen before, in all four directions, but for the wall behind it at the start.
-/// Where no unvisited cell is left to see, that wall is what is left: the mouse goes and looks at it, if a route to the
-/// goal could lead through it.
+/// The mouse sees all four sides of each cell it moves into; only the wall behind it at the start stays unseen. If no
+/// unvisited cell is left, it goes to look at that wall, if a route to the goal could lead through it.
 class Seeker : public MoveMapper {
  public:
   Seeker(const Briefing& briefing, const Settings& settings)
       : MoveMapper(briefing, settings), optimistic_(briefing.size, briefing.motion) {}
 
  protected:
-  /// What the strategy gives an unvisited cell that the search has found: the least is next.
+  /// Cost of a reachable unvisited cell; the cheapest is next.
   virtual int cost(const SearchTree& routes, Cell cell) const = 0;
 
  private:

@@ -2,13 +2,12 @@
 //
 // Limits: no path is shown to be shortest, and legs are compared in cells, not in strides. It does not watch the
 // budget: in a large maze the way back may not fit.
-// Choices: the report does not say in which order equally good cells are listed. Its list is a map of its language's,
-// and in the order of that map (HashedCells) the scores of all its stages come out; in orders of directions they did
-// not. `ties` orders only the looks at the neighbours. The mouse leaves the goal by the way it came, and lists no other
-// neighbour of that goal: so 36 steps lead back in maze 1. A dead end that it backs into shows an open way ahead and is
-// not marked; the rank within a dead end decides nothing. Of equally long legs and paths, those of the way there. The
-// first stride is one cell shorter than others, as if the start were a cell to go to: so maze 3 takes 30 steps, not 29.
-// A start whose rear is not the border is looked at from a second side first.
+// Choices: the report does not state the order of equally good cells. The order of a Python hash table (HashedCells)
+// reproduces the scores of all its stages; orders of directions do not. `ties` only orders the neighbours. The mouse
+// leaves the goal by the way it came, and lists no other neighbour of it, as the 36 steps back in maze 1 require. A
+// dead end that it enters backwards shows an open way ahead, so it is not marked. Ties between legs and paths go to the
+// way there. The first stride is one cell shorter than others, as the 30 steps of maze 3 require. If the rear of the
+// start is not the border, the mouse turns first to see it.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -41,7 +40,7 @@ class TwoWay final : public Explorer {
   StrategyReport report() override { return {.counters = counters_}; }
 
  private:
-  /// What A* keeps of a cell: the steps to it from where this way began, and the cell before it.
+  /// A* data of a cell: steps from the beginning of the present way, and the previous cell.
   struct Node {
     int cost = unreachable;
     Cell parent;
@@ -51,7 +50,7 @@ class TwoWay final : public Explorer {
   Action explore() override {
     const Cell here = pose().cell;
     const Cell start = briefing().start.cell;
-    // The start may be a goal; a step has to end there.
+    // The start may be a goal: it counts as entered only when a step ends there.
     if (!goal_entered() && briefing().goals.contains(here)) return Action::step(0, 0);
     if (sees_too_little()) return Action::step(90, 0);
     visit(here);
@@ -81,7 +80,7 @@ class TwoWay final : public Explorer {
 
   // The map of this way.
 
-  /// Forgets the way so far and takes the present cell for its beginning.
+  /// Clears the search, and begins a new way at the present cell.
   void begin_way(const CellSet& towards) {
     manhattan_.fill(WallSet::all(briefing().size), towards);
     nodes_.assign(nodes_.size(), Node{});
@@ -121,9 +120,10 @@ class TwoWay final : public Explorer {
         std::count_if(all_headings.begin(), all_headings.end(), [&](Heading side) { return open(cell, side); }));
   }
 
-  /// Plans the way to the unvisited cell of least length + bias × Manhattan distance; false where none is left.
+  /// Plans the way to the unvisited cell with the least length + bias × Manhattan distance; false if none is left.
   bool choose() {
-    // Cells known from the way there may be passed on the way back, dead ends only by who is inside.
+    // On the way back, cells known from the way there may be passed; dead ends only if the mouse has visited them on
+    // this way.
     CellSet shunned = dead_ends_;
     shunned -= visited_now_;
     CellSet through = visited();
@@ -142,9 +142,9 @@ class TwoWay final : public Explorer {
     return !plan_.empty();
   }
 
-  // The two ways and what they are good for.
+  // The two ways, and the route made of them.
 
-  /// Keeps the way there and begins the way back, by the last step's way out of the goal.
+  /// Saves the way there, and begins the way back with the last step reversed.
   void turn_back() {
     returning_ = true;
     keep_way(way_there_);

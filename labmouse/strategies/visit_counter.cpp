@@ -1,8 +1,8 @@
-// visit-counter: to where it was least often.
+// visit-counter: goes to the least visited neighbour.
 //
-// Limits: no care for where the goal is. What it learns of the maze it learns by walking. Only chance marks a cell, so
-// its search runs are longer than its visits ask for. Its map can lack a way (WalkedPassages::slip). Where the share
-// cannot be reached it wanders for ever.
+// Limits: ignores where the goal is, and maps only passages that it walks. Only random choices mark a cell, so search
+// runs are longer than necessary. Its map can lack a passage (WalkedPassages::slip). If the share cannot be reached, it
+// never resets.
 // Choices: the share is that of the report's listing, 5/6; the program had 1/2, 3/4 and 4/5 at other times.
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ class VisitCounter final : public Wanderer {
       }
       Side& choice = least_visited();
       if (is_free(choice.quarters)) return Action::step(90 * choice.quarters, 1);
-      if (choice.struck_out) return draw_a_free_cell();  // it would be chosen for ever: only chance ends this step
+      if (choice.struck_out) return draw_a_free_cell();  // it would be chosen again and again, so draw instead
       choice.struck_out = true;
     }
   }
@@ -54,8 +54,8 @@ class VisitCounter final : public Wanderer {
     return briefing().size.contains(cell) ? visits_.of(cell) : beyond;
   }
 
-  /// The last side with the count that is least among those not struck out. The program looks sides up by their counts,
-  /// in a table from which nothing is removed: so a side with the same count as one struck out stays unseen behind it.
+  /// The last side that has the lowest count of those not struck out. As in the original program, sides are found by
+  /// their count, so a struck-out side can hide another one with the same count.
   Side& least_visited() {
     int least = beyond;
     for (const Side& side : sides_)

@@ -1,6 +1,6 @@
-// wall-left, wall-right: one hand on the wall.
+// wall-left, wall-right: wall followers.
 //
-// Limits: walks for ever around a goal that hangs on no wall of the outside ("island"), as contest mazes ensure.
+// Limits: never enters a goal whose walls are not connected to the border (an "island"), as in contest mazes.
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
 

@@ -5,7 +5,7 @@
 namespace labmouse {
 namespace {
 
-/// Steps that are kept with their repeats: more than any contest of the reports has.
+/// Largest number of recorded steps: more than any contest of the reports has.
 constexpr int most_walks = 10'000;
 
 }  // namespace
@@ -21,7 +21,7 @@ Wanderer::Wanderer(const Briefing& briefing, const Settings& settings)
 
 StrategyReport Wanderer::report() { return planned_ ? StrategyReport{.counters = counters_} : StrategyReport(); }
 
-// The last step is drawn and put into the map, but a reset is done in its place.
+// The last step is drawn and mapped, but replaced by a reset.
 Action Wanderer::explore() {
   const Action step = wander();
   if (step.movement > 0) passages_.walk(pose().cell, after(pose(), step).cell);
@@ -40,7 +40,7 @@ Action Wanderer::draw_a_free_cell() {
     if (const int quarters = draw(); is_free(quarters)) return Action::step(90 * quarters, 1);
 }
 
-// Where the map has no way to a goal, the mouse stays at its start.
+// Without a way to a goal in the map, the mouse stays at the start.
 Action Wanderer::race() {
   if (!planned_) plan();
   if (next_move_ == moves_.size()) return Action::step(0, 0);

@@ -1,9 +1,8 @@
-// What the wandering mice share: random-move, dead-end and visit-counter.
+// Base of the random explorers: random-move, dead-end and visit-counter.
 //
-// They walk cell by cell and mark a cell only where they draw a turn in it. Once a share of all cells is marked, and a
-// goal is, they reset, and plan the speed run by a textbook's search over the passages that they walked.
-// Source: the fifth report, "Plot and Navigate a Virtual Maze", whose explorers have one base for this, and what its
-// program does.
+// They walk cell by cell, and mark a cell only when they draw a random turn in it. Once a goal and a share of all cells
+// are marked, they reset, and plan the speed run by a textbook search over the passages that they walked.
+// Source: the fifth report, "Plot and Navigate a Virtual Maze", and its program.
 #pragma once
 
 #include <array>
@@ -23,21 +22,21 @@ inline constexpr Parameter wanderers_coverage =
 inline constexpr Parameter wanderers_search = Parameter::choice("search", "a-star", "breadth-first/a-star/dijkstra",
                                                                 "Search algorithm that plans the speed run.");
 
-/// A mouse that wanders. A strategy derives from it and writes wander(). Has the parameters above.
+/// A random explorer with the parameters above. Strategies derive from it and define wander().
 class Wanderer : public Explorer {
  public:
   Wanderer(const Briefing& briefing, const Settings& settings);
 
-  /// Of the search for the speed run, once it is planned.
+  /// Counters of the search for the speed run, once it is planned.
   StrategyReport report() final;
 
  protected:
-  /// One step of the search run, of no more than a cell.
+  /// One step of the search run, of at most one cell.
   virtual Action wander() = 0;
 
-  /// Draws a turn: -1, 0 or 1 quarters, equally likely, whatever is there. Marks the present cell.
+  /// Draws a turn of -1, 0 or 1 quarters with equal probability, regardless of walls. Marks the present cell.
   int draw();
-  /// Draws until the cell is free, and goes there; one has to be.
+  /// Draws until the way is free, and goes there. At least one way must be free.
   Action draw_a_free_cell();
   bool is_free(int quarters) const { return seen().towards(quarters) > 0; }
   /// Whether walls are to the left, ahead and to the right.

@@ -1,4 +1,4 @@
-"""Your own mouse: ahead until a wall, and no further."""
+"""Your own mouse: it drives ahead until a wall stops it."""
 
 
 class Robot(object):

@@ -1,6 +1,6 @@
-"""Flood fill: takes unseen walls for open, goes to where the goal is nearest, then races on what it has seen.
+"""Flood fill: counts unseen walls as open, moves to lower distances to the goal, then races over seen cells.
 
-It is not told where the goal is: it tries the centre first. Column x and row y are the number x + 100 * y."""
+The goal is unknown: it tries the centre first. Column x and row y are the number x + 100 * y."""
 
 LONGEST_STEP_OF_SEARCH = 3  # cells: shorter ones search more slowly and see more
 STEPS = [100, 1, -100, -1]  # to the next cell in the north, east, south, west: the directions 0 to 3
@@ -9,11 +9,11 @@ STRAIGHT, LEFT, RIGHT, BACK = 0, -1, 1, 2
 
 class Robot(object):
     def __init__(self, maze_dim):
-        middle = ((maze_dim - 1) // 2, maze_dim // 2)  # of an odd number the same twice
+        middle = ((maze_dim - 1) // 2, maze_dim // 2)  # equal for an odd size
         self.goals = [x + 100 * y for x in middle for y in middle]
         self.others = [x + 100 * y for x in range(maze_dim) for y in range(maze_dim)]
-        self.at_start, self.asked = None, False  # what it sees at the start; whether it tried a reset
-        self.is_open = {}  # the walls that it knows, each the sum of its two cells; first, those around the maze
+        self.at_start, self.asked = None, False  # readings at the start; whether it has just tried a reset
+        self.is_open = {}  # known walls, by the sum of both cells; first, the border
         for n in range(maze_dim):
             for cell, direction in ((n + 100 * (maze_dim - 1), 0), (maze_dim - 1 + 100 * n, 1), (n, 2), (100 * n, 3)):
                 self.is_open[2 * cell + STEPS[direction]] = False
@@ -31,7 +31,7 @@ class Robot(object):
         return self.move_towards(self.goals)
 
     def hear(self, was_goal):
-        """What the reset told: it is back at the start, or where it was and this cell is no goal."""
+        """Result of the reset: either it is back at the start, or it did not move, and this cell is no goal."""
         self.asked = False
         if was_goal:
             if self.goals is self.others:
@@ -42,14 +42,14 @@ class Robot(object):
             self.goals = self.others
 
     def look(self, sensors):
-        """Notes the walls that it sees: open ones, and behind them a closed one."""
+        """Records the walls that it sees: open ones, then a closed one."""
         for turn, free in zip((LEFT, STRAIGHT, RIGHT), sensors):
             step = STEPS[(self.heading + turn) % 4]
             for distance in range(free + 1):
                 self.is_open[2 * self.cell + (2 * distance + 1) * step] = distance < free
 
     def move_towards(self, targets):
-        """The step to a cell that is nearer to the targets: straight on rather than aside, and as far as it goes."""
+        """The longest step to a cell nearer to the targets; prefers straight on, then left, right, back."""
         away = self.flood(targets)
         for turn in (STRAIGHT, LEFT, RIGHT, BACK):
             direction = (self.heading + turn) % 4
@@ -60,10 +60,10 @@ class Robot(object):
         return 0, 0  # there is no way
 
     def flood(self, targets):
-        """How many steps each cell is away from the targets, up to the cell where it stands."""
+        """Distance of each cell to the targets, in steps; stops at the present cell."""
         away = {cell: 0 for cell in targets}
         queue = list(targets)
-        for cell in queue:  # also those that are added meanwhile
+        for cell in queue:  # includes cells added during the loop
             if cell == self.cell:
                 break
             for direction in range(4):
@@ -75,7 +75,7 @@ class Robot(object):
         return away
 
     def ends(self, cell, direction):
-        """The cells that one step reaches in a direction, the nearest first."""
+        """Cells that one step can reach in a direction, nearest first."""
         ends, step = [], STEPS[direction]
         most = 3 if self.racing else LONGEST_STEP_OF_SEARCH
         while len(ends) < most and self.is_open.get(2 * cell + step, not self.racing):
@@ -84,12 +84,12 @@ class Robot(object):
         return ends
 
     def move(self, turn, direction, most):
-        """Goes on while it sees the walls open, and says it as a step."""
+        """Shortens the step to walls known to be open, updates the position, and returns the step."""
         step, cells = STEPS[direction], 1
         while cells < most and self.is_open.get(2 * self.cell + (2 * cells + 1) * step):
             cells += 1
         self.cell += cells * step
         if turn == BACK:
-            return 0, -cells  # in reverse: it keeps its heading
+            return 0, -cells  # in reverse, without a turn
         self.heading = direction
         return 90 * turn, cells

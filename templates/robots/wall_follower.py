@@ -1,4 +1,4 @@
-"""Keeps its left hand on the wall until it enters the goal. Lost where the goal stands free: change that first.
+"""Keeps its left hand on the wall until it enters the goal. It fails if the goal's walls do not reach the border.
 
 Column x and row y are the number x + 100 * y."""
 
@@ -7,9 +7,9 @@ STEPS = [100, 1, -100, -1]  # to the next cell in the north, east, south, west: 
 
 class Robot(object):
     def __init__(self, maze_dim):
-        middle = ((maze_dim - 1) // 2, maze_dim // 2)  # of an odd number the same twice
+        middle = ((maze_dim - 1) // 2, maze_dim // 2)  # equal for an odd size
         self.goals = [x + 100 * y for x in middle for y in middle]
-        self.exits = {}  # of each cell, the direction in which it left it last
+        self.exits = {}  # for each cell, the direction in which it last left it
         self.cell, self.heading, self.racing = 0, 0, False
 
     def next_move(self, sensors):
@@ -25,17 +25,17 @@ class Robot(object):
             return self.move(0, 1)
         if right > 0:
             return self.move(1, 1)
-        return self.move(1, 0)  # a dead end: it turns here, and once more in the next step
+        return self.move(1, 0)  # a dead end: turns now, and again in the next step
 
     def race(self):
-        """Straight on along the way, as far as one step goes."""
+        """The longest straight step along the recorded way."""
         direction, cells = self.exits[self.cell], 1
         while cells < 3 and self.exits.get(self.cell + cells * STEPS[direction]) == direction:
             cells += 1
         return self.move((direction - self.heading + 1) % 4 - 1, cells)
 
     def move(self, turn, cells):
-        """Notes where that leads, and says it as a step. turn: -1 to the left, 0 for none, 1 to the right."""
+        """Updates the position, and returns the step. turn: -1 to the left, 0 for none, 1 to the right."""
         self.heading = (self.heading + turn) % 4
         for _ in range(cells):
             self.exits[self.cell] = self.heading

@@ -1,5 +1,5 @@
-# Plays a capstone robot by labmouse's external mouse protocol: python -u -c THIS robot.py [ARGUMENT...], in the robot's folder.
-# Behind dialogue.py and other_python.py, in one text with them. In syntax that Python 2.7 and Python 3 both take.
+# Runs a capstone robot by the labmouse protocol: python -u -c THIS robot.py [ARGUMENT...], in the robot's folder.
+# It is appended to dialogue.py and other_python.py. The syntax must be valid in both Python 2.7 and Python 3.
 import fcntl
 import os
 import sys
@@ -7,7 +7,7 @@ import traceback
 
 
 def load(path):
-    """The module in that file, under the file's own name, however that ends."""
+    """Loads a file as a module of the same name; the file may have any extension."""
     sys.path.insert(0, os.path.dirname(path))
     name = os.path.splitext(os.path.basename(path))[0]
     if sys.version_info[0] == 2:
@@ -23,8 +23,8 @@ def load(path):
 
 
 def sow(seed):
-    """Lets chance repeat itself: whatever asks the system for a seed, in `random` or in numpy, gets one that follows from
-    the contest's. Seeds that the robot chooses itself stay."""
+    """Makes random numbers reproducible: a seed requested from the system, in `random` or in numpy, is derived from the
+    seed of the contest. Seeds that the robot sets itself are kept."""
     import random
     source = random.Random(seed)
     given = random.Random.seed
@@ -43,13 +43,13 @@ def sow(seed):
 
 
 class NumpySower(object):
-    """Sows numpy's dice as they are imported, before anybody throws them; robots without numpy load none."""
+    """Seeds numpy.random when it is imported; robots without numpy do not load it."""
 
     def __init__(self, next_seed):
         self.next_seed = next_seed
 
     def find_spec(self, name, path=None, target=None):
-        """Python 3 asks how to load a module: numpy's random numbers as ever, and then seeded."""
+        """Import hook of Python 3: loads numpy.random as usual, then seeds it."""
         if name != "numpy.random":
             return None
         import importlib.machinery
@@ -64,7 +64,7 @@ class NumpySower(object):
         return spec
 
     def find_module(self, name, path=None):
-        """Python 2 asks who loads a module, and then has it loaded."""
+        """Import hook of Python 2; load_module() then loads it."""
         return self if name == "numpy.random" else None
 
     def load_module(self, name):
@@ -79,7 +79,7 @@ class NumpySower(object):
         dice.seed(self.next_seed())
 
     def sow_old(self, dice):
-        """Before 1.17, numpy gets its seeds from the system in C, where nothing can be put in between."""
+        """Seeds numpy before 1.17, which requests system seeds in C, where urandom() cannot be replaced."""
         next_seed, plain, shared = self.next_seed, dice.RandomState, dice.seed
 
         class RandomState(plain):
@@ -94,7 +94,7 @@ class NumpySower(object):
 
 
 def hint(kind, error, called):
-    """What to do about an error, where that can be told; `called`: by our call, and not in the robot's own code."""
+    """A hint about an error, or an empty string. `called`: raised by the call of the robot, not in its own code."""
     major = sys.version_info[0]
     if is_for_other(major, kind, error, getattr(error, "text", None) or ""):
         other = (2, "python2.7") if major == 3 else (3, "python3")
@@ -121,13 +121,13 @@ def show(kind, error, trace):
 
 def main():
     asked, answers = os.dup(0), os.dup(1)
-    for end in (asked, answers):  # in Python 2, programs that the robot starts would hold them, too
+    for end in (asked, answers):  # in Python 2, programs that the robot starts would inherit them
         fcntl.fcntl(end, fcntl.F_SETFD, fcntl.FD_CLOEXEC)
     questions = os.fdopen(asked, "r")
-    # What the robot prints goes to the log, and what it wants to read is empty: neither touches the protocol.
+    # The robot prints to the log, and reads from an empty input, so that it cannot disturb the protocol.
     os.dup2(2, 1)
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
-    sys.dont_write_bytecode = True  # many robots side by side, and nothing of ours in their folder
+    sys.dont_write_bytecode = True  # many robots may run at once; write no files to their folder
     dialogue = Dialogue(make)
     line = questions.readline()
     while line:
@@ -138,9 +138,9 @@ def main():
 
 
 def make(size, seed):
-    """The robot that the command line names."""
+    """Creates the robot of the file in the command line."""
     sow(seed)
-    del sys.argv[0]  # the robot has its own words, as if it had been started by itself
+    del sys.argv[0]  # so that the robot sees its own arguments
     return robot_of(load(os.path.abspath(sys.argv[0])), sys.argv[0], size)
 
 

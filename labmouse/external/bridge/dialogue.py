@@ -1,22 +1,22 @@
-# The side of a capstone robot in labmouse's external mouse protocol: what the robot gets, and how its answers are read.
-# In syntax that Python 2.7, Python 3 and MicroPython all take: the page plays robots by this text, too.
+# The labmouse protocol for a capstone robot: passes readings to the robot, and converts its answers. The syntax must be
+# valid in Python 2.7, Python 3 and MicroPython, because the page runs robots with this text, too.
 import sys
 
 CALLED = "it is called as Robot(maze_dim) once, and as next_move(sensors) in each step"
 
 
 def within(number):
-    """What a record can hold of a whole number."""
+    """Limits a whole number to what a record can hold."""
     return max(-1000000, min(1000000, int(number)))
 
 
 def answer(action):
-    """The line for what next_move returned, judged as the tester of the capstone project judges it."""
+    """The protocol line for a return value of next_move, interpreted as by the tester of the capstone project."""
     try:
         rotation, movement = action
         if (rotation, movement) == ("Reset", "Reset"):
             return "reset"
-        abs(movement)  # the tester's own first look: of text, which int() would take, there is no size
+        abs(movement)  # fails for text, as in the tester; int() would accept it
         return "move %d %d" % (degrees(rotation), within(movement))
     except (TypeError, ValueError, OverflowError):
         shown = repr(action)[:200]
@@ -24,8 +24,8 @@ def answer(action):
 
 
 def degrees(rotation):
-    """A rotation as a whole number. The tester compares it with -90, 0 and 90, so that no value is wrong: any other, even
-    text, is no rotation. Of those that are no whole numbers, 1 takes the place."""
+    """A rotation as a whole number. The tester compares it with -90, 0 and 90, so any other value, even text, means no
+    rotation. Values that are no whole numbers become 1."""
     try:
         return within(rotation) if rotation == int(rotation) else 1
     except (TypeError, ValueError, OverflowError):
@@ -33,7 +33,7 @@ def degrees(rotation):
 
 
 class Dialogue(object):
-    """Hears the host line by line. `make` is called once, with the size of the maze and the seed of the contest, and
+    """Answers the lines of labmouse. `make` is called once, with the size of the maze and the seed of the contest, and
     returns the robot."""
 
     def __init__(self, make):
@@ -42,7 +42,7 @@ class Dialogue(object):
         self.robot = None
 
     def hear(self, line):
-        """What the robot's side says to that line; None where that is nothing."""
+        """The answer to a line; None if there is none."""
         words = line.split()
         if self.robot is not None:
             return answer(self.robot.next_move([int(word) for word in words[1:]]))
@@ -55,7 +55,7 @@ class Dialogue(object):
 
 
 def robot_of(module, name, size):
-    """The robot of a module that was loaded from a file of that name."""
+    """Creates the robot of a module; `name`: its file, for the message."""
     if not hasattr(module, "Robot"):
         sys.exit("%s has no class Robot" % name)
     return module.Robot(size)

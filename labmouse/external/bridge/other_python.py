@@ -1,7 +1,7 @@
-# Whether a robot was written for the other Python. Also for MicroPython, whose patterns have to be short.
+# Detects robots written for the other major version of Python. Patterns are short, as MicroPython requires.
 import re
 
-# Of a Python, by its version: lines and names that only the other one has.
+# By version: lines and names that are only valid in the other version.
 OTHER_LINES = {
     3: (r"\s*(print|exec)\s+[\w'\"]", r"\s*print\s*>>", r"\s*except\s.*,\s*\w+\s*:", r"\s*raise\s+\w+\s*,", r".*(<>|`)"),
     2: (r".*\b[fF]['\"]", r".*\bprint\s*\(.*\b(end|sep|file)\s*=", r".*(->|:=)", r"\s*(nonlocal|async)\s",
@@ -13,13 +13,13 @@ OTHER_NAMES = {
 
 
 def missing_name(error):
-    """What an error says that there is not: a name, an attribute, a module; None where it says nothing of that."""
+    """The name, attribute or module that is missing by an error message; None if there is none."""
     named = re.search(r"(name|module named|has no attribute) '?([\w.]+)", str(error))
     return named.group(2) if named else None
 
 
 def is_for_other(version, kind, error, line):
-    """Whether an error is one of robots for the other Python; `line`: that of the robot, for errors of syntax."""
+    """Whether an error indicates a robot for the other Python; `line`: the source line of a syntax error."""
     if issubclass(kind, SyntaxError):
         return any(re.match(pattern, line) for pattern in OTHER_LINES[version])
     names = OTHER_NAMES[version].split()

@@ -9,14 +9,14 @@ unsigned bit_of(Heading side) { return 1U << static_cast<unsigned>(side); }
 
 bool continues_a_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-/// Bytes that follow the first one of a character of UTF-8; of a byte that begins none, 0.
+/// Number of bytes that follow the first byte of a UTF-8 character; 0 if the byte begins none.
 std::size_t followers(char first) {
   const auto byte = static_cast<unsigned char>(first);
   if (byte < 0xC2U || byte > 0xF4U) return 0;
   return byte < 0xE0U ? 1 : byte < 0xF0U ? 2 : 3;
 }
 
-/// Takes the first character of a text that is not empty: itself where mms shows it, else `?`.
+/// Removes the first character of a non-empty text, and returns it if mms shows it, else `?`.
 char next_shown(std::string_view& text) {
   const char first = text.front();
   std::size_t bytes = 1;

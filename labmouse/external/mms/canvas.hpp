@@ -1,4 +1,4 @@
-// What a mouse of mms drew on its maze: walls, colours and letters. It changes nothing but the picture.
+// Drawing of an mms mouse on its maze: walls, colours and texts. It has no effect on the contest.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace labmouse {
 
-/// The letters that setColor knows.
+/// The colour letters of setColor.
 inline constexpr std::string_view mms_colours = "kbacgorwyBCAGORVY";
 
-/// The drawing of one mouse. Cells handed to it must lie inside.
+/// The drawing of one mouse. Cells must lie inside of the maze.
 class MmsCanvas {
  public:
-  /// mms shows two rows of five characters a cell, and cuts the rest.
+  /// mms shows two rows of five characters per cell; longer texts are cut.
   static constexpr std::size_t text_columns = 5, text_rows = 2;
 
   MmsCanvas() = default;
@@ -28,18 +28,18 @@ class MmsCanvas {
 
   /// Whether the mouse drew a wall on that side of that cell; the border counts like all others.
   bool has_wall(Cell cell, Heading side) const;
-  /// Draws it, or takes it away, on both of its sides.
+  /// Draws or removes it, on both of its sides.
   void set_wall(Cell cell, Heading side, bool there);
 
-  /// One of mms_colours, or 0 where there is none.
+  /// One of mms_colours, or 0 for none.
   char colour(Cell cell) const { return at(cell).colour; }
   void set_colour(Cell cell, char colour) { at(cell).colour = colour; }
   void clear_colours();
 
-  /// Printable ASCII, at most text_columns * text_rows characters: row by row, without blanks between them.
+  /// Printable ASCII, at most text_columns * text_rows characters: row by row, without separators.
   std::string_view text(Cell cell) const { return {at(cell).text.data(), at(cell).length}; }
-  /// Keeps what mms shows of UTF-8 text: each other character becomes a `?`, and so does the backslash. An empty text
-  /// clears the cell's.
+  /// Sets the text of a cell from UTF-8. As in mms, a backslash and each character outside of printable ASCII becomes
+  /// `?`. An empty text clears the cell.
   void set_text(Cell cell, std::string_view text);
   void clear_texts();
 

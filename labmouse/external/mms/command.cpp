@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// What has to follow a command's name.
+/// Kind of arguments of a command.
 enum class Form : std::uint8_t { nothing, cells, half_steps, statistic, wall, colour, cell, text };
 
 struct Entry {
@@ -60,14 +60,14 @@ constexpr auto command_names = [] {
   return names;
 }();
 
-/// A place for a name in a table; no two commands share one.
+/// Perfect hash of a command's name.
 constexpr std::size_t places = 128;
 constexpr std::size_t place_of(std::string_view name) {
   const auto letter = [&](std::size_t at) { return static_cast<unsigned char>(name[at]); };
   return (name.size() + letter(1) + 4U * letter(name.size() - 2)) % places;
 }
 
-/// The command that may be at each place, counted from 1; 0 where none is.
+/// Hash table of command numbers, from 1; 0: empty.
 constexpr auto table = [] {
   std::array<std::uint8_t, places> numbers{};
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -81,7 +81,7 @@ const Entry* find(std::string_view name) {
   return number > 0 && entries[number - 1].name == name ? &entries[number - 1] : nullptr;
 }
 
-/// The words of a line, between blanks; no command has more than four, so the fifth stands for all further ones.
+/// The words of a line, between blanks; at most five, because no command has more than four.
 struct Words {
   std::array<std::string_view, 5> word;
   std::size_t count = 0;
@@ -98,7 +98,7 @@ Words words_of(std::string_view line) {
   return words;
 }
 
-/// A whole number of 32 bits with an optional sign, blanks such as tabs round it; nothing for anything else.
+/// Parses a 32-bit whole number with an optional sign and surrounding white space; nullopt if it is none.
 std::optional<int> whole_number(std::string_view word) {
   constexpr std::string_view blanks = "\t\v\f\r ";
   word.remove_prefix(std::min(word.find_first_not_of(blanks), word.size()));
@@ -111,7 +111,7 @@ char lower(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<ch
 
 bool alike(char a, char b) { return lower(a) == lower(b); }
 
-/// How many letters differ between what two words have in common at their front and at their back.
+/// Number of letters between the common prefix and the common suffix of two words.
 std::size_t difference(std::string_view a, std::string_view b) {
   const auto front = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), alike).first - a.begin();
   a.remove_prefix(static_cast<std::size_t>(front));
@@ -120,7 +120,7 @@ std::size_t difference(std::string_view a, std::string_view b) {
   return std::max(a.size(), b.size()) - static_cast<std::size_t>(back);
 }
 
-/// "; did you mean NAME?" with the name that is spelled most like the word; empty where none is near.
+/// "; did you mean NAME?" with the most similar name; empty if none is similar.
 std::string suggestion(std::string_view word, std::span<const std::string_view> names) {
   constexpr std::size_t most = 2;  // letters: more is another word
   const auto nearest = std::min_element(names.begin(), names.end(), [&](std::string_view a, std::string_view b) {
@@ -132,7 +132,7 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
 
 constexpr std::string_view sides = "nesw";
 
-// Each of these reads what follows a name, and says what is wrong with it; nothing where all is well.
+// Each of these parses the arguments of a command. Returns the problem; empty if there is none.
 
 std::string read_nothing(const Entry& entry, const Words& words) {
   return words.count == 1 ? "" : std::string(entry.name) + " takes no argument";
@@ -140,7 +140,7 @@ std::string read_nothing(const Entry& entry, const Words& words) {
 
 std::string read_number(const Entry& entry, const Words& words, MmsCommand& command) {
   if (words.count > 2) return std::string(entry.name) + " takes at most one number";
-  // As in mms: what is no number is 0.
+  // As in mms, an invalid number is 0.
   const std::int64_t number = words.count == 2 ? whole_number(words.word[1]).value_or(0) : 1;
   command.half_steps = entry.form == Form::cells ? 2 * number : number;
   return {};
@@ -177,7 +177,7 @@ std::string read_drawing(const Entry& entry, const Words& words, MmsCommand& com
   return {};
 }
 
-/// The text is the rest of the line after three single blanks; where there are only two, mms takes the whole line.
+/// The text is the rest of the line after the third blank; with only two blanks, mms takes the whole line.
 std::string read_text(std::string_view line, MmsCommand& command) {
   constexpr const char* form = "setText takes X Y TEXT, each after a single space";
   const std::size_t first = line.find(' '), second = line.find(' ', first + 1);

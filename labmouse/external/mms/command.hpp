@@ -1,4 +1,4 @@
-// The language of mms: one line, and what it asks for.
+// Parses a command line of the mms protocol.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ enum class MmsVerb : std::uint8_t {
   was_reset,
   ack_reset,
   get_stat,
-  // These draw, and have none.
+  // These draw, and have no reply.
   set_wall,
   clear_wall,
   set_colour,
@@ -31,7 +31,7 @@ enum class MmsVerb : std::uint8_t {
   clear_all_text,
 };
 
-/// One command. What a verb does not need has no meaning.
+/// One command. Fields that a verb does not need are unused.
 struct MmsCommand {
   MmsVerb verb = MmsVerb::maze_width;
   /// Of turn and wall: the direction, in turns of 45 degrees clockwise from ahead.
@@ -46,18 +46,18 @@ struct MmsCommand {
   std::string_view text;
 };
 
-/// A line as mms takes it: a command, or the rest of a sentence that begins with the line and says why it is none, such
-/// as "has no reply: turnRight takes no argument".
+/// A parsed line: a command, or the problem, to follow the quoted line in a message, such as "has no reply: turnRight
+/// takes no argument".
 struct MmsLine {
   std::optional<MmsCommand> command;
   std::string problem;
 };
 
-/// Reads a line without its end; the command points into it.
+/// Parses a line without its end; the command points into the line.
 MmsLine read_mms_line(std::string_view line);
 
-/// What its writer may have meant, to follow the problem of a line with a name that mms does not know: "; did you mean
-/// NAME?"; else empty. It looks at all names, which is too slow for each of a million lines.
+/// A hint to follow the problem of a line with an unknown name: "; did you mean NAME?"; else empty. It compares all
+/// names, so it is too slow for millions of lines.
 std::string mms_suggestion(std::string_view line);
 
 }  // namespace labmouse

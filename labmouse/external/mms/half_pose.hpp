@@ -1,10 +1,13 @@
-// The half grid of mms: where a mouse stands that goes half cells and turns by 45 degrees.
+// The half-cell grid of mms, for mice that move by half cells and turn by 45 degrees.
 //
 //      y
-//      2 o---|---o       The places of cell (0,0) and of the walls round it. Both coordinates odd: the centre of a
-//      cell; 1 |   +   |       one of them even: the middle of a wall; both even: a post, where no mouse goes. 0
-//      o---|---o
+//      2 o---|---o
+//      1 |   +   |
+//      0 o---|---o
 //        0   1   2  x
+//
+// The diagram shows cell (0,0) and its walls. Both coordinates odd: the centre of a cell. One of them even: the middle
+// of a wall. Both even: a post, where no mouse goes.
 #pragma once
 
 #include <array>
@@ -39,8 +42,7 @@ struct HalfPlace {
   friend constexpr bool operator==(HalfPlace, HalfPlace) = default;
 };
 
-/// Where a mouse of mms stands and looks. At first that is the centre of (0,0), northwards, whatever the maze's file
-/// says and even where a wall is in front of it.
+/// Place and heading of an mms mouse. It starts at the centre of (0,0), heading north, whatever the maze file says.
 struct HalfPose {
   HalfPlace place;
   Compass heading = Compass::north;
@@ -69,10 +71,10 @@ inline bool blocked(const Maze& maze, HalfPlace place, Compass direction) {
   return !maze.is_open(cell_of(next), on_column ? Heading::west : Heading::south);
 }
 
-/// The goals of mms: the cells in the centre, whatever the maze's file marks.
+/// The goals of mms: the centre cells, whatever the maze file marks.
 inline CellSet mms_goals(Size size) { return centre_of(size); }
 
-/// The maze as mms takes it: start and goals are always the same cells, whatever the file marks.
+/// The maze with the fixed start and goals of mms.
 inline Maze as_in_mms(const Maze& maze) {
   return maze.with_start({0, 0}, Heading::north).with_goals(mms_goals(maze.size()));
 }

@@ -8,12 +8,12 @@
 namespace labmouse {
 namespace {
 
-// Units of work, and how many of them a second has at the place of mms's slider where it starts, 33 of 0 to 99:
-// ((1 - f) * 10^(1/4) + f * 5000^(1/4))^4 with f = 33/99.
+// Units of work, and units per second at the default position of mms's speed slider, 33 of 0 to 99: ((1 - f) * 10^(1/4)
+// + f * 5000^(1/4))^4 with f = 33/99.
 constexpr double straight_work = 50, diagonal_work = 70.71, eighth_work = 16.66, quarter_work = 33.33;
 constexpr double work_a_second = 253.07061515961826;
 
-/// So many questions for Reset, with nothing between, are no longer politeness.
+/// A mouse that asks for Reset so often in a row is waiting for it.
 constexpr int patience = 100;
 
 constexpr std::size_t most_logged = 100;
@@ -35,7 +35,7 @@ void MmsHost::obey(std::string_view line, std::string& replies) {
   if (changed && listener_) listener_({line, reply.substr(0, reply.find('\n')), pose_, clock()});
 }
 
-/// Obeys a command, and tells whether the mouse or its drawing changed.
+/// Obeys a command. Returns whether the mouse or its drawing changed.
 bool MmsHost::obey(const MmsCommand& command, std::string& replies) {
   switch (command.verb) {
     case MmsVerb::maze_width:
@@ -74,10 +74,10 @@ bool MmsHost::obey(const MmsCommand& command, std::string& replies) {
   return true;
 }
 
-/// Whether any of so many half steps would end in a wall or a post; the first one is always looked at.
+/// Whether any of so many half steps would end in a wall or a post; at least the first one is checked.
 bool MmsHost::sees_wall(Compass direction, std::int64_t half_steps) const {
   HalfPlace place = pose_.place;
-  // The border ends the loop where the number does not.
+  // The border ends the loop at the latest.
   while (!blocked(maze_, place, direction)) {
     if (--half_steps < 1) return false;
     place = half_step(place, direction);
@@ -85,7 +85,7 @@ bool MmsHost::sees_wall(Compass direction, std::int64_t half_steps) const {
   return true;
 }
 
-/// Goes as far as the way is free, and returns how far that was; all that was asked for is booked.
+/// Moves until a wall, and returns the half steps made. As in mms, the statistics count all that were asked for.
 std::int64_t MmsHost::move(std::int64_t half_steps) {
   if (half_steps < 1 || blocked(maze_, pose_.place, pose_.heading)) return 0;
   ledger_.count_move(half_steps, cell_of(pose_.place) == Cell{});
@@ -138,7 +138,7 @@ void MmsHost::draw(Cell cell, const MmsCommand& command) {
   }
 }
 
-/// Counts the questions for Reset that were denied, and presses the button for who asks and asks.
+/// Counts questions for Reset in a row, and presses the button for a mouse that waits.
 void MmsHost::note_question() {
   if (was_reset_) return;
   if (++questions_ < patience || options_.presses <= 0) return;

@@ -1,4 +1,5 @@
-// mms, the simulator, as a function: one line of a mouse in, the reply out. No window, no process, no clock.
+// The mms simulator as a library: it takes lines of a mouse, and returns the replies. It has no window, no process and
+// no real time.
 #pragma once
 
 #include <cstdint>
@@ -18,40 +19,40 @@ namespace labmouse {
 struct MmsOptions {
   /// Whether a line that mms would not answer ends the run.
   bool strict = false;
-  /// How often somebody presses Reset for a mouse that waits for it: that asked `wasReset` 100 times with nothing
-  /// between.
+  /// How often Reset is pressed for a mouse that waits for it, that is, asked `wasReset` 100 times in a row.
   int presses = 0;
-  /// After which a mouse is taken to go on for ever: simulated seconds, and lines. No program was met that needs a
-  /// tenth of either.
+  /// Limits of simulated seconds and lines after which a mouse counts as endless. Known programs need less than a tenth
+  /// of either.
   int most_seconds = 3'600;
   int most_lines = 10'000'000;
 };
 
-/// What a line did, for records and for watching.
+/// Effect of a line, for records and displays.
 struct MmsEvent {
   std::string_view line;   ///< as the mouse wrote it
-  std::string_view reply;  ///< empty where there is none
+  std::string_view reply;  ///< empty if there is none
   HalfPose pose;           ///< after it
   double clock = 0;        ///< simulated time after it, in seconds, at mms's default speed
 };
 
-/// The simulator with one mouse in one maze, from its start to its end. No time passes in it.
+/// The simulator with one mouse in one maze. It does not wait: time is only counted.
 class MmsHost {
  public:
   MmsHost(const Maze& maze, const MmsOptions& options);
 
-  /// Obeys one line, without its end; appends the reply with its end, if the line has one. Does nothing once the mouse
-  /// does not go on.
+  /// Obeys one line, without its end; appends the reply with its end, if the line has one. Does nothing if goes_on() is
+  /// false.
   void obey(std::string_view line, std::string& replies);
 
-  /// Called after each line that moved or turned the mouse, put it back, or drew something. Called for no others.
+  /// Sets a listener for lines that moved, turned or reset the mouse, or drew something.
   void on_event(std::function<void(const MmsEvent&)> listener);
 
-  /// False once a strict run had a bad line, the mouse waits for a Reset that nobody presses, or it is endless.
+  /// False after an invalid line in a strict run, if the mouse waits for a Reset with no presses left, or if it is
+  /// endless.
   bool goes_on() const;
-  /// Whether the mouse waits for Reset: it asked 100 times with nothing between, and no presses are left.
+  /// Whether the mouse waits for Reset: it asked 100 times in a row, and no presses are left.
   bool waits() const;
-  /// Whether the mouse took all the simulated time or all the lines that it may.
+  /// Whether the limit of simulated time or of lines is reached.
   bool is_endless() const;
   /// Presses the Reset button.
   void press_reset();
@@ -60,7 +61,7 @@ class MmsHost {
   const MmsStatistics& statistics() const { return ledger_.statistics(); }
   const MmsLedger& ledger() const { return ledger_; }
   const MmsCanvas& canvas() const { return canvas_; }
-  /// Simulated seconds since the start: what mms needs for the moves and turns at its default speed.
+  /// Simulated seconds since the start: the time that mms takes for the moves and turns at its default speed.
   double clock() const;
   /// Lines so far, answered or not.
   std::int64_t lines() const { return lines_; }
@@ -87,7 +88,7 @@ class MmsHost {
   MmsLedger ledger_;
   MmsCanvas canvas_;
   bool was_reset_ = false;
-  int questions_ = 0;  ///< for Reset, denied, with nothing between
+  int questions_ = 0;  ///< `wasReset` in a row with the reply false
   double work_ = 0;
   std::int64_t lines_ = 0, invalid_lines_ = 0;
   std::deque<std::string> log_;

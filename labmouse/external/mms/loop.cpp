@@ -9,10 +9,10 @@
 namespace labmouse {
 namespace {
 
-/// A repetition of less may be chance: a mouse that looks twice before it moves.
+/// A shorter repetition may be normal, such as a mouse that looks twice before it moves.
 constexpr std::size_t least_rounds = 3, least_commands = 32;
 
-/// So many cells or commands of a loop are shown.
+/// Number of cells or commands of a loop shown in messages.
 constexpr std::size_t most_shown = 8;
 
 template <class Items, class Show>
@@ -49,9 +49,9 @@ const MmsTrail::Step& MmsTrail::last(std::size_t back) const {
 }
 
 std::optional<MmsLoop> MmsTrail::loop(std::int64_t lines) const {
-  // Read from the end backwards, a repetition at the end is a prefix with a border: border[i] is the length of the
-  // longest proper prefix of the first i + 1 commands that also ends them (Knuth, Morris and Pratt), and what the
-  // prefix is longer than its border is its shortest period.
+  // Read backwards, a repetition at the end is a periodic prefix. border[i] is the length of the longest proper prefix
+  // of the first i + 1 commands that is also their suffix (Knuth, Morris and Pratt); the prefix length minus its border
+  // is its shortest period.
   std::vector<std::size_t> border(steps_.size());
   std::size_t length = 0, period = 0;
   for (std::size_t i = 1, common = 0; i < steps_.size(); ++i) {

@@ -20,7 +20,7 @@ MmsOutcome outcome_of(TreeLimit limit) {
   return limit == TreeLimit::memory ? MmsOutcome::too_much_memory : MmsOutcome::too_much_written;
 }
 
-/// One program with its simulator, and the clocks that run against it.
+/// One program with its simulator and its time limits.
 class Hosting {
  public:
   using Listener = std::function<void(const MmsEvent&, const MmsHost&)>;
@@ -47,7 +47,7 @@ class Hosting {
     else
       while (!ended_) take(patience_.wait(external_, contest_));
     run_.seconds = std::chrono::duration<double>(Clock::now() - begin_ - told_).count();
-    // What a program says when it is ended is about that, and would hide what it said before.
+    // Errors that a program writes because it is ended would hide its earlier ones.
     run_.errors = external_.errors();
     external_.end(0ms);
     if (ended_itself()) run_.errors = external_.errors();
@@ -78,7 +78,7 @@ class Hosting {
     }
   }
 
-  /// Obeys what has come, and sends all replies at once.
+  /// Obeys the lines received so far, and sends all replies at once.
   void obey_lines() {
     const std::size_t unsent = external_.unsent();
     const std::int64_t lines = host_.lines();
@@ -91,7 +91,7 @@ class Hosting {
       if (replies_.size() > replied) trail_.add(*line, host_.lines(), host_.pose());
     }
     if (!replies_.empty()) external_.send(replies_);
-    // A line is a sign of life, and so is a reply that was read; bytes of a line that never ends are none.
+    // A complete line, or a reply that was read, restarts the time limits; bytes of an incomplete line do not.
     if (host_.lines() > lines || unsent < unsent_) patience_ = {launch_.limits.silence, launch_.limits.decision};
     unsent_ = external_.unsent();
     judge_lines();
@@ -149,7 +149,7 @@ class Hosting {
                        hint());
   }
 
-  /// What may be behind a silence.
+  /// Possible cause of a missing line, for the message.
   std::string hint() {
     if (external_.deaf()) return "; it had closed its standard input";
     const std::string_view begun = external_.lines().rest();
@@ -184,7 +184,7 @@ class Hosting {
   ExternalProcess external_;
   MmsTrail trail_;
   std::string replies_;
-  std::size_t unsent_ = 0;  ///< bytes of replies at the end of the last turn
+  std::size_t unsent_ = 0;  ///< unsent bytes of replies after the last call
   MmsRun run_;
   bool ended_ = false;
 };

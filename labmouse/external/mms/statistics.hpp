@@ -1,4 +1,4 @@
-// The statistics of mms, the simulator: what it counts of a mouse, and the score that it makes of it.
+// The statistics and the score of the mms simulator.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace labmouse {
 
-/// All values of `getStat`. Distances in half steps; mms keeps them as 32-bit floating-point numbers, and so do we.
+/// All values of `getStat`. Distances in half steps, as 32-bit floating-point numbers, as in mms.
 struct MmsStatistics {
   float total_distance = 0, total_effective_distance = 0, total_turns = 0;
   float current_run_distance = 0, current_run_effective_distance = 0, current_run_turns = 0;
@@ -44,27 +44,26 @@ inline constexpr std::array<MmsStatistic, 10> mms_statistics = {{
     {"score", &MmsStatistics::score, false},
 }};
 
-/// The names that getStat knows.
+/// The valid names for getStat.
 std::span<const std::string_view> statistic_names();
 
-/// A value of `getStat NAME` as mms replies it (C's %g); nothing where mms has no such name. Distances and turns are
-/// whole numbers, and -1 from a million on: what mms prints of them then is none.
+/// A value of `getStat NAME` as mms replies it (C's %g); nullopt for an unknown name. Distances and turns are whole
+/// numbers; -1 from a million on, where mms would print no whole number.
 std::optional<std::string> statistic_reply(const MmsStatistics& statistics, std::string_view name);
 
-/// What a move counts by the half steps that were asked for: long ones count half, and 1 more.
+/// Effective distance of a move of so many half steps (as asked for): above 2, half of them plus 1.
 constexpr float effective_distance(std::int64_t half_steps) {
   const auto distance = static_cast<float>(half_steps);
   return half_steps <= 2 ? distance : distance / 2 + 1;
 }
 
-/// Keeps the statistics. A run begins with a move from the start cell, and ends in a goal or where the mouse is back.
+/// Updates the statistics. A run begins with a move from the start cell, and ends in a goal or back in the start cell.
 class MmsLedger {
  public:
-  /// What every ackReset adds to the effective distance of the next run, and to the total. Twice in a row it is the
-  /// same.
+  /// Added by ackReset to the effective distance of the next run, and to the total. Several in a row count once.
   static constexpr float reset_penalty = 15;
 
-  /// A move that was begun: by the half steps that were asked for, whether the mouse gets that far or not.
+  /// Counts a move that was begun, by the half steps asked for, even if the mouse does not get that far.
   void count_move(std::int64_t half_steps, bool from_start_cell);
   /// A turn by 45 or by 90 degrees.
   void count_turn();
@@ -74,11 +73,11 @@ class MmsLedger {
   void count_reset();
 
   const MmsStatistics& statistics() const { return statistics_; }
-  /// As they were when the best run was finished; those of now while none was.
+  /// The statistics at the end of the best run; the present ones if none was finished.
   const MmsStatistics& at_best_run() const { return statistics_.finished ? at_best_run_ : statistics_; }
   /// Whether a run was begun and is not over.
   bool in_run() const { return in_run_; }
-  /// What the next run begins with.
+  /// Effective distance with which the next run begins.
   float pending_penalty() const { return pending_penalty_; }
 
  private:

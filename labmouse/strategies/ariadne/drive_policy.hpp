@@ -1,4 +1,4 @@
-// What ariadne weighs against what in the world of seconds: its parameters there.
+// Parameters of ariadne in the world of seconds.
 #pragma once
 
 #include <array>
@@ -8,43 +8,44 @@
 
 namespace labmouse::ariadne {
 
-/// "Cells" are times of a search through a cell, "nats" units of -ln P(open).
+/// Units: a "cell" is the search time of one cell, a "nat" one unit of -ln P(open).
 struct DrivePolicy {
-  /// To the goal, no turn takes longer than this part of a cell: corners show more of a maze. Where the time in the
-  /// maze does not count, after this part of the time allowed it matters more to arrive.
+  /// On the way to the goal, a turn costs at most this many cells, because corners show more of a maze. If the maze
+  /// time does not count, this holds only for the first `corner_time` of the time limit.
   double corner_turn, corner_time;
 
-  /// On the way home: factors of the times of turns, and of turning back; what an unseen wall costs; and one of that
-  /// price or more, in 1/32 nat, is taken for closed.
+  /// On the way home: factors on the times of quarter turns and of turning back; the cost of an unseen wall, by nat and
+  /// fixed; and the price in 1/32 nat from which it counts as closed.
   double home_turn, home_back;
   double home_cells_a_nat, home_cells_a_wall;
   int home_closed;
 
-  /// What unseen walls cost a hoped-for run, in milliseconds, and from which price in 1/32 nat on they are taken for
-  /// closed; the longest run that is hoped for, as a part of the best known one; and the least gain, in milliseconds.
+  /// For a possible speed run: the cost of unseen walls in milliseconds, by nat and fixed, and the price in 1/32 nat
+  /// from which they count as closed; the longest run considered, as a multiple of the best known one; and the part of
+  /// the gain that does not count, in milliseconds.
   int run_a_nat, run_a_wall, run_closed;
   double run_longest;
   int run_gain;
 
-  /// Where the time in the maze counts: what an unseen cell is worth, at most and at least, in cells, and what a
-  /// millisecond of the gain is, as a part of what the rules say.
+  /// If the maze time counts: the highest and lowest worth of an unseen cell, in cells, and the worth of a gain in
+  /// search time, relative to that by the rules.
   double cell_most, cell_least, cell_worth;
-  /// Where it does not: the same, at most and by millisecond of the gain.
+  /// If it does not count: the highest worth, and the worth of a gain in search time.
   double look_most, look_worth;
-  /// The power of the chance that a hoped-for run exists, in its gain; and the gain that is as good as sure, as a part
-  /// of the best known run.
+  /// Exponent of the probability that a possible run exists, in the worth of its gain; and the gain that counts in
+  /// full, as a share of the best known run.
   double chance, sure_gain;
 
-  /// On the way to a look: what an unseen wall costs in cells a nat, in mazes as small as those that the prior was made
-  /// for; and in larger ones the part of a cell that entering an unseen one saves: it will be asked for sooner or
-  /// later, unless the time ends before.
+  /// On the way to a look: in mazes of the prior's size, the cost of an unseen wall in cells per nat; in larger ones,
+  /// the time in cells that entering an unseen cell saves, because it will be needed later, unless the time ends
+  /// before.
   double way_cells_a_nat, way_news;
 
-  /// Walls of that price or more, in 1/32 nat, are no hope for a route, in mazes as small as those that the prior was
-  /// made for: there are runs (RunCosts).
+  /// In mazes of the prior's size (where RunCosts works): walls of that price or more, in 1/32 nat, are not part of
+  /// possible routes.
   int hope_closed;
-  /// A route is a reason to look if it saves such a part of the known one; counted is what it saves times this power of
-  /// its chance. And one through unlikely walls, if it saves such a part.
+  /// A possible route is worth a look if its gain, times this power of its probability, is at least this share of the
+  /// known time; and the same share once routes through unlikely walls are considered.
   double hope_gain, hope_chance, last_gain;
 
   explicit DrivePolicy(const Settings& settings);
@@ -57,10 +58,9 @@ constexpr Parameter number_in_seconds(std::string_view name, std::string_view va
 
 /// The parameters that DrivePolicy reads.
 ///
-/// Found on 257 contest mazes by CMA-ES, all at once, for the mean of three robots (`classic`, `kerise`, `beginner`)
-/// under `thirtieth`, November 2026, but for `corner_time` and those of looks, ways and hopes, which were tried one by
-/// one; docs/explanation/how-ariadne-explores.md says what each is worth, and what is left of that in mazes that were
-/// not used.
+/// Tuned on 257 contest mazes by CMA-ES for the mean of three robots (`classic`, `kerise`, `beginner`) under
+/// `thirtieth`. `corner_time` and the parameters of looks, ways and hopes were tuned one by one.
+/// docs/explanation/how-ariadne-explores.md has the effect of each, also in mazes not used for tuning.
 inline constexpr std::array drive_parameters = {
     number_in_seconds(
         "corner_turn", "0.62", 0, 10,

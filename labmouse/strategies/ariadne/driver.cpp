@@ -34,7 +34,7 @@ double probability(int reluctance) {
 
 DriveTime part(double factor, DriveTime time) { return static_cast<DriveTime>(factor * time); }
 
-/// With the fields of the briefing, where its maze has room for corridors.
+/// Uses the fields of the briefing if its maze is large enough for corridors.
 RunPrices run_prices(const Briefing& briefing) {
   if (std::min(briefing.size.width, briefing.size.height) >= run_prices_side)
     return run_prices_of(briefing.drive.fields->routes());
@@ -69,11 +69,11 @@ class Driver final : public DrivingExplorer {
       known_time_.reset();
       runs_ != nullptr ? save() : forget_known_cells();
     }
-    // Without a run that is known there is nothing to weigh.
+    // Without a known run there is no gain to compare with.
     return weighs() && knows_run() ? home() : look();
   }
 
-  /// Expects and hopes anew.
+  /// Starts again with a new prior and new routes.
   void renew() override {
     outlook_ = Outlook(briefing(), prior_);
     outlook_.price(reluctances);
@@ -83,13 +83,13 @@ class Driver final : public DrivingExplorer {
 
   bool knows_run() { return runs_ != nullptr ? known_ != RunCosts::no_run : known_time() != no_time; }
 
-  /// Of the fastest known route.
+  /// Time of the fastest known route.
   DriveTime known_time() {
     if (!known_time_) known_time_ = routes_->known_time(knowledge());
     return *known_time_;
   }
 
-  /// Whether the time in the maze counts, so that it has something to weigh.
+  /// Whether the maze time counts, so that a look costs score.
   bool weighs() const { return briefing().drive.maze_time_divisor > 0; }
 
   bool is_early() const {
@@ -116,13 +116,13 @@ class Driver final : public DrivingExplorer {
     return step_towards(CellSet::of(briefing().start.cell), tolls);
   }
 
-  /// To where the next unseen wall of the best route that it hopes for can be seen, as certify does.
+  /// Goes to where the next unseen wall of the best possible route can be seen, as certify does.
   Action look() {
     if (routes_->plan(hope(), knowledge().open())) count_plan();
     if (enough() && likely_) hope_for_all();
     if (enough()) return Action::reset();
     const CellSet viewpoints = viewpoints_of(routes_->unknown_walls(), knowledge(), briefing().sight);
-    // Standing where the wall could be seen and not seeing it: it is behind.
+    // At a viewpoint and still unseen: the wall is behind the mouse.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
     SearchTolls tolls{search_};
     if (runs_ != nullptr) tolls.unit = part(policy_.way_cells_a_nat / 32, search_.cell);
@@ -130,7 +130,7 @@ class Driver final : public DrivingExplorer {
     return step_towards(viewpoints, tolls);
   }
 
-  /// Whether the best route that it hopes for is known, or saves little where it exists.
+  /// Whether the best possible route is known, or would save too little.
   bool enough() {
     if (routes_->proven()) return true;
     if (least_part_ == 0 || !knows_run()) return false;
@@ -140,7 +140,7 @@ class Driver final : public DrivingExplorer {
     return known_time() != no_time && trust * (known_time() - routes_->hoped_time()) < least_part_ * known_time();
   }
 
-  /// This may be a maze in which unlikely walls are open. From now on it looks for great gains alone.
+  /// From now on considers routes through unlikely walls, too, but only for large gains.
   void hope_for_all() {
     likely_ = false;
     least_part_ = policy_.last_gain;
@@ -149,7 +149,7 @@ class Driver final : public DrivingExplorer {
     count_plan();
   }
 
-  /// Passages that it hopes for: all that may be open, or those that are likely enough.
+  /// The passages of possible routes: all that may be open, or only those likely enough to be.
   WallSet hope() const {
     WallSet walls = knowledge().possible();
     if (!likely_) return walls;
@@ -170,14 +170,14 @@ class Driver final : public DrivingExplorer {
     return static_cast<std::int64_t>(briefing().size.area()) * search_.cell <= briefing().drive.time_limit;
   }
 
-  /// Known cells show nothing new.
+  /// Entering a known cell shows nothing new, so it saves nothing.
   void forget_known_cells() {
     knowledge().known_cells().for_each(
         [&](Cell cell) { savings_[static_cast<std::size_t>(briefing().size.index(cell))] = 0; });
   }
 
-  /// Finds what entering each unseen cell is worth: what the best run through it would gain, by the chance that it
-  /// exists.
+  /// Computes the worth of entering each unseen cell: the gain of the best run through it, times the probability that
+  /// it exists.
   void save() {
     count_plan();
     known_ = runs_->known(outlook_.prices());
@@ -195,7 +195,8 @@ class Driver final : public DrivingExplorer {
     const std::optional<HopedRun> run = runs_->through(cell);
     const int gain = run ? known_ - run->time - policy_.run_gain : 0;
     if (gain <= 0) return 0;
-    // Great gains are surer than small ones to be gains at all; and of the walls of a route some are open together.
+    // A large gain is more certain to be one than a small gain. The exponent on the probability allows for correlated
+    // walls of a route.
     const double trust = std::sqrt(std::sqrt(gain / (policy_.sure_gain * known_)));
     const double worth = weighs() ? policy_.cell_worth / 30 * briefing().drive.maze_time_divisor : policy_.look_worth;
     const double most = (weighs() ? policy_.cell_most : policy_.look_most) * search_.cell;
@@ -208,13 +209,13 @@ class Driver final : public DrivingExplorer {
   const WallPrior* prior_;
   Outlook outlook_;
   std::optional<DriveRuns> routes_;
-  bool likely_;               ///< hopes only for walls that are likely enough
-  double least_part_;         ///< of the known route's time that a hoped-for one has to save; 0: anything
-  RunCosts* runs_ = nullptr;  ///< where the maze has them
+  bool likely_;               ///< considers only walls that are likely enough to be open
+  double least_part_;         ///< share of the known time that a possible route has to save; 0: any gain
+  RunCosts* runs_ = nullptr;  ///< null in mazes that are too large
   SearchField& ways_;
   std::vector<DriveTime> savings_;
-  int known_ = RunCosts::no_run;         ///< the best known run, about
-  std::optional<DriveTime> known_time_;  ///< the same exactly, once it was asked for
+  int known_ = RunCosts::no_run;         ///< approximate time of the best known run, ms
+  std::optional<DriveTime> known_time_;  ///< exact time, once computed
   bool news_ = true;
 };
 

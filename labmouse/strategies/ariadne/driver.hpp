@@ -1,17 +1,17 @@
 // ariadne in the world of seconds.
 //
-// Method: to the goal by the least search time over all that may be open, with turns counted as cheap: corners show
-// more of a maze. What follows depends on the rules.
+// Method: go to the goal by the least search time over all walls not known to be closed. Turns count as cheap, because
+// corners show more of a maze. What follows depends on the rules.
 //
-// Where the time in the maze counts, the mouse goes home by the least sum of search time and of what unseen walls cost
-// by how likely they are closed, less what unseen cells are worth: what the best run through one would gain over the
-// best known one, by the chance that all of its walls are open (RunCosts).
+// If the maze time counts, the mouse goes home on the way with the least cost: search time, plus the price of unseen
+// walls (the likelier closed, the higher), minus the worth of unseen cells. A cell is worth the gain of the best run
+// through it over the best known one, times the probability that all walls of that run are open (RunCosts).
 //
-// Where it does not count, the mouse goes on as certify does, to the next unseen wall of the fastest route that may
-// exist, over walls that are likely enough to be open and past cells that are worth a look, until such a route would
-// save next to nothing. In mazes larger than those that the prior was learned from it hopes for all walls, and proves;
-// its ways to the next wall lead through unseen cells, if there is time for them. Turns count as cheap only early: a
-// mouse that comes to the goal late may not run in time.
+// If it does not count, the mouse explores like certify: it goes to the next unseen wall of the fastest possible route,
+// until such a route would save next to nothing. Only walls likely enough to be open are considered, and ways past
+// cells worth a look are preferred. In mazes larger than those of the prior, it considers all walls, and proves the
+// route; its ways lead through unseen cells if there is time for all of them. Turns count as cheap only early, because
+// a mouse that comes late to the goal may have no time for a run.
 #pragma once
 
 #include <memory>
@@ -23,8 +23,8 @@
 
 namespace labmouse::ariadne {
 
-/// For a briefing in seconds, with the settings that DrivePolicy reads; without a prior every unseen wall is as likely
-/// open as closed.
+/// The strategy for a briefing in seconds, with the settings of DrivePolicy. Without a prior every unseen wall is open
+/// with probability 1/2.
 std::unique_ptr<DrivingStrategy> make_driver(const Briefing& briefing, const Settings& settings,
                                              const WallPrior* prior);
 

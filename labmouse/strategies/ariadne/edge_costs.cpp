@@ -28,7 +28,7 @@ void EdgeCosts::plan_below(int limit, const WallPrices& prices) {
   from_start_.fill_below(limit, to_goal_, prices, start());
 }
 
-/// A with its weight, for the cell of an index.
+/// Weighted A of the cell with that index.
 inline int EdgeCosts::way_to(int cell) const {
   if (way_here_ == 0) return 0;
   const int cost = from_start_.at_index(cell);
@@ -42,7 +42,7 @@ int EdgeCosts::through(Wall wall) const {
   int cheapest = unreachable;
   int first = briefing_.size.index(wall.cell);
   int price = prices[first];
-  // All moves that begin `before` cells ahead of the wall; the border and walls taken for closed end them.
+  // All moves that begin `before` cells before the wall. The border and walls that count as closed end them.
   for (int before = 0; before < to_goal_.longest(); ++before) {
     int last = briefing_.size.index(wall.cell) + next;
     int to_last = price;

@@ -1,4 +1,4 @@
-// What a run from start to goal would cost that led through an unseen wall.
+// Computes the cost of the cheapest run from start to goal through a given unseen wall.
 //
 //   start ... s ==== wall ==== t ... goal        T(wall) = min over straight moves s -> t through it, both ways,
 //        A(s)        a move       G(t)                     of  way_here * A(s) + the move's cost + G(t)
@@ -14,19 +14,18 @@ namespace labmouse::ariadne {
 
 class EdgeCosts {
  public:
-  /// Takes all memory that it will need. The briefing must live as long.
+  /// Allocates all memory. The briefing must outlive it.
   explicit EdgeCosts(const Briefing& briefing);
 
-  /// Finds A and G over prices that stay as they are until the next plan. The weight of A is in 1/256; at 0 there is no
-  /// need for it.
+  /// Computes A and G. The prices must not change until the next plan. The weight of A is in 1/256; at 0, A is not
+  /// computed.
   void plan(const WallPrices& prices, int way_here);
-  /// The same for those cells t alone whose G is below a limit; the T of a wall may be too large where it leads to
-  /// others.
+  /// The same, but only for cells t with G below a limit. T may be too large for walls that lead to other cells.
   void plan_near(int limit, const WallPrices& prices, int way_here);
-  /// The same at weight 1, for those walls alone whose T is below a limit; the T of others may be too large.
+  /// The same at weight 1, but only for walls with T below a limit. T of others may be too large.
   void plan_below(int limit, const WallPrices& prices);
 
-  /// T of a wall that is not taken for closed, in thirtieths of a step; unreachable or more where no run leads through.
+  /// T of a wall that does not count as closed, in 1/30 step; `unreachable` or more if no run leads through.
   int through(Wall wall) const;
 
  private:

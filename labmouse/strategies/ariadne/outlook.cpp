@@ -73,7 +73,8 @@ void Outlook::learn(Wall wall, bool open) {
   rim_.for_each([&](Wall other) { price(other); });
 }
 
-/// Compares what the two kinds of mazes had said of a wall, neither as surer of it than one in thirty.
+/// Adds a wall's log-likelihood ratio between both kinds of mazes. Probabilities are limited on both sides, so that one
+/// wall cannot decide.
 void Outlook::weigh(Wall wall, bool open) {
   if (prior_ == nullptr || rim_.contains(wall) || inside_.contains(wall)) return;
   const auto surprise = [&](const WallPrior& prior) {

@@ -1,4 +1,4 @@
-// What ariadne expects of the walls that it has not seen, as prices, and which kind of maze it takes this one for.
+// Prices of unseen walls by their probability of being closed, and the evidence for a maze without loops.
 #pragma once
 
 #include <array>
@@ -14,26 +14,26 @@
 
 namespace labmouse::ariadne {
 
-/// The price of an unseen wall for each reluctance of it; WallPrices::closed where it is taken for closed.
+/// Price of an unseen wall by its reluctance (-ln P(open) in 1/32); WallPrices::closed if it counts as closed.
 using PriceTable = std::array<std::uint8_t, 256>;
 
-/// Keeps the prices of all walls of a maze in step with what is known.
+/// Prices of all walls of a maze, updated with each reading.
 class Outlook {
  public:
-  /// Without a prior every unseen wall is as likely open as closed.
+  /// Without a prior every unseen wall is open with probability 1/2.
   Outlook(const Briefing& briefing, const WallPrior* prior);
 
-  /// Learns what a reading shows, one that agrees with those before. True where it shows a wall that was unknown.
+  /// Adds a reading, which must agree with earlier ones. Returns whether it shows an unknown wall.
   bool learn(Pose pose, const Sighting& seen);
-  /// Learns all that is known.
+  /// Adds all known walls. Returns whether one of them was unknown.
   bool learn(const Knowledge& knowledge);
-  /// Prices all unseen walls anew, by a table that must live as long as it is in use.
+  /// Computes the prices of all unseen walls from a table, which must outlive its use.
   void price(const PriceTable& table);
 
   const WallPrices& prices() const { return prices_; }
 
-  /// How much better a maze without loops explains the walls seen so far than one of a contest: the logarithm of the
-  /// ratio of the likelihoods, in 1/32. 0 without a prior.
+  /// Log-likelihood ratio of the seen walls, in 1/32 nat: a maze without loops against a contest maze. 0 without a
+  /// prior.
   int evidence_against_loops() const { return evidence_; }
 
  private:
@@ -51,7 +51,7 @@ class Outlook {
   WallPrices prices_;
   WallSet unknown_;
   WallSet inside_;  ///< between two goal cells
-  WallSet rim_;     ///< about a goal room of 2×2 cells
+  WallSet rim_;     ///< around a goal room of 2×2 cells
   int rim_open_ = 0, rim_closed_ = 0;
   int evidence_ = 0;
 };

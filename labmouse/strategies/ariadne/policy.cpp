@@ -56,7 +56,7 @@ constexpr std::array parameters = {
 
 int weight(double value) { return static_cast<int>(value * one + (value < 0 ? -0.5 : 0.5)); }
 
-/// A price for each reluctance; `price` takes it as -ln P(open).
+/// Tabulates `price`, a function of -ln P(open), by reluctance.
 template <class Price>
 PriceTable table_of(Price price) {
   PriceTable table;
@@ -89,7 +89,7 @@ constexpr double never = 1000;
 Policy::Policy(const Settings& settings) {
   const auto style = settings.choice("style");
   loop_free = style == "loop-free";
-  // The simpler models know nothing of what contest mazes are like but by their prices.
+  // The simpler models do not use the evidence against loops.
   may_be_loop_free = style == "auto" && settings.choice("model") == "smooth";
   after.way_here = one;
   if (settings.choice("model") == "smooth")
@@ -113,7 +113,7 @@ void Policy::take_numbers(const Settings& settings) {
   stop_margin = weight(settings.real("stop_margin"));
 }
 
-/// A step towards a wall costs what a step of a run costs; no bonus, no margin.
+/// A step towards a wall costs as much as a step of a run; there is no bonus and no margin.
 void Policy::take_model(std::string_view model) {
   before.prices = model == "classes" ? classes(2.7) : flat(model == "flat" ? 10 : 0);
   last_resort = model == "classes" ? classes(never) : before.prices;

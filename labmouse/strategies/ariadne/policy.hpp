@@ -1,4 +1,4 @@
-// What ariadne weighs against what: its parameters, in integers.
+// Parameters of ariadne in the world of steps, as integers.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@ inline constexpr int step_price = costs_a_step;
 /// Weights of costs, and scores, are in 1/256.
 inline constexpr int one = 256;
 
-/// In mazes of more cells the next wall says too little of a run to go and look at it: there the mouse floods, and only
-/// weighs when to stop.
+/// In mazes of more cells the next wall tells too little about a run: the mouse floods, and uses the prices only to
+/// decide when to stop.
 inline constexpr int largest_to_weigh = 900;
 
 /// The weights of one phase of the search run.
 struct Phase {
   PriceTable prices{};  ///< of unseen walls
-  int way_here = 0;     ///< weight of the cost from the start to a wall, when a run through it is judged
+  int way_here = 0;     ///< weight of the cost from the start to a wall, in the cost of a run through it
   int travel = 0;       ///< of a step to where the wall is seen, when walls are compared
   int insight = 0;      ///< bonus for each unseen wall that is seen from there
 };
@@ -32,13 +32,13 @@ struct Phase {
 struct Policy {
   Phase before;  ///< before the goal has been entered
   Phase after;
-  /// Prices for `before` where nothing is left to look at: no wall is taken for closed.
+  /// Prices for `before` when nothing is left to look at: no wall counts as closed.
   PriceTable last_resort{};
-  int goal_bonus = 0;             ///< of going into the goal, once a way is known
-  int stop_travel = 0;            ///< of a step to where a wall is seen, when the strategy asks whether to stop
-  int stop_margin = 0;            ///< what a look may cost more than it could save
+  int goal_bonus = 0;             ///< bonus for entering the goal, once a way is known
+  int stop_travel = 0;            ///< weight of a step to where a wall is seen, for the decision to stop
+  int stop_margin = 0;            ///< how much more than its possible gain a look may cost
   bool loop_free = false;         ///< stop at the goal, always
-  bool may_be_loop_free = false;  ///< stop at the goal where the walls seen say that there are no loops
+  bool may_be_loop_free = false;  ///< stop at the goal if the walls seen indicate a maze without loops
 
   explicit Policy(const Settings& settings);
 
@@ -47,8 +47,8 @@ struct Policy {
   void take_model(std::string_view model);
 };
 
-/// The parameters that Policy reads, with the defaults of `ariadne`, and behind them those of DrivePolicy; and with the
-/// defaults of `ariadne-deep`, which does not drive in seconds.
+/// Parameters of `ariadne`: those of Policy, then those of DrivePolicy; and of `ariadne-deep`, which does not race in
+/// seconds: those of Policy with its own defaults.
 extern const std::array<Parameter, 17 + drive_parameters.size()> fast_parameters;
 extern const std::array<Parameter, 17> deep_parameters;
 

@@ -1,4 +1,4 @@
-// Where an exploring mouse could go, and what it would see there.
+// Finds the cells that a mouse can reach over known passages, and the unseen walls visible from there.
 #pragma once
 
 #include <bit>
@@ -18,22 +18,22 @@ struct Viewpoint {
   int travel = unreachable;
 };
 
-/// The cells that the mouse comes to over passages that it knows.
+/// Reachable cells and what can be seen from them.
 class Views {
  public:
-  /// Takes all memory that it will need. Briefing and knowledge must live as long.
+  /// Allocates all memory. Briefing and knowledge must outlive it.
   Views(const Briefing& briefing, const Knowledge& knowledge)
       : sight_(briefing.sight),
         goals_(briefing.goals),
         knowledge_(knowledge),
         travel_(briefing.size, briefing.motion) {}
 
-  /// Finds the ways from where the mouse stands.
+  /// Computes the ways from a cell.
   void plan(Cell from) { travel_.fill(knowledge_.open(), CellSet::of(from)); }
 
-  /// The cell nearest to the mouse that looks at an unseen wall along known passages.
+  /// The nearest cell from which an unseen wall is visible along known passages.
   Viewpoint viewpoint(Wall wall) const;
-  /// How many unseen walls, not taken for closed, end the known corridors about a cell; at most four.
+  /// Number of unseen walls, at most four, that end the known corridors around a cell and do not count as closed.
   int unseen_from(Cell from, const WallPrices& prices) const;
   /// The nearest goal cell that it can go to.
   std::optional<Viewpoint> nearest_goal() const;

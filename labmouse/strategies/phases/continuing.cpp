@@ -15,7 +15,7 @@ class None final : public Continuing {
   std::optional<Action> next(const Knowledge&, Pose, const CellSet&) override { return std::nullopt; }
 };
 
-/// Goes on into the next goal cell ahead, to the left or to the right, until it has stood in all or knows the others.
+/// Enters the next goal cell ahead, left or right, until all are visited or explored.
 class AllGoals final : public Continuing {
  public:
   explicit AllGoals(const Briefing& briefing) : goals_(briefing.goals) {}
@@ -38,7 +38,7 @@ class AllGoals final : public Continuing {
   CellSet goals_;
 };
 
-/// Goes on with the search until a share of all cells is explored, or all that can be reached.
+/// Continues the search until a share of all cells, or every reachable cell, is explored.
 class Coverage final : public Continuing {
  public:
   Coverage(const Briefing& briefing, const Settings& settings, Searching& searching)
@@ -61,9 +61,8 @@ class Coverage final : public Continuing {
   DistanceField field_;
 };
 
-/// Explores only what can shorten the speed run: the cells beside those unknown walls that a shortest optimistic route
-/// leads through, while such a route is shorter than the known one. It never leads into a part of the maze that has to
-/// be left where it was entered.
+/// Explores only what can shorten the speed run: cells beside unknown walls on a shortest optimistic route, while that
+/// route is shorter than the known one. So it skips parts of the maze with a single entrance.
 class Worthwhile final : public Continuing {
  public:
   Worthwhile(const Briefing& briefing, const Settings& settings)

@@ -1,4 +1,4 @@
-// The second phase of `phases`: what is explored between the first goal and the reset.
+// The second phase of `phases`: exploration between the first goal and the reset.
 #pragma once
 
 #include <memory>
@@ -14,12 +14,12 @@ namespace labmouse {
 class Continuing {
  public:
   virtual ~Continuing() = default;
-  /// The next action, for a pose whose reading has been learned; nothing where it is time for the reset. `visited` are
+  /// The next action, for a pose whose reading has been learned; nullopt when it is time for the reset. `visited` are
   /// the cells in which the mouse has stood.
   virtual std::optional<Action> next(const Knowledge& knowledge, Pose pose, const CellSet& visited) = 0;
 };
 
-/// The method that the parameter `continuing` names. It may go on with the search, which must outlive it.
+/// The method of the parameter `continuing`. It may use `searching`, which must outlive it.
 std::unique_ptr<Continuing> make_continuing(const Briefing& briefing, const Settings& settings, Searching& searching);
 
 }  // namespace labmouse

@@ -46,7 +46,7 @@ std::optional<Action> GoalOriented::towards(const CellSet& candidates, const Kno
   return move_in(pose.heading, move.direction, move.cells);
 }
 
-/// Lists the cells that can be reached, as a search from the start finds them.
+/// Lists the reachable cells in the order of a search from the start.
 void GoalOriented::list_reached(const Knowledge& knowledge) {
   cell_by_cell_.grow(knowledge.open(), start_);
   reached_.clear();
@@ -59,7 +59,7 @@ std::optional<Cell> GoalOriented::most_promising(const CellSet& candidates, cons
   reached_.for_each([&](Cell cell) {
     if (!candidates.contains(cell)) return;
     const int cost = tree_.distance(cell) + heuristic(knowledge, cell);
-    // Of equals the first on the list.
+    // Ties go to the first on the list.
     if (best && cost >= least) return;
     best = cell;
     least = cost;

@@ -1,4 +1,4 @@
-// How `phases` chooses among cells: f = steps from here + heuristic.
+// Goal-oriented choice of cells in `phases`: the lowest f = steps from here + heuristic.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@
 
 namespace labmouse {
 
-/// Walks to the most promising of some cells, and chooses anew at every step.
+/// Walks to the candidate with the lowest f, chosen again at every step.
 class GoalOriented {
  public:
-  /// What is added to the steps; `none` adds nothing, so the nearest cell is the most promising.
+  /// The heuristic that is added to the steps; with `none` the nearest cell is chosen.
   enum class Heuristic : std::uint8_t { none, edges, manhattan, manhattan_edges, optimistic };
 
-  /// Takes the parameters `heuristic`, `ties` and `order`, and all memory.
+  /// Reads the parameters `heuristic`, `ties` and `order`, and allocates all memory.
   GoalOriented(const Briefing& briefing, const Settings& settings);
 
-  /// The next action towards the candidate with the least f among those that are known to be reachable; where that is
-  /// the present cell, a turn to the right. Nothing where no candidate can be reached.
+  /// The next action towards the reachable candidate with the lowest f; a turn to the right if that is the present
+  /// cell; nullopt if no candidate is known to be reachable.
   std::optional<Action> towards(const CellSet& candidates, const Knowledge& knowledge, Pose pose);
 
  private:
@@ -33,8 +33,8 @@ class GoalOriented {
   CellSet goals_;
   Heuristic heuristic_;
   SearchTree cell_by_cell_;  ///< from the start
-  HashedCells reached_;      ///< what it finds, in the order of a set
-  SearchTree tree_;          ///< from here, in strides
+  HashedCells reached_;      ///< the cells that it finds, in the order of a Python set
+  SearchTree tree_;          ///< from the present cell, in strides
   DistanceField optimistic_;
 };
 

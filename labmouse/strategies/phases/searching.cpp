@@ -12,8 +12,8 @@
 namespace labmouse {
 namespace {
 
-/// Quarter turns of the three ways of a one-step search. It never goes backwards: the heading would stay, and the next
-/// step would undo the last.
+/// Quarter turns of the three ways of a one-step search. It never goes backwards: the heading would not change, so the
+/// next step would undo the last one.
 constexpr std::array ways = {-1, 0, 1};
 
 Action one_cell(int quarters) { return Action::step(90 * quarters, 1); }
@@ -23,7 +23,7 @@ bool is_open(const Knowledge& knowledge, Pose pose, int quarters) {
   return knowledge.open().contains(wall_at(pose.cell, turned(pose.heading, quarters)));
 }
 
-/// One cell to the left, ahead or to the right, by chance; the methods differ in the weights of the three.
+/// Moves one cell left, ahead or right at random. Methods differ in the weights of the three.
 class OneStep : public Searching {
  public:
   explicit OneStep(const Briefing& briefing) : dice_(briefing.seed) {}
@@ -38,7 +38,7 @@ class OneStep : public Searching {
     }
     if (open == 0) return turn_in_place();
     if (total > 0) return one_cell(thrown(weights, total));
-    // No way is favoured: each as likely as the others.
+    // All weights are 0: equal probabilities.
     for (std::size_t i = 0; i < ways.size(); ++i) weights[i] = is_open(knowledge, pose, ways[i]) ? 1 : 0;
     return one_cell(thrown(weights, open));
   }
@@ -81,7 +81,7 @@ class WeightedTurn final : public OneStep {
   std::array<int, ways.size()> weights_{};  // in thousandths
 };
 
-/// Favours the neighbours that are unexplored.
+/// Prefers unexplored neighbours.
 class UnexploredCell final : public OneStep {
  public:
   using OneStep::OneStep;
@@ -93,8 +93,8 @@ class UnexploredCell final : public OneStep {
   }
 };
 
-/// Favours the neighbours that lead to much that is unknown: the sides not yet seen of all cells that can be reached
-/// from there, but not through here.
+/// Prefers neighbours that lead to much unexplored space: the number of unseen sides of all cells reachable from there
+/// without passing the present cell.
 class UnexploredSpace final : public OneStep {
  public:
   explicit UnexploredSpace(const Briefing& briefing) : OneStep(briefing), field_(briefing.size, briefing.motion) {}
@@ -117,7 +117,7 @@ class UnexploredSpace final : public OneStep {
   DistanceField field_;
 };
 
-/// The first open way from the left; in a dead end a turn in place.
+/// Takes the first open way from the left; in a dead end it turns in place.
 class LeftHand final : public Searching {
  public:
   std::optional<Action> next(const Knowledge& knowledge, Pose pose) override {
@@ -127,7 +127,7 @@ class LeftHand final : public Searching {
   }
 };
 
-/// The most promising unexplored cell. Where none is left the goal is among the explored ones, or nowhere.
+/// Goes to the most promising unexplored cell; if none is left, to a goal, if one is reachable.
 class MostPromising final : public Searching {
  public:
   MostPromising(const Briefing& briefing, const Settings& settings)

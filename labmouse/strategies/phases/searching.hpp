@@ -13,12 +13,12 @@ namespace labmouse {
 class Searching {
  public:
   virtual ~Searching() = default;
-  /// The next action, for a pose whose reading has been learned; nothing where all that can be reached is explored and
-  /// no goal among it.
+  /// The next action, for a pose whose reading has been learned; nullopt if every reachable cell is explored and none
+  /// is a goal.
   virtual std::optional<Action> next(const Knowledge& knowledge, Pose pose) = 0;
 };
 
-/// The method that the parameter `searching` names.
+/// The method of the parameter `searching`.
 std::unique_ptr<Searching> make_searching(const Briefing& briefing, const Settings& settings);
 
 /// Whether that method is stochastic.

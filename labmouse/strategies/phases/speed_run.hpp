@@ -8,17 +8,17 @@
 
 namespace labmouse {
 
-/// The briefing with the moves of the speed run in place of the world's: the parameter `speed` may shorten them.
+/// The briefing with the moves of the speed run, which the parameter `speed` may shorten.
 Briefing briefing_for_speed(Briefing briefing, const Settings& settings);
 
 class SpeedRun {
  public:
-  /// Takes the parameter `speed`, and all memory.
+  /// Reads the parameter `speed`, and allocates all memory.
   SpeedRun(const Briefing& briefing, const Settings& settings);
 
-  /// What the run would cost if it began now.
+  /// Cost of the run if it began now, in steps.
   int length(const Knowledge& knowledge);
-  /// Plans the route. Unless readings on the way shall count, it stays as it is planned here.
+  /// Plans the route. It is not changed later, except with `speed=strides-updating`.
   void plan(const Knowledge& knowledge);
   /// The next action on it.
   Action next(const Knowledge& knowledge, Pose pose);

@@ -1,4 +1,4 @@
-// What the report of `phases` calls unexplored: a cell of which not all four sides have been seen.
+// Unexplored cells, as defined by the source of `phases`: not all four sides have been seen.
 #pragma once
 
 #include "labmouse/mouse/knowledge.hpp"
@@ -15,7 +15,7 @@ inline CellSet cells_beside(const WallSet& walls) {
   return cells;
 }
 
-/// The cells that have a side that has not been seen; the border is known from birth.
+/// The cells with an unseen side; the border counts as seen from the beginning.
 inline CellSet unexplored_cells(const Knowledge& knowledge) { return cells_beside(knowledge.unknown()); }
 
 }  // namespace labmouse
