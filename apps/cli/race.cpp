@@ -13,6 +13,7 @@
 #include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
+#include "labmouse/lab/standings/junit.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
@@ -33,6 +34,7 @@ struct RaceOptions {
   bool overwrite = false;
   std::string baseline;
   double fail_above = 0.0;
+  std::string junit;
   bool has_limit = false;
   int worst = 0;
   bool shares = false;
@@ -110,6 +112,15 @@ std::string save_results(const RaceOptions& options, const std::vector<Race>& ra
   const std::string path = fmt::format("{}/{}", options.out, results_file_name);
   const std::string error = write_file(path, [&](const TextSink& sink) { write_json(races, skipped, sink); });
   return error.empty() ? "" : fmt::format("{}: error: {}", path, error);
+}
+
+/// Writes the file of --junit, unless the race was stopped. Returns what went wrong, or nothing.
+std::string save_junit(const RaceOptions& options, const std::vector<Race>& races) {
+  if (options.junit.empty() || std::any_of(races.begin(), races.end(), [](const Race& race) { return race.stopped; }))
+    return "";
+  const std::optional<double> limit = options.has_limit ? std::optional(options.fail_above) : std::nullopt;
+  const std::string error = write_file(options.junit, junit_of(races, limit));
+  return error.empty() ? "" : fmt::format("{}: error: {}", options.junit, error);
 }
 
 bool same_worlds(const std::vector<Entry>& entries) {
@@ -209,6 +220,7 @@ std::string results_path(const RaceOptions& options) {
 
 int race(const RaceOptions& options) {
   expect_outputs({{"--curves", options.curves},
+                  {"--junit", options.junit},
                   {"--store", options.contests.store_path, Output::Kind::other},
                   {"--out", results_path(options), Output::Kind::other},
                   {"--baseline", options.baseline, Output::Kind::input}});
@@ -229,6 +241,7 @@ int race(const RaceOptions& options) {
   // Saved before anything is printed, because a reader of the table may leave early and end the program.
   if (failed_write.empty()) failed_write = save_results(options, races, skipped);
   folder.reset();
+  if (failed_write.empty()) failed_write = save_junit(options, races);
   report(options, races, skipped);
   for (std::size_t i = 0; i < races.size(); ++i) {
     if (options.shares) add(options, shares_of(races[i]));
@@ -282,6 +295,10 @@ void add_race(Command& app, int& exit) {
                                  "Exit with 1 if a mouse's mean score over all contests is above this")
                     ->type_name("SCORE")
                     ->check(finite_number());
+  command
+      ->add_option("--junit", options->junit,
+                   "Write JUnit XML: a test for each contest, and one for the mean where there is --fail-above")
+      ->type_name("FILE");
   command->add_option("--worst", options->worst, "Print the N mazes in which each mouse lost most")
       ->type_name("N")
       ->check(in_range(1, 1'000'000));

@@ -63,6 +63,39 @@ std::string failures_of(const Race& race) {
   return lines.empty() ? "" : "Failures:\n" + lines;
 }
 
+struct FinishedOf {
+  int finished = 0, all = 0;
+};
+
+/// For mice whose failures follow the size of the mazes: "flood finished all 13 contests in 16x16, and 3 of 30 in other
+/// sizes".
+std::string sizes_of(const Race& race) {
+  constexpr int fewest = 3;  // contests in sizes without failures
+  std::string lines;
+  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
+    std::map<std::pair<int, int>, FinishedOf> sizes;
+    for (const ContestResult& contest : race.results) {
+      if (contest.mouse != mouse || !counts(race, contest)) continue;
+      const Size size = race.mazes[contest.maze].maze.size();
+      FinishedOf& counted_here = sizes[{size.width, size.height}];
+      ++counted_here.all;
+      counted_here.finished += contest.score ? 1 : 0;
+    }
+    FinishedOf good, others;
+    std::string names;
+    for (const auto& [size, count] : sizes) {
+      FinishedOf& sum = count.finished == count.all ? good : others;
+      sum.finished += count.finished;
+      sum.all += count.all;
+      if (&sum == &good) names += fmt::format("{}{}x{}", names.empty() ? "" : ", ", size.first, size.second);
+    }
+    if (good.all >= fewest && 2 * others.finished < others.all)
+      lines += fmt::format("{} finished all {} contests in {}, and {} of {} in other sizes.\n",
+                           shown(race.mice[mouse].name), good.all, names, others.finished, others.all);
+  }
+  return lines;
+}
+
 /// The mazes in which nobody can score.
 std::string left_out_of(const Race& race) {
   int closed = 0;
@@ -138,8 +171,8 @@ std::string limit_note(const World& world) {
 }
 
 std::string notes_of(const Race& race) {
-  std::string notes = race.world().notes(race) + failures_of(race) + unjudged_of(race) + race.world().remarks(race) +
-                      left_out_of(race) + shared_seeds_of(race);
+  std::string notes = race.world().notes(race) + failures_of(race) + sizes_of(race) + unjudged_of(race) +
+                      race.world().remarks(race) + left_out_of(race) + shared_seeds_of(race);
   if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.reference; }))
     notes += "* knows the maze: attains the bound, and is not a contestant.\n";
   notes += sandboxes_of(race);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/standings/junit.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 #include "tests/says.hpp"
 
@@ -61,6 +62,39 @@ TEST(RaceNotes, NameMazesThatShareTheirSeeds) {
   EXPECT_THAT(notes_on("random", {"a/x.txt", "b/y.txt"}), Not(HasSubstr("seeds")));
   EXPECT_THAT(notes_on("flood", {"a/x.txt", "b/x.txt"}), Not(HasSubstr("seeds"))) << "throws no dice";
   EXPECT_EQ(contest_seed(1, "a/x.txt", 0), contest_seed(1, "x.txt", 0)) << "stores have contests under their seeds";
+}
+
+/// Flood in mazes of five columns, and a mourner in others.
+Contestant mouse_for_five_columns() {
+  Contestant mouse = test::mice("flood").front();
+  mouse.name = "five";
+  const auto flood = std::get<Decider>(mouse.kind).make;
+  mouse.kind = Decider{[flood](const Maze& maze, const Briefing& briefing) -> std::unique_ptr<Strategy> {
+    if (maze.size().width == 5) return flood(maze, briefing);
+    return std::make_unique<Mourner>(maze.size());
+  }};
+  return mouse;
+}
+
+std::vector<NamedMaze> mazes_of_two_sizes() {
+  return {{"a", test::loop().maze}, {"b", test::loop().maze}, {"c", test::loop().maze}, test::corridor(), test::hook()};
+}
+
+TEST(RaceNotes, SayWhereFailuresFollowTheSize) {
+  const Race race = hold_race({mouse_for_five_columns()}, mazes_of_two_sizes(), test::in_steps());
+  EXPECT_THAT(notes_of(race), Says("five finished all 3 contests in 5x5, and 0 of 2 in other sizes"));
+  EXPECT_THAT(notes_of(hold_race(test::mice("flood"), mazes_of_two_sizes(), test::in_steps())),
+              Not(HasSubstr("other sizes")));
+}
+
+TEST(JUnit, HasATestForEachContestAndOneForTheMean) {
+  const std::vector races = {
+      hold_race({mouse_for_five_columns()}, {test::loop(), {"<hook>", test::hook().maze}}, test::in_steps())};
+  const std::string text = junit_of(races, 1.0);
+  EXPECT_THAT(text, Says("<testsuite name=\"five (steps)\" tests=\"3\" failures=\"2\" skipped=\"0\">",
+                         "name=\"&lt;hook&gt;, run 1\"><failure message=\"forfeit: died\"/>", "name=\"loop, run 1\"/>",
+                         "name=\"mean score\"><failure"));
+  EXPECT_THAT(junit_of(races, std::nullopt), Says("tests=\"2\" failures=\"1\""));
 }
 
 }  // namespace
