@@ -28,7 +28,7 @@ struct FailureOptions {
   Places places;
   std::string robot = "kerise", rules = "all-japan", noise = "1,2,3", pace = "1";
   std::string map = std::string(name_of(MapKind::first));
-  double variation = field_variation, speed = 0.0;
+  PhysicalConditions conditions;
   int runs = 1;
   std::uint64_t seed = 1;
   int jobs = 0;
@@ -81,8 +81,7 @@ int failure_rates(const FailureOptions& options) {
   FailureOrder order;
   order.model = std::make_shared<DriveModel>(std::move(model));
   order.rules = find_rules_or_refuse(options.rules);
-  order.conditions.noise.variation = options.variation;
-  order.conditions.controller.search_speed = options.speed;
+  order.conditions = options.conditions;
   order.conditions.map = *map_kind_of(today_value(options.map));
   order.noises = numbers_of(noise_row.setting, options.noise);
   order.paces = numbers_of(pace_row.setting, options.pace);
@@ -137,10 +136,12 @@ void add_failure_rates(Command& app, int& exit) {
   command->add_option("--pace", options->pace, "Shares of the robot's usual speed, separated by commas, 0.2 to 1")
       ->type_name("LIST")
       ->capture_default_str();
-  command->add_option("--variation", options->variation, std::string(variation_row.setting.meaning))
+  command->add_option("--variation", options->conditions.noise.variation, std::string(variation_row.setting.meaning))
       ->check(in_range(variation_row.setting.low, variation_row.setting.high))
       ->capture_default_str();
-  command->add_option("--search-speed", options->speed, std::string(search_speed_row.setting.meaning))
+  command
+      ->add_option("--search-speed", options->conditions.controller.search_speed,
+                   std::string(search_speed_row.setting.meaning))
       ->check(setting_value(search_speed_row.setting))
       ->capture_default_str();
   command->add_option("--map", options->map, "How contradicting wall readings are handled: as --map of `labmouse race`")

@@ -34,11 +34,10 @@ struct LeftOut : std::optional<T> {
 /// The value of a member of a struct: a number, a truth, a text, JSON, or an optional one of these.
 template <class T>
 Value value_of(const T& member) {
-  if constexpr (std::is_same_v<T, int>)
-    return std::int64_t{member};
-  else
-    return member;
+  return member;
 }
+inline Value value_of(int member) { return std::int64_t{member}; }
+inline Value value_of(const ByClock& member) { return member.number; }
 template <class T>
 Value value_of(const std::optional<T>& member) {
   return member ? value_of(*member) : Value(nullptr);
@@ -47,7 +46,6 @@ template <class T>
 Value value_of(const LeftOut<T>& member) {
   return member ? value_of(*member) : Value();
 }
-inline Value value_of(const ByClock& member) { return member.number; }
 
 /// Sets a member to such a value; false where the value is of another kind.
 template <class T>

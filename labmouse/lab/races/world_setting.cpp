@@ -14,10 +14,6 @@ namespace {
 
 using Kind = WorldSetting::Kind;
 
-bool can_be_chosen(const WorldSetting& setting, double number) {
-  return number == setting.low || number >= setting.least_chosen;
-}
-
 std::string wrong_number(const WorldSetting& setting, const std::string& text) {
   if (setting.least_chosen > setting.low)
     return fmt::format("'{}' is neither {} nor a number from {} to {} {}", shown(text), setting.low,
@@ -47,26 +43,18 @@ Value chosen_value(const WorldSetting& setting, const std::string& text, std::st
   }
   const std::optional<double> number = parse_number(text, setting.low, setting.high);
   const bool whole = setting.kind == Kind::whole;
-  if (!number || !can_be_chosen(setting, *number) || (whole && *number != std::floor(*number))) {
-    error = wrong_number(setting, text);
-    return {};
-  }
+  if (!number || (*number > setting.low && *number < setting.least_chosen) || (whole && *number != std::floor(*number)))
+    return error = wrong_number(setting, text), Value();
   return whole ? Value(static_cast<std::int64_t>(*number)) : Value(*number);
 }
 
 Value read_value(const WorldSetting& setting, JsonFields& fields) {
   const std::string key = key_of(setting);
-  switch (setting.kind) {
-    case Kind::flag:
-      return fields.flag(key.c_str());
-    case Kind::whole:
-      return fields.long_whole(key.c_str(), static_cast<std::int64_t>(setting.low),
-                               static_cast<std::int64_t>(setting.high));
-    case Kind::number:
-      return fields.number(key.c_str(), setting.low, setting.high);
-    case Kind::text:
-      break;
-  }
+  if (setting.kind == Kind::flag) return fields.flag(key.c_str());
+  if (setting.kind == Kind::number) return fields.number(key.c_str(), setting.low, setting.high);
+  if (setting.kind == Kind::whole)
+    return fields.long_whole(key.c_str(), static_cast<std::int64_t>(setting.low),
+                             static_cast<std::int64_t>(setting.high));
   std::string error, text = choice_of(setting, fields.text(key.c_str()), error);
   if (!error.empty()) fields.fail(fmt::format("has a '{}' that is {}", key, error));
   return text;
