@@ -9,8 +9,6 @@
 #include <filesystem>
 #include <string_view>
 
-#include "labmouse/contest/physical_conditions.hpp"
-#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -210,21 +208,17 @@ ExitCode exit_interrupted() {
   return static_cast<ExitCode>(exit_signal + (caught_signal != 0 ? caught_signal.load() : SIGINT));
 }
 
-std::vector<double> numbers_of(std::string_view option, const std::string& text, double least, double most) {
+std::vector<double> numbers_of(const WorldSetting& setting, const std::string& text) {
   std::vector<double> numbers;
   for (std::string_view rest = text;;) {
     const auto comma = rest.find(',');
-    const std::string_view word = rest.substr(0, comma);
-    const std::optional<double> number = parse_number(word, least, most);
-    if (!number)
-      throw UsageError(
-          fmt::format("error: {}: '{}' is not a number from {:g} to {:g}", option, shown(word), least, most));
-    numbers.push_back(*number);
+    std::string problem;
+    const Value value = chosen_value(setting, std::string(rest.substr(0, comma)), problem);
+    if (!problem.empty()) throw UsageError(fmt::format("error: --{}: {}", setting.name, problem));
+    numbers.push_back(*number_of(value));
     if (comma == std::string_view::npos) return numbers;
     rest.remove_prefix(comma + 1);
   }
 }
-
-std::vector<double> noises_of(const std::string& text) { return numbers_of("--noise", text, 0.0, most_noise); }
 
 }  // namespace labmouse::cli

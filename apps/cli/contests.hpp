@@ -58,10 +58,8 @@ MazeCollection find_mazes_of(const World& world, const Contests& contests);
 /// Takes the folder of --out for one race, until the pointer goes; nothing where none was asked for. Throws UsageError.
 std::unique_ptr<ResultsFolder> take_folder(const std::string& out, bool overwrite);
 
-/// The numbers of an option, which commas part, from the least to the most; throws UsageError.
-std::vector<double> numbers_of(std::string_view option, const std::string& text, double least, double most);
-/// Those of --noise.
-std::vector<double> noises_of(const std::string& text);
+/// The numbers of an option that is a setting of a world, which commas part; throws UsageError.
+std::vector<double> numbers_of(const WorldSetting& setting, const std::string& text);
 
 /// A bar and the time left on standard error, where that is a terminal.
 class Progress {

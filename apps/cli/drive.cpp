@@ -8,6 +8,7 @@
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/drives/drive_log.hpp"
 #include "labmouse/lab/drives/known_drives.hpp"
+#include "labmouse/lab/failure_rates/physical_settings.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
@@ -20,7 +21,7 @@ struct DriveOptions {
   Places places;
   std::string robot = "kerise";
   std::string noise = "1";
-  double variation = field_variation, speed = 0.0;
+  PhysicalConditions conditions;
   bool fast = false, groups = false, corrections = false;
   int runs = 20;
   std::uint64_t seed = 1;
@@ -36,12 +37,10 @@ std::vector<DriveCase> cases_of(const DriveOptions& options) {
   if (options.fast && options.corrections)
     throw UsageError("error: --corrections compares drives by the moves of a search; leave --fast out");
   std::vector<DriveCase> cases;
-  const std::vector<double> noises = noises_of(options.noise);
+  const std::vector<double> noises = numbers_of(noise_row.setting, options.noise);
   for (const double noise : noises) {
-    PhysicalConditions conditions;
+    PhysicalConditions conditions = options.conditions;
     conditions.noise.all = noise;
-    conditions.noise.variation = options.variation;
-    conditions.controller.search_speed = options.speed;
     const std::string name = fmt::format("noise {:g}", noise);
     std::vector<DriveCase> parts = options.groups        ? cases_by_group(conditions)
                                    : options.corrections ? cases_by_correction(conditions)
@@ -113,11 +112,13 @@ void add_drive(Command& app, int& exit) {
   command->add_option("--noise", options->noise, "Scales of all noise, separated by commas: 1 as measured, 0 none")
       ->type_name("LIST")
       ->capture_default_str();
-  command->add_option("--variation", options->variation, "Scale of the variation between mice (1 = as measured)")
-      ->check(in_range(0.0, most_variation))
+  command->add_option("--variation", options->conditions.noise.variation, std::string(variation_row.setting.meaning))
+      ->check(in_range(variation_row.setting.low, variation_row.setting.high))
       ->capture_default_str();
-  command->add_option("--search-speed", options->speed, "Speed of the search moves in mm/s; 0: the robot's own")
-      ->check(search_speed())
+  command
+      ->add_option("--search-speed", options->conditions.controller.search_speed,
+                   "Speed of the search moves in mm/s; 0: the robot's own")
+      ->check(setting_value(search_speed_row.setting))
       ->capture_default_str();
   command->add_flag("--fast", options->fast, "Drive the fastest route instead of the moves of a search run");
   command->add_flag("--groups", options->groups, "Compare groups of noise: a row for each with the other groups off");

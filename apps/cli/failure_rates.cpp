@@ -11,6 +11,7 @@
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/drive/drive_entries.hpp"
 #include "labmouse/lab/drive/fidelity.hpp"
+#include "labmouse/lab/failure_rates/physical_settings.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/text/former_names.hpp"
@@ -27,7 +28,7 @@ struct FailureOptions {
   Places places;
   std::string robot = "kerise", rules = "all-japan", noise = "1,2,3", pace = "1";
   std::string map = std::string(name_of(MapKind::first));
-  double variation = field_variation, speed = 0.0;
+  PhysicalConditions conditions;
   int runs = 1;
   std::uint64_t seed = 1;
   int jobs = 0;
@@ -80,15 +81,10 @@ int failure_rates(const FailureOptions& options) {
   FailureOrder order;
   order.model = std::make_shared<DriveModel>(std::move(model));
   order.rules = find_rules_or_refuse(options.rules);
-  order.conditions.noise.variation = options.variation;
-  order.conditions.controller.search_speed = options.speed;
-  const std::optional<MapKind> map = map_kind_of(today_value(options.map));
-  if (!map)
-    throw UsageError(
-        fmt::format("error: --map: '{}' is none of first, log-odds and log-odds-prior", shown(options.map)));
-  order.conditions.map = *map;
-  order.noises = noises_of(options.noise);
-  order.paces = numbers_of("--pace", options.pace, least_pace, 1.0);
+  order.conditions = options.conditions;
+  order.conditions.map = *map_kind_of(today_value(options.map));
+  order.noises = numbers_of(noise_row.setting, options.noise);
+  order.paces = numbers_of(pace_row.setting, options.pace);
   order.runs = options.runs;
   order.seed = options.seed;
   order.jobs = options.jobs;
@@ -140,13 +136,16 @@ void add_failure_rates(Command& app, int& exit) {
   command->add_option("--pace", options->pace, "Shares of the robot's usual speed, separated by commas, 0.2 to 1")
       ->type_name("LIST")
       ->capture_default_str();
-  command->add_option("--variation", options->variation, "Scale of the variation between mice (1 = as measured)")
-      ->check(in_range(0.0, most_variation))
+  command->add_option("--variation", options->conditions.noise.variation, std::string(variation_row.setting.meaning))
+      ->check(in_range(variation_row.setting.low, variation_row.setting.high))
       ->capture_default_str();
-  command->add_option("--search-speed", options->speed, "Speed of the search run in mm/s; 0: the robot's own")
-      ->check(search_speed())
+  command
+      ->add_option("--search-speed", options->conditions.controller.search_speed,
+                   std::string(search_speed_row.setting.meaning))
+      ->check(setting_value(search_speed_row.setting))
       ->capture_default_str();
   command->add_option("--map", options->map, "How contradicting wall readings are handled: as --map of `labmouse race`")
+      ->check(setting_value(map_row.setting))
       ->capture_default_str();
   command->add_option("--runs", options->runs, "Contests of each mouse in each maze, under each noise")
       ->check(in_range(1, 1'000'000))

@@ -183,14 +183,11 @@ Check::Check(const std::function<std::string(const std::string&)>& problem)
 Check in_range(int low, int high) { return between(low, high, "whole number"); }
 Check in_range(std::uint64_t low, std::uint64_t high) { return between(low, high, "whole number"); }
 Check in_range(double low, double high) { return between(low, high, "number"); }
-Check search_speed() {
-  return Check([](const std::string& text) {
-    double speed = 0.0;
-    if (std::string problem = read_number(text, speed); !problem.empty()) return problem;
-    const bool good = speed == 0.0 || (speed >= least_search_speed && speed <= most_search_speed);
-    return good ? ""
-                : fmt::format("'{}' is neither 0 nor a speed from {:g} to {:g} mm/s", text, least_search_speed,
-                              most_search_speed);
+Check setting_value(const WorldSetting& setting) {
+  return Check([&setting](const std::string& text) {
+    std::string problem;
+    chosen_value(setting, text, problem);
+    return problem;
   });
 }
 Check one_of(const std::vector<std::string>& words) {

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "labmouse/lab/races/world_setting.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -43,8 +45,8 @@ Check one_of(const std::vector<std::string>& words);
 Check existing_directory();
 /// 0 to 2^64 - 1, in digits.
 Check seed_number();
-/// The speed of a search in mm/s, or 0.
-Check search_speed();
+/// What a setting of a world, which must outlive the check, can be.
+Check setting_value(const WorldSetting& setting);
 /// Finite, and written plainly.
 Check finite_number();
 

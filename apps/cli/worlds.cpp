@@ -99,6 +99,7 @@ void WorldChoice::add_to(Command& command) {
             ->default_str(default_of(setting->name));
         break;
       case WorldSetting::Kind::text:
+      case WorldSetting::Kind::number:
         command.add_option(option, texts_[name], meaning)
             ->type_name(std::string(setting->placeholder))
             ->default_str(default_of(setting->name));

@@ -8,7 +8,6 @@
 #include "errors.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse::python {
 namespace {
@@ -20,20 +19,11 @@ void require_world(const std::string& name) {
   throw UserError(fmt::format("unknown world '{}'; the worlds are {}", name, fmt::join(names, ", ")));
 }
 
-/// The command line checks these where it reads them.
-void require_good_settings(const WorldSettings& settings) {
-  for (const auto& [name, value] : settings) {
-    const WorldSetting* found = nullptr;
-    for (const WorldEntry* entry : all_worlds())
-      for (const WorldSetting& setting : entry->settings)
-        if (setting.name == name) found = &setting;
-    if (found == nullptr) throw UserError(fmt::format("no world has the setting '{}'", name));
-    if (found->kind != WorldSetting::Kind::whole) continue;
-    const std::optional<double> number = parse_plain_number(value);
-    if (!number || *number < static_cast<double>(found->low) || *number > static_cast<double>(found->high) ||
-        *number != static_cast<double>(static_cast<std::int64_t>(*number)))
-      throw UserError(fmt::format("{} is a whole number from {} to {}, not {}", name, found->low, found->high, value));
-  }
+void require_known_settings(const WorldSettings& settings) {
+  for (const auto& [name, value] : settings)
+    if (std::none_of(all_worlds().begin(), all_worlds().end(),
+                     [&name = name](const WorldEntry* entry) { return has(*entry, name); }))
+      throw UserError(fmt::format("no world has the setting '{}'", name));
 }
 
 std::vector<Entry> entries_of(EntriesResult result, std::vector<std::string>& remarks) {
@@ -107,7 +97,7 @@ void require_names(std::vector<NamedMaze>& mazes) {
 
 std::shared_ptr<const World> world_of(const std::string& world, const WorldSettings& settings) {
   require_world(world);
-  require_good_settings(settings);
+  require_known_settings(settings);
   std::vector<std::string> remarks;
   const std::string_view name = world.empty() ? all_worlds().front()->name : std::string_view(world);
   std::vector<Entry> entries = entries_of(labmouse::enter({}, name, settings), remarks);
@@ -117,7 +107,7 @@ std::shared_ptr<const World> world_of(const std::string& world, const WorldSetti
 
 Field enter(Choice choice, const std::atomic<bool>* stop) {
   require_world(choice.world);
-  require_good_settings(choice.settings);
+  require_known_settings(choice.settings);
   Field field;
   std::vector<Contestant> mice = mice_of(choice, stop);
   if (mice.empty()) {

@@ -18,6 +18,8 @@ struct CorrectionChoice {
   bool sides = true;
   bool edges = true;
   bool front = true;
+
+  friend bool operator==(const CorrectionChoice&, const CorrectionChoice&) = default;
 };
 
 /// A row or column of cells that a mouse drives along.

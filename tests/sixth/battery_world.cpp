@@ -20,13 +20,26 @@
 namespace labmouse {
 namespace {
 
+struct BatteryConditions {
+  std::string robot = "classic";
+  int noise = 1;
+};
+constexpr std::array rows = {
+    row<&BatteryConditions::robot>(
+        {.name = "robot", .placeholder = "ROBOT", .meaning = "Robot", .default_value = "classic"}),
+    row<&BatteryConditions::noise>({.name = "noise",
+                                    .placeholder = "N",
+                                    .meaning = "How often dice shorten the time",
+                                    .default_value = "1",
+                                    .high = 9})};
+
 class BatteryWorld final : public DriveWorld {
  public:
-  BatteryWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, std::string robot, int noise)
-      : DriveWorld(rules, std::move(model)), robot_(std::move(robot)), noise_(noise) {}
+  BatteryWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, BatteryConditions conditions)
+      : DriveWorld(rules, std::move(model)), conditions_(std::move(conditions)) {}
 
   std::string_view name() const override { return "battery"; }
-  std::vector<Condition> conditions() const override { return {{"robot", robot_}, {"noise", std::int64_t{noise_}}}; }
+  std::vector<Condition> conditions() const override { return conditions_of(rows, conditions_); }
   std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
   using DriveWorld::refuse;
   bool is_stochastic() const override { return true; }
@@ -38,7 +51,8 @@ class BatteryWorld final : public DriveWorld {
                       bool /*traced*/, const std::atomic<bool>* /*stop*/) const override {
     DriveRules lasting = rules();
     Dice dice(contest.seed);
-    for (int times = 0; times < noise_; ++times) lasting.time_limit -= lasting.time_limit * dice.below(100) / 100;
+    for (int times = 0; times < conditions_.noise; ++times)
+      lasting.time_limit -= lasting.time_limit * dice.below(100) / 100;
     const auto strategy = mouse.driving_strategy(maze, brief(maze, lasting, model(), contest.seed));
     DrivenContest driven;
     driven.record = labmouse::drive(maze, lasting, model(), *strategy);
@@ -46,44 +60,27 @@ class BatteryWorld final : public DriveWorld {
     return driven;
   }
 
-  std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& /*score*/) const override {
-    const DriveRecord& record = driven.record;
-    return {false,
-            std::int64_t{starts_of(record)},
-            std::int64_t{record.decisions},
-            std::int64_t{record.replanned},
-            driven.coverage->discovered,
-            driven.coverage->visited};
+  std::shared_ptr<DriveFigures> own_figures(const DrivenContest&, const DriveScore&) const override {
+    return std::make_shared<SecondsFigures>();
   }
 
-  std::string robot_;
-  int noise_;
+  BatteryConditions conditions_;
 };
 
-constexpr std::array settings = {
-    WorldSetting{.name = "robot", .placeholder = "ROBOT", .meaning = "Robot", .default_value = "classic"},
-    WorldSetting{.name = "noise",
-                 .placeholder = "N",
-                 .meaning = "How often dice shorten the time",
-                 .kind = WorldSetting::Kind::whole,
-                 .default_value = "1",
-                 .high = 9}};
-
 WorldResult make(const WorldSettings& chosen) {
-  const std::string name = value_of(battery_entry, chosen, "robot");
-  FoundRobot robot = find_robot(name);
+  BatteryConditions conditions;
+  if (std::string error = choose(rows, chosen, conditions); !error.empty()) return {nullptr, error};
+  FoundRobot robot = find_robot(conditions.robot);
   if (!robot.errors.empty()) return {nullptr, robot.errors.front()};
-  return {std::make_shared<BatteryWorld>(find_rules("all-japan").rules,
-                                         std::make_shared<DriveModel>(std::move(robot.model)), name,
-                                         whole_of(battery_entry, chosen, "noise")),
-          ""};
+  auto model = std::make_shared<DriveModel>(std::move(robot.model));
+  return {std::make_shared<BatteryWorld>(find_rules("all-japan").rules, std::move(model), std::move(conditions)), ""};
 }
 
 }  // namespace
 
 const WorldEntry battery_entry = {.name = "battery",
                                   .summary = "a robot whose battery may not last",
-                                  .settings = settings,
+                                  .settings = settings_of<rows>,
                                   .make = make,
                                   .records = &drive_records};
 

@@ -3,7 +3,6 @@
 // contest has no score.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "labmouse/chance/dice.hpp"
@@ -20,18 +19,20 @@
 namespace labmouse {
 namespace {
 
-// 1. Its fields: what stands in JSON, in CSV and in the leaderboard. The figures of a contest are those of one list.
-enum class Figure { stumbles };
+// 1. Its figures and fields: what stands in stores, in JSON, in CSV and in the leaderboard.
+struct ToyFigures : Figures {
+  std::int64_t stumbles = 0;
+};
 
 constexpr std::array<ContestField, 5> contest_fields = {{{"maze", fields::maze_name},
                                                          {"seed", fields::seed},
                                                          {"outcome", fields::outcome},
                                                          {"score", fields::score},
-                                                         {"stumbles", fields::figure<Figure::stumbles>}}};
+                                                         {"stumbles", fields::figure<&ToyFigures::stumbles>}}};
 constexpr std::array<ContestField, 4> csv_fields = {{{"mouse", fields::mouse_name},
                                                      {"maze", fields::maze_name},
                                                      {"score", fields::score},
-                                                     {"stumbles", fields::figure<Figure::stumbles>}}};
+                                                     {"stumbles", fields::figure<&ToyFigures::stumbles>}}};
 constexpr std::array<MouseField, 5> mouse_fields = {{{"name", fields::name},
                                                      {"finished", fields::finished},
                                                      {"runs", fields::runs},
@@ -45,17 +46,25 @@ constexpr std::array<Column, 3> columns_of_table = {
      {"stumbles", "a contest", 9, [](const Race& race, const Standing& standing) {
         return columns::number(mean_of_all(race, standing, "stumbles"), 2);
       }}}};
-constexpr WorldFields all_fields = {contest_fields, csv_fields, mouse_fields, maze_fields, columns_of_table};
+constexpr WorldFields all_fields = {contest_fields,   csv_fields,
+                                    mouse_fields,     maze_fields,
+                                    columns_of_table, stored_figures<ToyFigures, &ToyFigures::stumbles>};
 
-// 2. The world: who may enter, what a maze allows, what one contest is, and what it comes to.
+// 2. Its settings: what can be set, and which member of the conditions it is.
+struct ToyConditions {
+  int clumsiness = 50;
+};
+constexpr std::array rows = {
+    row<&ToyConditions::clumsiness>({"clumsiness", "PERCENT", "How often a mouse stumbles", "50", 0, 100})};
+
+// 3. The world: who may enter, what a maze allows, what one contest is, and what it comes to.
 class ToyWorld final : public World {
  public:
-  explicit ToyWorld(int percent) : percent_(percent) {}
-
+  explicit ToyWorld(const ToyConditions& conditions) : conditions_(conditions) {}
   std::string_view name() const override { return "toy"; }
   std::string formula() const override { return "the best of three runs in which the mouse did not stumble"; }
   std::string_view unit() const override { return "steps"; }
-  std::vector<Condition> conditions() const override { return {{"clumsiness", std::int64_t{percent_}}}; }
+  std::vector<Condition> conditions() const override { return conditions_of(rows, conditions_); }
   std::string refuse(const Contestant& mouse) const override {
     return mouse.walks() ? "" : fmt::format("mouse '{}' cannot walk", mouse.name);
   }
@@ -67,21 +76,24 @@ class ToyWorld final : public World {
     Dice dice(result.seed);
     const Maze& maze = race.mazes[result.maze].maze;
     ContestOutput held;
-    std::int64_t stumbles = 0;
+    auto figures = std::make_shared<ToyFigures>();
     for (std::uint64_t run = 0; run < 3; ++run) {
-      const bool stumbled = dice.below(100) < percent_;
-      if (stumbled && ++stumbles > 0) continue;
+      const bool stumbled = dice.below(100) < conditions_.clumsiness;
+      if (stumbled && ++figures->stumbles > 0) continue;
       const auto strategy = race.mice[result.mouse].strategy(maze, brief(maze, {}, result.seed + run));
       const RunRecord record = labmouse::run(maze, Rules(), *strategy);
       const auto value = score(record, Rules()).value;
       if (!value || (result.score && *value >= *result.score)) continue;
       result.score = value;
-      if (keep.record) held.record = record_of(race, result, record);
+      if (!keep.record) continue;
+      RecordFile file = record_file_of(race.mice[result.mouse], race.mazes[result.maze], Rules(), result.seed, record);
+      file.world = name();
+      held.record = write_record(file);
     }
     result.outcome = result.score ? "finished" : "stumbled";
     result.counted = result.score;
     if (const auto& bound = race.facts[result.maze].bound; result.score && bound) result.ratio = *result.score / *bound;
-    result.figures = {stumbles};
+    result.figures = figures;
     result.done = true;
     return held;
   }
@@ -90,27 +102,17 @@ class ToyWorld final : public World {
   std::string notes(const Race&) const override { return score_note(*this); }
 
  private:
-  /// Of its best run, as records in steps are, under the name of this world.
-  std::string record_of(const Race& race, const ContestResult& result, const RunRecord& record) const {
-    RecordFile file = record_file_of(race.mice[result.mouse], race.mazes[result.maze], Rules(), result.seed, record);
-    file.world = name();
-    return write_record(file);
-  }
-
-  int percent_;
+  ToyConditions conditions_;
 };
-
-// 3. Its entry on the list: its name, what can be set of it, and how reports take its records.
-constexpr std::array settings = {
-    WorldSetting{"clumsiness", "PERCENT", "How often a mouse stumbles", WorldSetting::Kind::whole, "50", 0, 100}};
-
-WorldResult make(const WorldSettings& chosen) {
-  return {std::make_shared<ToyWorld>(std::stoi(value_of(toy_entry, chosen, "clumsiness"))), ""};
-}
 
 }  // namespace
 
+// 4. Its entry on the list: its name, its settings, how it is made of them, and how reports take its records.
 const WorldEntry toy_entry = {
-    .name = "toy", .summary = "mice that stumble", .settings = settings, .make = make, .records = &steps_records};
+    .name = "toy",
+    .summary = "mice that stumble",
+    .settings = settings_of<rows>,
+    .make = make_by<rows, [](const ToyConditions& conditions) { return std::make_shared<ToyWorld>(conditions); }>,
+    .records = &steps_records};
 
 }  // namespace labmouse

@@ -7,13 +7,12 @@
 #include <string_view>
 
 #include "labmouse/contest/physical.hpp"
-#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/failure_rates/builtin_failure_rates.hpp"
+#include "labmouse/lab/failure_rates/physical_settings.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
-#include "labmouse/lab/records/physical_lines.hpp"
 #include "labmouse/lab/replays/replay.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
@@ -24,8 +23,6 @@
 
 namespace labmouse {
 namespace {
-
-constexpr std::array map_kinds = {name_of(MapKind::first), name_of(MapKind::log_odds), name_of(MapKind::learned)};
 
 constexpr WorldSetting robot_setting(std::string_view usual) {
   return {.name = "robot",
@@ -38,41 +35,9 @@ constexpr WorldSetting rules_setting = {
     .placeholder = "RULES",
     .meaning = "Built-in rules in seconds, or a file whose name contains a slash or ends in .toml",
     .default_value = "all-japan"};
-constexpr WorldSetting noise_setting = {
-    .name = "noise",
-    .placeholder = "FACTOR",
-    .meaning = "Scale of all noise: 1 as measured, 0 none; several, separated by commas, give a race each",
-    .default_value = "1",
-    .listed = true};
-constexpr WorldSetting pace_setting = {.name = "pace",
-                                       .placeholder = "SHARE",
-                                       .meaning = "Share of the robot's usual speed, 0.2 to 1, on the same paths",
-                                       .default_value = "1"};
-constexpr WorldSetting map_setting = {
-    .name = "map",
-    .placeholder = "KIND",
-    .meaning =
-        "How contradicting wall readings are handled: the first one stays (first), or a log-odds map weighs them "
-        "(log-odds), with a prior learned from other mazes (log-odds-prior)",
-    .default_value = "first",
-    .choices = map_kinds};
-
 constexpr std::array seconds_settings = {robot_setting("classic"), rules_setting};
-
-constexpr std::array physical_settings = {
-    robot_setting("kerise"),
-    rules_setting,
-    noise_setting,
-    WorldSetting{.name = "variation",
-                 .placeholder = "FACTOR",
-                 .meaning = "Scale of the variation between mice (1 = as measured)",
-                 .default_value = "4.25"},  // field_variation
-    WorldSetting{.name = "search-speed",
-                 .placeholder = "SPEED",
-                 .meaning = "Speed of the search run in mm/s; 0: the robot's own",
-                 .default_value = "0"},
-    pace_setting,
-    map_setting};
+constexpr std::array common_settings = {robot_setting("kerise"), rules_setting};
+constexpr auto physical_settings = joined(common_settings, settings_of<physical_rows>);
 
 std::vector<std::string> rates_brought() {
   std::vector<std::string> names;
@@ -80,28 +45,16 @@ std::vector<std::string> rates_brought() {
   return names;
 }
 
-constexpr std::array failures_settings = {
-    robot_setting("kerise"),
-    rules_setting,
-    noise_setting,
-    pace_setting,
-    map_setting,
-    WorldSetting{.name = "failure-rates",
-                 .placeholder = "RATES",
-                 .meaning = "Failure rates: built-in, or a file whose name contains a slash or ends in .json, which "
-                            "`labmouse failure-rates --save` writes",
-                 .default_value = "kerise",
-                 .brought = rates_brought}};
-
-/// The number of a setting, or nothing, with what is wrong in the error.
-std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& chosen, std::string_view name, double low,
-                                double high, std::string& error) {
-  const std::string text = value_of(entry, chosen, name);
-  if (const std::optional<double> number = parse_number(text, low, high)) return number;
-  if (error.empty())
-    error = fmt::format("error: --{}: '{}' is not a number from {:g} to {:g}", name, shown(text), low, high);
-  return std::nullopt;
-}
+constexpr WorldSetting rates_setting = {
+    .name = "failure-rates",
+    .placeholder = "RATES",
+    .meaning =
+        "Failure rates: built-in, or a file whose name contains a slash or ends in .json, which "
+        "`labmouse failure-rates --save` writes",
+    .default_value = "kerise",
+    .brought = rates_brought};
+constexpr auto failures_settings =
+    joined(common_settings, settings_of<failures_rows>, std::array<WorldSetting, 1>{rates_setting});
 
 /// What the worlds are made of, or what is wrong with it.
 struct Parts {
@@ -115,8 +68,8 @@ struct Parts {
 /// Robot and rules.
 Parts parts_of(const WorldEntry& entry, const WorldSettings& chosen) {
   Parts parts;
-  FoundRobot robot = find_robot(value_of(entry, chosen, "robot"));
-  FoundRules rules = find_rules(value_of(entry, chosen, "rules"));
+  FoundRobot robot = find_robot(text_of(entry.settings, chosen, "robot"));
+  FoundRules rules = find_rules(text_of(entry.settings, chosen, "rules"));
   const std::vector<std::string>& errors = robot.errors.empty() ? rules.errors : robot.errors;
   parts.error = fmt::format("{}", fmt::join(errors, "\n"));
   if (!parts.error.empty()) return parts;
@@ -133,38 +86,22 @@ WorldResult make_seconds(const WorldSettings& chosen) {
 }
 
 /// The conditions, too, under which things go wrong.
-Parts parts_with_errors(const WorldEntry& entry, const WorldSettings& chosen) {
+template <class Rows>
+Parts parts_with_errors(const WorldEntry& entry, const Rows& rows, const WorldSettings& chosen) {
   Parts parts = parts_of(entry, chosen);
   if (!parts.error.empty()) return parts;
-  if (const std::string why = why_not_physical(*parts.model); !why.empty()) {
+  if (const std::string why = why_not_physical(*parts.model); !why.empty())
     parts.error =
         fmt::format("error: --robot: {} cannot drive in the physical world: {}", shown(parts.model->robot.name), why);
-    return parts;
-  }
-  parts.conditions.noise.all = number_in(entry, chosen, "noise", 0.0, most_noise, parts.error).value_or(0.0);
-  parts.conditions.controller.pace = number_in(entry, chosen, "pace", least_pace, 1.0, parts.error).value_or(1.0);
-  const std::string map = value_of(entry, chosen, "map");
-  if (const std::optional<MapKind> kind = map_kind_of(today_value(map)))
-    parts.conditions.map = *kind;
-  else if (parts.error.empty())
-    parts.error = fmt::format("error: --map: '{}' is none of first, log-odds and log-odds-prior", shown(map));
+  else
+    parts.error = choose(rows, chosen, parts.conditions);
   return parts;
 }
 
 WorldResult make_physical(const WorldSettings& chosen) {
-  Parts parts = parts_with_errors(physical_entry, chosen);
+  Parts parts = parts_with_errors(physical_entry, physical_rows, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
-  PhysicalConditions& conditions = parts.conditions;
-  conditions.noise.variation =
-      number_in(physical_entry, chosen, "variation", 0.0, most_variation, parts.error).value_or(0.0);
-  conditions.controller.search_speed =
-      number_in(physical_entry, chosen, "search-speed", 0.0, most_search_speed, parts.error).value_or(0.0);
-  if (parts.error.empty() && conditions.controller.search_speed > 0.0 &&
-      conditions.controller.search_speed < least_search_speed)
-    parts.error = fmt::format("error: --search-speed: {:g} is less than {:g}: it is in mm/s",
-                              conditions.controller.search_speed, least_search_speed);
-  if (!parts.error.empty()) return {nullptr, parts.error};
-  return {physical_world(parts.rules, parts.model, conditions), "", std::move(parts.remarks)};
+  return {physical_world(parts.rules, parts.model, parts.conditions), "", std::move(parts.remarks)};
 }
 
 std::shared_ptr<const World> failures_world_of(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
@@ -175,9 +112,9 @@ std::shared_ptr<const World> failures_world_of(const DriveRules& rules, std::sha
 }
 
 WorldResult make_failures(const WorldSettings& chosen) {
-  Parts parts = parts_with_errors(failures_entry, chosen);
+  Parts parts = parts_with_errors(failures_entry, failures_rows, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
-  const FoundRates failure_rates = find_rates(value_of(failures_entry, chosen, "failure-rates"));
+  const FoundRates failure_rates = find_rates(text_of(failures_settings, chosen, "failure-rates"));
   if (!failure_rates.file) return {nullptr, failure_rates.error};
   if (const std::string why = why_not_failures(*parts.model, parts.conditions.noise.all, *failure_rates.file);
       !why.empty())
@@ -203,7 +140,7 @@ std::optional<Parts> restored_with_errors(const ReadJson& json) {
   std::optional<Parts> parts = restored_parts(json);
   if (!parts || !why_not_physical(*parts->model).empty()) return std::nullopt;
   JsonFields fields(json, "");
-  read_common_conditions(fields, parts->conditions);
+  read_settings(physical_rows, fields, parts->conditions);
   return fields.error().empty() ? parts : std::nullopt;
 }
 

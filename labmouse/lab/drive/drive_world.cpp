@@ -1,8 +1,8 @@
 #include "labmouse/lab/drive/drive_world.hpp"
 
+#include <cmath>
 #include <utility>
 
-#include "labmouse/lab/drive/drive_figures.hpp"
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
@@ -14,27 +14,30 @@ namespace labmouse {
 namespace {
 
 DriveBound bound_in(const MazeFacts& facts) {
-  const auto time = [&](DriveMazeFigure figure) {
-    return std::get_if<std::int64_t>(&facts.figures[static_cast<std::size_t>(figure)]);
-  };
   DriveBound bound;
-  if (const auto* fastest = time(DriveMazeFigure::fastest)) bound.fastest = static_cast<DriveTime>(*fastest);
-  if (const auto* score = time(DriveMazeFigure::bound)) bound.score = *score;
+  if (facts.best_run) bound.fastest = static_cast<DriveTime>(*facts.best_run);
+  if (facts.bound) bound.score = std::llround(*facts.bound * 1e6);
   return bound;
 }
 
-/// In the order of the world's list; `own` are those between `excess` and `words`.
-std::vector<Value> figures_of(const DrivenContest& driven, const DriveScore& score, const DriveBound& bound,
-                              const std::vector<Value>& own) {
-  const auto best = best_of(score);
+/// Fills in the figures that all worlds have.
+void add_figures(const DrivenContest& driven, const DriveScore& score, const DriveBound& bound, DriveFigures& figures) {
   const DriveRunScore counting = score.best ? score.runs[*score.best] : DriveRunScore();
-  std::vector<Value> all = {score.best ? Value(JsonText{score_json(score).dump()}) : Value(nullptr),
-                            std::int64_t{search_time_of(driven.record)}, or_none(best),
-                            or_none(excess_of(best, bound))};
-  all.insert(all.end(), own.begin(), own.end());
-  all.insert(all.end(), {driven.words.empty() ? Value() : Value(driven.words), or_none(score.value()),
-                         or_none(counting.gate_to_gate), or_none(counting.rest_to_centre)});
-  return all;
+  if (score.best) figures.score = JsonText{score_json(score).dump()};
+  figures.search = search_time_of(driven.record);
+  figures.best = best_of(score);
+  figures.excess = excess_of(best_of(score), bound);
+  figures.starts = starts_of(driven.record);
+  figures.decisions = driven.record.decisions;
+  figures.replanned = driven.record.replanned;
+  if (driven.coverage) {
+    figures.discovered = driven.coverage->discovered;
+    figures.visited = driven.coverage->visited;
+  }
+  if (!driven.words.empty()) figures.words = driven.words;
+  figures.score_us = score.value();
+  figures.gate_to_gate = counting.gate_to_gate;
+  figures.rest_to_centre = counting.rest_to_centre;
 }
 
 }  // namespace
@@ -50,9 +53,7 @@ Settings DriveWorld::settings(const Contestant& mouse) const { return settings_i
 
 MazeFacts DriveWorld::facts(const Maze& maze) const {
   const DriveBound bound = drive_bound_of(maze, rules_, *model_);
-  return {bound.score ? std::optional(in_seconds(*bound.score)) : std::nullopt,
-          {or_none(bound.fastest), or_none(bound.score)},
-          reachable_cells(maze)};
+  return {bound.score ? std::optional(in_seconds(*bound.score)) : std::nullopt, bound.fastest, reachable_cells(maze)};
 }
 
 ContestOutput DriveWorld::hold(const Race& race, ContestResult& result, Keep keep,
@@ -66,12 +67,20 @@ ContestOutput DriveWorld::hold(const Race& race, ContestResult& result, Keep kee
   const DriveScore score = labmouse::score(driven.record, rules_);
   const DriveBound bound = bound_in(facts);
   result.outcome = outcome_of(driven.record, score);
-  result.figures = figures_of(driven, score, bound, own_figures(driven, score));
+  const std::shared_ptr<DriveFigures> figures = own_figures(driven, score);
+  add_figures(driven, score, bound, *figures);
+  result.figures = figures;
   if (!driven.started) result.never_started = driven.words.substr(0, driven.words.find('\n'));
   if (score.value()) add_score(*score.value(), bound, rules_, result);
   if (driven.record.reason == ForfeitReason::not_judged) leave_unjudged(result);
   result.done = !interrupted;
   return kept(mouse, maze, result.seed, std::move(driven), keep);
+}
+
+std::vector<Condition> DriveWorld::drive_conditions(RobotParts parts) const {
+  return {{"rules", JsonText{rules_json(rules_).dump()}},
+          {"robot", JsonText{robot_json(model_->robot, parts).dump()}},
+          {"tables", hash_text(model_->tables.hash)}};
 }
 
 double DriveWorld::limit_score() const { return in_seconds(rules_.time_limit); }

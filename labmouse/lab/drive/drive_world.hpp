@@ -12,9 +12,10 @@
 #include "labmouse/contest/drive_record.hpp"
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/drive_score.hpp"
-#include "labmouse/lab/bounds/drive_bound.hpp"
+#include "labmouse/lab/drive/drive_figures.hpp"
 #include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace labmouse {
@@ -47,14 +48,15 @@ class DriveWorld : public World {
  protected:
   const DriveRules& rules() const { return rules_; }
   const DriveModel& model() const { return *model_; }
+  /// Rules and robot, with as much of it as counts.
+  std::vector<Condition> drive_conditions(RobotParts parts) const;
 
   /// Runs the contest. `reachable`: the cells of the maze that a mouse can reach; `traced`: whether to keep where it
   /// was between its moves, for a record or a picture.
   virtual DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest,
                               const CellSet& reachable, bool traced, const std::atomic<bool>* stop) const = 0;
-  /// The figures of a contest from `excess` to `words` in the world's list, both left out: before and behind them all
-  /// worlds have the same.
-  virtual std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& score) const = 0;
+  /// The figures of a contest, without those that all these worlds have.
+  virtual std::shared_ptr<DriveFigures> own_figures(const DrivenContest& driven, const DriveScore& score) const = 0;
 
  private:
   ContestOutput kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven,

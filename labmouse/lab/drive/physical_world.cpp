@@ -10,10 +10,9 @@
 #include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/drive/drive_world.hpp"
 #include "labmouse/lab/drive/drive_worlds.hpp"
+#include "labmouse/lab/failure_rates/physical_settings.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/mice/stoppable.hpp"
-#include "labmouse/lab/records/drive_json.hpp"
-#include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -51,14 +50,9 @@ class PhysicalWorld : public DriveWorld {
 
   std::string_view name() const override { return "physical"; }
   std::vector<Condition> conditions() const override {
-    return {{"rules", JsonText{rules_json(rules()).dump()}},
-            {"robot", JsonText{robot_json(model().robot, RobotParts::with_body).dump()}},
-            {"tables", hash_text(model().tables.hash)},
-            {"noise", conditions_.noise.all},
-            {"variation", conditions_.noise.variation},
-            {"search_speed", conditions_.controller.search_speed},
-            {"pace", conditions_.controller.pace},
-            {"map", std::string(name_of(conditions_.map))}};
+    std::vector<Condition> all = drive_conditions(RobotParts::with_body);
+    for (Condition& each : conditions_of(physical_rows, conditions_)) all.push_back(std::move(each));
+    return all;
   }
   int edition() const override { return physical_edition; }
   std::string heading() const override { return ", " + noise_text(); }
@@ -137,31 +131,27 @@ class PhysicalWorld : public DriveWorld {
   }
 
   /// Of a mouse that does not tell what it knows there is no coverage, and nobody can say what it takes walls for.
-  std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& score) const override {
+  std::shared_ptr<DriveFigures> own_figures(const DrivenContest& driven, const DriveScore& score) const override {
     const DriveRecord& record = driven.record;
     const PhysicalNotes& notes = driven.physical->notes;
-    const auto& coverage = driven.coverage;
-    const auto if_told = [&](std::int64_t count) { return coverage ? Value(count) : Value(nullptr); };
-    const auto grazes =
+    auto figures = std::make_shared<PhysicalFigures>();
+    figures->done = done_runs(record, notes);
+    figures->slid = ends_of(notes, RunEnd::slid);
+    figures->position_lost = ends_of(notes, RunEnd::position_lost);
+    figures->late = ends_of(notes, RunEnd::out_of_time);
+    figures->carried = notes.carried;
+    figures->grazes =
         std::count_if(notes.touches.begin(), notes.touches.end(), [](const WallTouch& touch) { return !touch.crash; });
-    return {std::int64_t{starts_of(record)},
-            done_runs(record, notes),
-            ends_of(notes, RunEnd::slid),
-            ends_of(notes, RunEnd::position_lost),
-            if_told(ends_of(notes, RunEnd::wall_error)),
-            if_told(ends_of(notes, RunEnd::no_route_left)),
-            ends_of(notes, RunEnd::out_of_time),
-            std::int64_t{notes.carried},
-            std::int64_t{grazes},
-            if_told(notes.wrong_walls),
-            if_told(notes.contradictions),
-            notes.severity,
-            in_seconds(score.value().value_or(rules().time_limit)),
-            std::int64_t{record.decisions},
-            std::int64_t{record.replanned},
-            coverage ? Value(coverage->discovered) : Value(nullptr),
-            coverage ? Value(coverage->visited) : Value(nullptr),
-            score.best ? Value(nullptr) : Value(std::string(name_of(end_of(record, notes))))};
+    if (driven.coverage) {
+      figures->wall_error = ends_of(notes, RunEnd::wall_error);
+      figures->no_route_left = ends_of(notes, RunEnd::no_route_left);
+      figures->wrong_walls = notes.wrong_walls;
+      figures->contradictions = notes.contradictions;
+    }
+    figures->severity = notes.severity;
+    figures->par1 = in_seconds(score.value().value_or(rules().time_limit));
+    if (!score.best) figures->ended_by = name_of(end_of(record, notes));
+    return figures;
   }
 
   PhysicalConditions conditions_;

@@ -8,8 +8,6 @@
 #include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/mice/stoppable.hpp"
-#include "labmouse/lab/records/drive_json.hpp"
-#include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -21,11 +19,7 @@ class SecondsWorld final : public DriveWorld {
   using DriveWorld::DriveWorld;
 
   std::string_view name() const override { return "seconds"; }
-  std::vector<Condition> conditions() const override {
-    return {{"rules", JsonText{rules_json(rules()).dump()}},
-            {"robot", JsonText{robot_json(model().robot).dump()}},
-            {"tables", hash_text(model().tables.hash)}};
-  }
+  std::vector<Condition> conditions() const override { return drive_conditions(RobotParts::limits); }
 
   std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
   using DriveWorld::refuse;
@@ -55,17 +49,11 @@ class SecondsWorld final : public DriveWorld {
     return driven;
   }
 
-  std::vector<Value> own_figures(const DrivenContest& driven, const DriveScore& /*score*/) const override {
-    const DriveRecord& record = driven.record;
-    bool proven = false;
-    for (const DriveRun& run : record.runs)
-      if (run.kind == DriveRun::Kind::fast) proven = run.known == run.hoped;
-    return {proven,
-            std::int64_t{starts_of(record)},
-            std::int64_t{record.decisions},
-            std::int64_t{record.replanned},
-            driven.coverage->discovered,
-            driven.coverage->visited};
+  std::shared_ptr<DriveFigures> own_figures(const DrivenContest& driven, const DriveScore& /*score*/) const override {
+    auto figures = std::make_shared<SecondsFigures>();
+    for (const DriveRun& run : driven.record.runs)
+      if (run.kind == DriveRun::Kind::fast) figures->proven = run.known == run.hoped;
+    return figures;
   }
 };
 

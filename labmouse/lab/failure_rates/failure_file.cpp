@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/lab/failure_rates/builtin_failure_rates.hpp"
+#include "labmouse/lab/failure_rates/physical_settings.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/system/named_text.hpp"
 #include "labmouse/lab/text/json.hpp"
@@ -28,8 +28,8 @@ class FailureFileReader {
   FailureTally tally(const ReadJson& json) {
     JsonFields fields(json, "noises");
     FailureTally tally;
-    tally.noise = fields.number("noise", 0.0, most_noise);
-    tally.pace = fields.number("pace", least_pace, 1.0);
+    tally.noise = *number_of(read_value(noise_row.setting, fields));
+    tally.pace = *number_of(read_value(pace_row.setting, fields));
     const ReadJson& by_draws = list_of(fields, "by_draws", draw_classes);
     for (std::size_t draws = 0; draws < by_draws.size(); ++draws) tally.by_draws[draws] = counts(by_draws[draws]);
     note(fields);
@@ -137,8 +137,8 @@ FoundRates read_rates(std::string_view text, const std::string& name) {
   file.robot = fields.text("robot");
   file.tables = fields.text("tables");
   file.edition = fields.whole("edition", 1, 1'000'000);
-  file.variation = fields.number("variation", 0.0, most_variation);
-  file.search_speed = fields.number("search_speed", 0.0, most_search_speed);
+  file.variation = *number_of(read_value(variation_row.setting, fields));
+  file.search_speed = *number_of(read_value(search_speed_row.setting, fields));
   FailureFileReader reader;
   const ReadJson& noises = fields.list("noises");
   if (noises.empty() || noises.size() > 100) fields.reject("'noises' has no entries, or more than 100");

@@ -13,49 +13,52 @@
 namespace labmouse {
 namespace {
 
-using F = MmsFigure;
-using M = MmsMazeFigure;
+using F = MmsFigures;
 using fields::figure;
 
+constexpr StoredFigures stored = stored_figures<F, &F::outcome, &F::end, &F::finished, &F::score, &F::best_run,
+                                                &F::run_ratio, &F::statistics, &F::total, &F::lines, &F::invalid_lines,
+                                                &F::log, &F::errors, &F::simulated_seconds, &F::seconds, &F::visited>;
+
 constexpr std::array<ContestField, 18> contest_fields = {{{"maze", fields::maze_name},
-                                                          {"outcome", figure<F::outcome>},
-                                                          {"end", figure<F::end>},
-                                                          {"finished", figure<F::finished>},
-                                                          {"score", figure<F::score>},
-                                                          {"possible_score", fields::of_maze<M::score>},
+                                                          {"outcome", figure<&F::outcome>},
+                                                          {"end", figure<&F::end>},
+                                                          {"finished", figure<&F::finished>},
+                                                          {"score", figure<&F::score>},
+                                                          {"possible_score", fields::of_maze<fields::bound>},
                                                           {"ratio", fields::ratio},
-                                                          {"best_run", figure<F::best_run>},
-                                                          {"possible_run", fields::of_maze<M::run>},
-                                                          {"run_ratio", figure<F::run_ratio>},
-                                                          {"statistics", figure<F::statistics>},
-                                                          {"lines", figure<F::lines>},
-                                                          {"invalid_lines", figure<F::invalid_lines>},
-                                                          {"log", figure<F::log>},
-                                                          {"errors", figure<F::errors>},
-                                                          {"simulated_seconds", figure<F::simulated_seconds>},
-                                                          {"seconds", figure<F::seconds>},
-                                                          {visited_share, figure<F::visited>}}};
+                                                          {"best_run", figure<&F::best_run>},
+                                                          {"possible_run", fields::of_maze<fields::best_run>},
+                                                          {"run_ratio", figure<&F::run_ratio>},
+                                                          {"statistics", figure<&F::statistics>},
+                                                          {"lines", figure<&F::lines>},
+                                                          {"invalid_lines", figure<&F::invalid_lines>},
+                                                          {"log", figure<&F::log>},
+                                                          {"errors", figure<&F::errors>},
+                                                          {"simulated_seconds", figure<&F::simulated_seconds>},
+                                                          {"seconds", figure<&F::seconds>, true},
+                                                          {visited_share, figure<&F::visited>}}};
 
 /// One value of `getStat`, by its place among them.
 template <std::size_t Place>
 Value statistic(const Race&, const ContestResult& contest) {
-  const auto json = ReadJson::parse(std::get<JsonText>(figure_at(contest, F::statistics)).text);
+  const auto json = ReadJson::parse(figures_of<F>(contest).statistics.text);
   return fmt::format("{}", json[std::string(mms_statistics[Place].name)].get<float>());
 }
 
-template <F Figure>
+template <auto Figure>
 Value milliseconds(const Race&, const ContestResult& contest) {
-  return fmt::format("{:.3f}", number_of(figure_at(contest, Figure)).value_or(0.0));
+  return fmt::format("{:.3f}", *number_of(value_of(figures_of<F>(contest).*Figure)));
 }
 
 constexpr std::array<ContestField, 22> csv_fields = {{{"mouse", fields::mouse_name},
                                                       {"maze", fields::maze_name},
-                                                      {"outcome", figure<F::outcome>},
-                                                      {"end", figure<F::end>},
-                                                      {"finished", figure<F::finished>},
-                                                      {"best_run", figure<F::best_run>},
-                                                      {"possible_run", fields::of_maze<M::run>},
-                                                      {"possible_score", fields::of_maze<M::score>},
+                                                      {"outcome", figure<&F::outcome>},
+                                                      {"end", figure<&F::end>},
+                                                      {"finished", figure<&F::finished>},
+                                                      {"best_run", figure<&F::best_run>},
+                                                      {"possible_run", fields::of_maze<fields::best_run>},
+                                                      {"possible_score", fields::of_maze<fields::bound>},
                                                       {mms_statistics[0].name, statistic<0>},
                                                       {mms_statistics[1].name, statistic<1>},
                                                       {mms_statistics[2].name, statistic<2>},
@@ -66,30 +69,30 @@ constexpr std::array<ContestField, 22> csv_fields = {{{"mouse", fields::mouse_na
                                                       {mms_statistics[7].name, statistic<7>},
                                                       {mms_statistics[8].name, statistic<8>},
                                                       {mms_statistics[9].name, statistic<9>},
-                                                      {"lines", figure<F::lines>},
-                                                      {"invalid_lines", figure<F::invalid_lines>},
-                                                      {"simulated_seconds", milliseconds<F::simulated_seconds>},
-                                                      {"seconds", milliseconds<F::seconds>}}};
+                                                      {"lines", figure<&F::lines>},
+                                                      {"invalid_lines", figure<&F::invalid_lines>},
+                                                      {"simulated_seconds", milliseconds<&F::simulated_seconds>},
+                                                      {"seconds", milliseconds<&F::seconds>}}};
 
 constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
                                                    {"width", fields::width},
                                                    {"height", fields::height},
-                                                   {"best_run", fields::maze_figure<M::run>},
-                                                   {"best_score", fields::maze_figure<M::score>}}};
+                                                   {"best_run", fields::best_run},
+                                                   {"best_score", fields::bound}}};
 
 std::optional<double> mean_total(const Race& race, const Standing& standing) {
   std::vector<double> values;
   for_each_counted(race, standing,
-                   [&](const ContestResult& contest) { values.push_back(*number_of(figure_at(contest, F::total))); });
+                   [&](const ContestResult& contest) { values.push_back(figures_of<F>(contest).total); });
   return mean_if_any(values);
 }
 
 /// Over all runs, those in mazes without a way to the centre among them.
-template <F Figure>
+template <std::int64_t F::*Figure>
 Value sum(const Race& race, const Standing& standing) {
   std::int64_t all = 0;
   for (const ContestResult& contest : race.results)
-    if (contest.mouse == standing.mouse && contest.done) all += std::get<std::int64_t>(figure_at(contest, Figure));
+    if (contest.mouse == standing.mouse && contest.done) all += figures_of<F>(contest).*Figure;
   return all;
 }
 
@@ -100,7 +103,7 @@ Value outcomes(const Race& race, const Standing& standing) {
     const std::string name(name_of(static_cast<MmsOutcome>(outcome)));
     int count = 0;
     for (const ContestResult& contest : race.results)
-      if (contest.mouse == standing.mouse && contest.done && figure_at(contest, F::outcome) == Value(name)) ++count;
+      if (contest.mouse == standing.mouse && contest.done && figures_of<F>(contest).outcome == name) ++count;
     if (count > 0) json[name] = count;
   }
   return JsonText{json.dump()};
@@ -115,16 +118,16 @@ constexpr std::array<MouseField, 15> mouse_fields = {
      {"mean_finished_score", fields::mean_finished},
      {"mean_ratio", fields::mean_ratio},
      {"mean_best_run",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_finished(r, s, "best_run")); }},
+      [](const Race& r, const Standing& s) -> Value { return value_of(mean_finished(r, s, "best_run")); }},
      {"mean_run_ratio",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_finished(r, s, "run_ratio")); }},
-     {"mean_total", [](const Race& r, const Standing& s) -> Value { return or_none(mean_total(r, s)); }},
-     {"mean_seconds", [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, "seconds")); }},
-     {"lines", sum<F::lines>},
-     {"invalid_lines", sum<F::invalid_lines>},
+      [](const Race& r, const Standing& s) -> Value { return value_of(mean_finished(r, s, "run_ratio")); }},
+     {"mean_total", [](const Race& r, const Standing& s) -> Value { return value_of(mean_total(r, s)); }},
+     {"mean_seconds", [](const Race& r, const Standing& s) -> Value { return value_of(mean_of_all(r, s, "seconds")); }},
+     {"lines", sum<&F::lines>},
+     {"invalid_lines", sum<&F::invalid_lines>},
      {"outcomes", outcomes},
      {"mean_visited_share",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_share)); }}}};
+      [](const Race& r, const Standing& s) -> Value { return value_of(mean_of_all(r, s, visited_share)); }}}};
 
 /// With as many digits as its column has room for.
 std::string interval(const Race&, const Standing& standing) {
@@ -156,7 +159,8 @@ constexpr std::array<Column, 9> table = {
 }  // namespace
 
 const WorldFields& mms_fields() {
-  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields, table, {}, "best_score"};
+  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields,
+                                      table,          stored,     {},           "best_score"};
   return all;
 }
 

@@ -1,37 +1,30 @@
-// The figures of the world of mms, by their places in the lists of contests and mazes.
+// The figures of the world of mms.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "labmouse/lab/races/race.hpp"
 
 namespace labmouse {
 
-/// The figures of a run, by their places in ContestResult::figures.
-enum class MmsFigure : std::uint8_t {
-  outcome,
-  end,
-  finished,
-  score,
-  best_run,  ///< effective distance + turns; null while unfinished
-  run_ratio,
-  statistics,  ///< an object of all values of `getStat`
-  total,       ///< effective distance + turns of all that was done
-  lines,
-  invalid_lines,
-  log,
-  errors,
-  simulated_seconds,
-  seconds,  ///< of real time: the one figure that differs from race to race
-  visited,
+struct MmsFigures : Figures {
+  std::string outcome;
+  std::string end;
+  bool finished = false;
+  JsonText score;
+  std::optional<double> best_run;  ///< effective distance + turns; nothing while unfinished
+  std::optional<double> run_ratio;
+  JsonText statistics;  ///< an object of all values of `getStat`
+  double total = 0.0;   ///< effective distance + turns of all that was done
+  std::int64_t lines = 0;
+  std::int64_t invalid_lines = 0;
+  JsonText log;     ///< a list of the first lines
+  JsonText errors;  ///< a list of the last lines
+  double simulated_seconds = 0.0;
+  ByClock seconds;       ///< of real time
+  double visited = 0.0;  ///< as a share of the reachable cells
 };
-
-inline const Value& figure_at(const ContestResult& contest, MmsFigure figure) {
-  return contest.figures[static_cast<std::size_t>(figure)];
-}
-
-/// The figures of a maze: the least run and the least score, null where the centre cannot be reached.
-enum class MmsMazeFigure : std::uint8_t { run, score };
 
 }  // namespace labmouse

@@ -14,22 +14,19 @@
 namespace labmouse {
 namespace {
 
-using F = MmsFigure;
+using F = MmsFigures;
 
-const std::string& text_at(const ContestResult& contest, F figure) {
-  return std::get<std::string>(figure_at(contest, figure));
-}
-std::vector<std::string> lines_at(const ContestResult& contest, F figure) {
-  return ReadJson::parse(std::get<JsonText>(figure_at(contest, figure)).text).get<std::vector<std::string>>();
+std::vector<std::string> lines_of(const JsonText& list) {
+  return ReadJson::parse(list.text).get<std::vector<std::string>>();
 }
 
 /// Whether a run failed: in a maze in which nobody can score, none does.
 bool ended_badly(const Race& race, const ContestResult& contest) {
-  return counts(race, contest) && text_at(contest, F::outcome) != name_of(MmsOutcome::complete);
+  return counts(race, contest) && figures_of<F>(contest).outcome != name_of(MmsOutcome::complete);
 }
 
 bool never_ended_and_finished(const ContestResult& contest) {
-  return contest.done && contest.score && text_at(contest, F::outcome) == name_of(MmsOutcome::never_ended);
+  return contest.done && contest.score && figures_of<F>(contest).outcome == name_of(MmsOutcome::never_ended);
 }
 
 /// The first of a mouse's runs that is as asked; null where none is.
@@ -46,7 +43,7 @@ std::string ends_of(const Race& race, std::size_t mouse) {
   for (std::size_t outcome = 1; outcome <= static_cast<std::size_t>(MmsOutcome::interrupted); ++outcome) {
     const std::string_view name = name_of(static_cast<MmsOutcome>(outcome));
     const auto times = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
-      return contest.mouse == mouse && counts(race, contest) && text_at(contest, F::outcome) == name;
+      return contest.mouse == mouse && counts(race, contest) && figures_of<F>(contest).outcome == name;
     });
     if (times > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, times);
   }
@@ -61,8 +58,8 @@ std::string ends_of(const Race& race, const MouseColumn& names) {
         first_run(race, mouse, [&](const ContestResult& contest) { return ended_badly(race, contest); });
     if (first == nullptr) continue;
     text += fmt::format("  {}: {}; first in {}: {}\n", names.of[mouse], ends_of(race, mouse),
-                        shown(race.mazes[first->maze].name), shown(text_at(*first, F::end)));
-    for (const std::string& line : lines_at(*first, F::errors)) text += "    | " + shown(line) + "\n";
+                        shown(race.mazes[first->maze].name), shown(figures_of<F>(*first).end));
+    for (const std::string& line : lines_of(figures_of<F>(*first).errors)) text += "    | " + shown(line) + "\n";
   }
   if (text.empty()) return "";
   const bool any_never_ended = std::any_of(race.results.begin(), race.results.end(), never_ended_and_finished);
@@ -70,23 +67,22 @@ std::string ends_of(const Race& race, const MouseColumn& names) {
          ("Runs that did not end with exit code 0:\n" + text);
 }
 
-std::int64_t sum_of_lines(const Race& race, std::size_t mouse, F figure) {
+std::int64_t sum_of_lines(const Race& race, std::size_t mouse, std::int64_t F::*figure) {
   std::int64_t all = 0;
   for (const ContestResult& contest : race.results)
-    if (contest.mouse == mouse && contest.done) all += std::get<std::int64_t>(figure_at(contest, figure));
+    if (contest.mouse == mouse && contest.done) all += figures_of<F>(contest).*figure;
   return all;
 }
 
 std::string invalid_lines_of(const Race& race, const MouseColumn& names) {
   std::string text;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
-    const auto* first = first_run(race, mouse, [](const ContestResult& contest) {
-      return std::get<std::int64_t>(figure_at(contest, F::invalid_lines)) > 0;
-    });
+    const auto* first =
+        first_run(race, mouse, [](const ContestResult& contest) { return figures_of<F>(contest).invalid_lines > 0; });
     if (first == nullptr) continue;
-    const std::vector<std::string> log = lines_at(*first, F::log);
+    const std::vector<std::string> log = lines_of(figures_of<F>(*first).log);
     text += fmt::format("  {}: {} of {}; first in {}: {}\n", names.of[mouse],
-                        sum_of_lines(race, mouse, F::invalid_lines), sum_of_lines(race, mouse, F::lines),
+                        sum_of_lines(race, mouse, &F::invalid_lines), sum_of_lines(race, mouse, &F::lines),
                         shown(race.mazes[first->maze].name), log.empty() ? "" : shown(log.front()));
   }
   return text.empty() ? "" : "Lines that are not commands, which mms does not answer:\n" + text;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
@@ -41,27 +40,27 @@ double visited_share_of(CellSet visited, const CellSet& reachable) {
   return visited.count() / static_cast<double>(reachable.count());
 }
 
-Value list_of(const std::vector<std::string>& lines) { return JsonText{one_line(Json(lines))}; }
+JsonText list_of(const std::vector<std::string>& lines) { return {one_line(Json(lines))}; }
 
-/// In the order of MmsFigure.
-std::vector<Value> figures_of(const MmsRun& run, const MazeFacts& facts, double visited) {
+std::shared_ptr<const Figures> figures_of(const MmsRun& run, const MazeFacts& facts, double visited) {
   const MmsStatistics& statistics = run.statistics;
-  const auto best = is_cut_short(run.outcome) ? std::nullopt : best_run(statistics);
-  return {std::string(name_of(run.outcome)),
-          run.end,
-          is_scored(run),
-          JsonText{is_cut_short(run.outcome) ? "null" : short_json(statistics.score).dump()},
-          or_none(best),
-          or_none(ratio(best, number_of(facts.figures[static_cast<std::size_t>(MmsMazeFigure::run)]))),
-          JsonText{statistics_json(statistics).dump()},
-          total(statistics),
-          run.lines,
-          run.invalid_lines,
-          list_of(kept_sentences(run.log)),
-          list_of(last_lines(run.errors)),
-          run.clock,
-          run.seconds,
-          visited};
+  auto figures = std::make_shared<MmsFigures>();
+  figures->outcome = name_of(run.outcome);
+  figures->end = run.end;
+  figures->finished = is_scored(run);
+  figures->score = {is_cut_short(run.outcome) ? "null" : short_json(statistics.score).dump()};
+  if (!is_cut_short(run.outcome)) figures->best_run = best_run(statistics);
+  figures->run_ratio = ratio(figures->best_run, facts.best_run);
+  figures->statistics = {statistics_json(statistics).dump()};
+  figures->total = total(statistics);
+  figures->lines = run.lines;
+  figures->invalid_lines = run.invalid_lines;
+  figures->log = list_of(kept_sentences(run.log));
+  figures->errors = list_of(last_lines(run.errors));
+  figures->simulated_seconds = run.clock;
+  figures->seconds = {run.seconds};
+  figures->visited = visited;
+  return figures;
 }
 
 class MmsWorld final : public World {
@@ -71,17 +70,7 @@ class MmsWorld final : public World {
   std::string_view name() const override { return "mms"; }
   int edition() const override { return 2; }
   std::string formula() const override { return mms_formula; }
-  std::vector<Condition> conditions() const override {
-    return {{"strict", options_.strict},
-            {"presses", std::int64_t{options_.presses}},
-            {"simulated_limit", std::int64_t{options_.most_seconds}},
-            {"line_limit", std::int64_t{options_.most_lines}}};
-  }
-
-  std::span<const Timing> timings() const override {
-    static constexpr std::array<Timing, 1> all = {{{static_cast<std::size_t>(MmsFigure::seconds), "seconds"}}};
-    return all;
-  }
+  std::vector<Condition> conditions() const override { return conditions_of(mms_rows, options_); }
 
   std::string refuse(const Contestant& mouse) const override {
     if (std::holds_alternative<MmsProgram>(mouse.kind)) return "";
@@ -92,7 +81,7 @@ class MmsWorld final : public World {
 
   MazeFacts facts(const Maze& maze) const override {
     const MmsBound bound = mms_bound_of(maze);
-    return {bound.score, {or_none(bound.run), or_none(bound.score)}, reachable_cells(as_in_mms(maze))};
+    return {bound.score, bound.run, reachable_cells(as_in_mms(maze))};
   }
 
   ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {

@@ -68,8 +68,8 @@ Json setting_json(const WorldSetting& setting) {
   Json json = {{"name", setting.name}, {"default", setting.default_value}, {"meaning", setting.meaning}};
   json["type"] = setting.kind == Kind::whole ? "whole" : setting.kind == Kind::flag ? "flag" : "text";
   if (setting.kind == Kind::whole) {
-    json["low"] = setting.low;
-    json["high"] = std::min<std::int64_t>(setting.high, most_page_steps);
+    json["low"] = static_cast<std::int64_t>(setting.low);
+    json["high"] = std::min(static_cast<std::int64_t>(setting.high), std::int64_t{most_page_steps});
   }
   if (Json choices = choices_of(setting); !choices.empty()) {
     json["type"] = "choice";

@@ -63,7 +63,7 @@ PageReply open_record(const std::string& name, std::string_view text, const std:
   OpenedRecord opened = kind.open(text, nullptr);
   if (opened.lacks_maze && maze) opened = kind.open(text, &*maze);
   if (PageFailure failure = failure_of(name, opened); !failure.error.empty()) return {nullptr, "", std::move(failure)};
-  return answered({{"kind", "record"}, {"play", play_of(*opened.replay, kind)}});
+  return answered({{"kind", "record"}, {"play", play_of(*opened.replay)}});
 }
 
 /// Text that names the version that wrote the results, if it is known and differs from this one.

@@ -16,7 +16,7 @@ namespace {
 std::string setting_in(PageRequest& request, const WorldSetting& setting, const std::string& key) {
   if (setting.kind == WorldSetting::Kind::flag) return request.flag(key.c_str()) ? "true" : "false";
   if (setting.kind == WorldSetting::Kind::whole) {
-    const auto most = std::min<std::int64_t>(setting.high, most_page_steps);
+    const auto most = std::min(setting.high, double{most_page_steps});
     return fmt::format("{}", request.whole(key.c_str(), static_cast<int>(setting.low), static_cast<int>(most)));
   }
   std::string text = request.text(key.c_str());
@@ -24,13 +24,6 @@ std::string setting_in(PageRequest& request, const WorldSetting& setting, const 
   if (!has_text && (text.find('/') != std::string::npos || text.ends_with(".toml") || text == "-"))
     request.reject(fmt::format("'{}' is a file, which the page cannot read", key));
   return text;
-}
-
-/// The name that a setting had in links of earlier versions.
-std::string former_setting(std::string_view name) {
-  std::string key(name);
-  std::replace(key.begin(), key.end(), '-', '_');
-  return std::string(former_key(key));
 }
 
 }  // namespace
@@ -44,7 +37,7 @@ std::shared_ptr<const World> read_page_world(PageRequest& request) {
   }
   WorldSettings settings;
   for (const WorldSetting& setting : entry->settings)
-    for (const std::string& key : {std::string(setting.name), former_setting(setting.name)})
+    for (const std::string& key : {std::string(setting.name), std::string(former_key(key_of(setting)))})
       if (request.has(key.c_str())) settings[std::string(setting.name)] = setting_in(request, setting, key);
   if (!request.error().empty()) return nullptr;
   WorldResult made = entry->make(settings);
@@ -59,15 +52,11 @@ Json again_json(const World& world) {
   return {{"with", {{"world", world.name()}, {"conditions", conditions_json(world)}}}, {"mice", std::move(mice)}};
 }
 
-Json play_of(const Replay& replay, const RecordKind& kind) {
+Json play_of(const Replay& replay) {
   Json play = replay.play();
-  const Json conditions = replay.conditions();
-  if (conditions.is_null()) return play;
-  for (const WorldEntry* entry : all_worlds()) {
-    if (entry->records != &kind) continue;
-    if (const auto world = restore_world(entry->name, conditions.dump())) play["again"] = again_json(*world);
-    break;
-  }
+  if (const auto recorded = replay.world())
+    if (const auto world = restore_world(recorded->name, recorded->conditions.dump()))
+      play["again"] = again_json(*world);
   return play;
 }
 

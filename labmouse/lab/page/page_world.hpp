@@ -18,6 +18,6 @@ std::shared_ptr<const World> read_page_world(PageRequest& request);
 Json again_json(const World& world);
 
 /// The play of a record, with `again` if its conditions can be restored.
-Json play_of(const Replay& replay, const RecordKind& kind);
+Json play_of(const Replay& replay);
 
 }  // namespace labmouse

@@ -42,7 +42,7 @@ PageReply answer_unpack(const ReadJson& json, std::string_view) {
       fmt::format("the record of {} in {}", is_named ? packed["mouse"].get<std::string>() : "a mouse", maze.name);
   if (PageFailure failure = failure_of(name, opened); !failure.error.empty()) return {nullptr, "", std::move(failure)};
   add_reasons(*opened.replay);
-  return answered({{"play", play_of(*opened.replay, kind)}, {"record", opened.replay->text()}});
+  return answered({{"play", play_of(*opened.replay)}, {"record", opened.replay->text()}});
 }
 
 PageReply answer_picture(const ReadJson& json, std::string_view bytes) {

@@ -22,7 +22,6 @@ bool is_stopped(const RaceHooks& hooks) { return hooks.stop != nullptr && hooks.
 bool find_facts(Race& race, const RaceHooks& hooks) {
   MazeFacts unknown;
   unknown.found = false;
-  unknown.figures.resize(race.world().fields().maze.size(), nullptr);
   race.facts.resize(race.mazes.size(), unknown);
   for_each_parallel(race.mazes.size(), race.order.jobs, [&](std::size_t i) {
     if (!is_stopped(hooks)) race.facts[i] = race.world().facts(race.mazes[i].maze);

@@ -52,9 +52,15 @@ struct ContestResult {
   /// What enters the mean over all contests: the score, or what the world counts for a failure, if anything.
   std::optional<double> counted;
   std::optional<double> ratio;  ///< score over the maze's bound, as the world compares them
-  /// By the world's own list.
-  std::vector<Value> figures;
+  /// The world's own; null until the contest is done.
+  std::shared_ptr<const Figures> figures;
 };
+
+/// The figures of a contest that is done, in the world that has this struct of them.
+template <class Struct>
+const Struct& figures_of(const ContestResult& contest) {
+  return static_cast<const Struct&>(*contest.figures);
+}
 
 struct Race {
   RaceOrder order;

@@ -4,10 +4,6 @@
 
 namespace labmouse {
 
-Value or_none(const std::optional<double>& value) { return value ? Value(*value) : Value(nullptr); }
-Value or_none(const std::optional<std::int64_t>& value) { return value ? Value(*value) : Value(nullptr); }
-Value or_none(const std::optional<int>& value) { return value ? Value(std::int64_t{*value}) : Value(nullptr); }
-
 std::optional<double> number_of(const Value& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value)) return *real;

@@ -3,6 +3,8 @@
 // docs/how-to/add-a-world.md builds one.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -17,7 +19,8 @@
 #include "labmouse/grid/cell_set.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/mice/contestant.hpp"
-#include "labmouse/lab/races/value.hpp"
+#include "labmouse/lab/races/figures.hpp"
+#include "labmouse/lab/races/world_setting.hpp"
 
 namespace labmouse {
 
@@ -35,8 +38,8 @@ struct Standing;
 struct MazeFacts {
   /// The best possible score; nothing where no mouse can score, and then the maze counts nowhere.
   std::optional<double> bound;
-  /// By the world's own list.
-  std::vector<Value> figures;
+  /// The fastest possible run, in the unit of the world's fields; nothing where none leads to a goal.
+  std::optional<double> best_run;
   /// The cells that a mouse can reach: shares of discovered and visited cells are of these.
   CellSet reachable;
   /// False where a race was stopped before it asked; then nothing is known.
@@ -61,6 +64,7 @@ struct ContestOutput {
 struct ContestField {
   std::string_view key;
   Value (*of)(const Race&, const ContestResult&);
+  bool by_clock = false;  ///< whether it is made of a figure that the clock of a machine made
 };
 struct MouseField {
   std::string_view key;
@@ -99,6 +103,15 @@ struct ComparedFigure {
   std::string_view name;
 };
 
+/// Lists, one behind the other.
+template <class Item, std::size_t... Sizes>
+constexpr auto joined(const std::array<Item, Sizes>&... lists) {
+  std::array<Item, (Sizes + ...)> all = {};
+  auto end = all.begin();
+  ((end = std::copy(lists.begin(), lists.end(), end)), ...);
+  return all;
+}
+
 /// All lists in the order in which they are shown.
 struct WorldFields {
   std::span<const ContestField> contest;  ///< of a result in JSON
@@ -106,6 +119,7 @@ struct WorldFields {
   std::span<const MouseField> mouse;      ///< of a mouse in JSON, before its results
   std::span<const MazeField> maze;        ///< of a maze in JSON
   std::span<const Column> columns;
+  StoredFigures figures;
   std::span<const ComparedFigure> compared = {};
   std::string_view bound = "bound";  ///< the field of a maze with its best possible score, in the unit of ScorePlace
   std::string_view bound_meaning = "best possible score";
@@ -118,12 +132,13 @@ struct Condition {
   Value value;
 };
 
-/// A figure that the clock of a machine has made: its place among the figures of a contest, and the field of JSON that
-/// is made of it.
-struct Timing {
-  std::size_t figure = 0;
-  std::string_view field;
-};
+/// The conditions by a table of settings.
+template <class Rows, class Conditions>
+std::vector<Condition> conditions_of(const Rows& rows, const Conditions& conditions) {
+  std::vector<Condition> all;
+  for (const auto& [setting, of, set] : rows) all.push_back({key_of(setting), of(conditions)});
+  return all;
+}
 
 /// Where the score of a contest stands in the JSON of its result, as this world writes it.
 struct ScorePlace {
@@ -145,8 +160,6 @@ class World {
   /// To be raised where the same contest comes to another result, or its figures are others: what stores have of
   /// earlier editions is then run again.
   virtual int edition() const { return 1; }
-  /// Figures that differ from race to race: stores keep them apart from results.
-  virtual std::span<const Timing> timings() const { return {}; }
   /// What the heading of the leaderboard begins with, such as "world of mms, "; and what it ends with, such as
   /// ", budget 500". Empty where nothing has to be said.
   virtual std::string title() const { return "world of " + std::string(name()) + ", "; }

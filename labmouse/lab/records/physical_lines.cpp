@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "labmouse/lab/failure_rates/physical_settings.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
 #include "labmouse/lab/text/number_rows.hpp"
@@ -213,22 +214,10 @@ std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_l
       (time_limit / millisecond + most_points - 1) / most_points);
 }
 
-void read_common_conditions(JsonFields& fields, PhysicalConditions& conditions) {
-  conditions.noise.all = fields.number("noise", 0.0, most_noise);
-  conditions.noise.variation = fields.number("variation", 0.0, most_variation);
-  conditions.controller.search_speed = fields.number("search_speed", 0.0, most_search_speed);
-  // Records of old have none of these.
-  if (fields.has("pace")) conditions.controller.pace = fields.number("pace", least_pace, 1.0);
-  if (!fields.has("map")) return;
-  const std::optional<MapKind> kind = map_kind_of(today_value(fields.text("map")));
-  if (!kind) fields.fail("has a 'map' that is none of first, log-odds and log-odds-prior");
-  conditions.map = kind.value_or(MapKind::first);
-}
-
 void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer) {
   JsonFields fields(json, "physical");
   part.edition = fields.whole("edition", 1, 1'000'000);
-  read_common_conditions(fields, part.conditions);
+  read_settings(physical_rows, fields, part.conditions);
   part.conditions.handling = fields.long_whole("handling", 0, longest_time);
   part.conditions.trace_every = fields.whole("trace_every", 0, 1'000'000);
   part.notes.foreign_parts = fields.has("foreign_parts") && fields.flag("foreign_parts");
@@ -244,7 +233,7 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
     JsonFields groups(json["groups"], "groups"), corrections(json["corrections"], "corrections");
     for (std::size_t i = 0; i < noise_groups; ++i)
       part.conditions.noise.groups[i] =
-          groups.number(std::string(name_of(static_cast<NoiseGroup>(i))).c_str(), 0.0, most_noise);
+          groups.number(std::string(name_of(static_cast<NoiseGroup>(i))).c_str(), 0.0, noise_row.setting.high);
     part.conditions.controller.corrections = {corrections.flag("sides"), corrections.flag("edges"),
                                               corrections.flag("front")};
     fields.reject(groups.error());

@@ -28,8 +28,6 @@ std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_l
 
 // All of these give the fields what is wrong.
 
-/// What a world has of its conditions, too: noise, spread, speed of a search, pace and map.
-void read_common_conditions(JsonFields& fields, PhysicalConditions& conditions);
 void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer);
 /// A line of decisions; whether it is one.
 bool read_decision_line(const ReadJson& json, PhysicalNotes& notes, JsonFields& fields);

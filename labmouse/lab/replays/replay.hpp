@@ -27,6 +27,12 @@ struct RecordSubject {
   std::optional<std::uint64_t> seed;  ///< nothing where records have none
 };
 
+/// The world in which a contest was run, and its conditions there: an object as World::conditions() has them.
+struct RecordedWorld {
+  std::string_view name;
+  Json conditions;
+};
+
 /// A maze with chosen layers of a record.
 struct RecordDrawing {
   Maze maze;
@@ -47,9 +53,8 @@ class Replay {
   virtual std::string text() const = 0;
   /// The record in the form that reports carry.
   virtual Json packed() const = 0;
-  /// The conditions of the contest, an object as World::conditions() has them, under which other mice can have it, too;
-  /// null where they cannot.
-  virtual Json conditions() const = 0;
+  /// Where other mice can have the contest, too; nothing where they cannot.
+  virtual std::optional<RecordedWorld> world() const = 0;
   /// Frame by frame: `Play` in apps/web/page/src/core/types.ts.
   virtual Json play() const = 0;
 

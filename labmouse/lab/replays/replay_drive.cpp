@@ -1,7 +1,9 @@
 // Records of contests in which robots drive.
 #include <fmt/format.h>
 
+#include "labmouse/lab/failure_rates/physical_settings.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/races/value_json.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_story.hpp"
 #include "labmouse/lab/replays/play_seconds.hpp"
@@ -52,6 +54,13 @@ void for_each_place(const DriveRecord& record, At at) {
   }
 }
 
+/// Whether conditions differ from those of a world only in its settings.
+bool is_of_world(const PhysicalConditions& conditions) {
+  const PhysicalConditions usual;
+  return conditions.noise.groups == usual.noise.groups && conditions.handling == usual.handling &&
+         conditions.controller.corrections == usual.controller.corrections;
+}
+
 class DriveReplay final : public Replay {
  public:
   DriveReplay(DriveRecordFile file, std::string_view text) : file_(std::move(file)), text_(text) {}
@@ -68,9 +77,21 @@ class DriveReplay final : public Replay {
     json["drive"] = write_drive_record(file);
     return json;
   }
-  // Without the conditions of the physical world: there, too, other mice have the contest without errors.
-  Json conditions() const override {
-    return {{"robot", robot_json(file_.model->robot)}, {"rules", rules_json(file_.rules)}};
+  std::optional<RecordedWorld> world() const override {
+    const auto parts = file_.physical ? RobotParts::with_body : RobotParts::limits;
+    Json conditions = {{"robot", robot_json(file_.model->robot, parts)}, {"rules", rules_json(file_.rules)}};
+    if (!file_.physical) return RecordedWorld{"seconds", std::move(conditions)};
+    const PhysicalPart& part = *file_.physical;
+    const bool by_dice = part.notes.by_dice;
+    if (part.edition != (by_dice ? failures_edition : physical_edition) || part.notes.foreign_parts)
+      return std::nullopt;
+    if (!is_of_world(part.conditions)) return std::nullopt;
+    for (const Condition& each : conditions_of(physical_rows, part.conditions))
+      conditions[each.key] = json_of(each.value);
+    if (!by_dice) return RecordedWorld{"physical", std::move(conditions)};
+    conditions["failure_rates"] = part.failure_rates;
+    conditions["failure_rates_hash"] = part.rates_hash;
+    return RecordedWorld{"failures", std::move(conditions)};
   }
   Json play() const override { return play_json(file_); }
   std::string picture() const override { return draw_contest(file_); }

@@ -19,7 +19,7 @@ class ReplayOfMms final : public Replay {
   RecordSubject subject() const override { return {file_.mouse, maze_, std::nullopt}; }
   std::string text() const override { return text_; }
   Json packed() const override { return {{"mouse", file_.mouse}, {"maze", file_.maze_name}, {"mms", text_}}; }
-  Json conditions() const override { return nullptr; }
+  std::optional<RecordedWorld> world() const override { return std::nullopt; }
   Json play() const override { return play_json(file_); }
   std::string picture() const override { return draw_mms_run(file_.mouse, maze_, replay_.run, replay_.walk); }
   std::string summary(const TextDrawer& draw) const override {

@@ -20,11 +20,11 @@ class StepsReplay final : public Replay {
   RecordSubject subject() const override { return {file_.mouse, {file_.maze_name, *file_.maze}, file_.seed}; }
   std::string text() const override { return write_record(file_); }
   Json packed() const override { return pack_record(file_); }
-  Json conditions() const override {
+  std::optional<RecordedWorld> world() const override {
     Rules rules;
     rules.budget = file_.rules.budget;
-    if (!file_.world.empty() || file_.rules != rules) return nullptr;
-    return {{"budget", rules.budget}};
+    if (!file_.world.empty() || file_.rules != rules) return std::nullopt;
+    return RecordedWorld{"steps", {{"budget", rules.budget}}};
   }
   Json play() const override { return play_json(file_); }
   std::string picture() const override { return picture_of(file_); }

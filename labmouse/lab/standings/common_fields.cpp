@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "labmouse/lab/records/settings_json.hpp"
 
 namespace labmouse::fields {
@@ -10,9 +12,8 @@ Value mouse_name(const Race& race, const ContestResult& contest) { return race.m
 Value maze_name(const Race& race, const ContestResult& contest) { return race.mazes[contest.maze].name; }
 Value seed(const Race&, const ContestResult& contest) { return static_cast<std::int64_t>(contest.seed); }
 Value outcome(const Race&, const ContestResult& contest) { return contest.outcome; }
-Value score(const Race&, const ContestResult& contest) { return or_none(contest.score); }
-Value ratio(const Race&, const ContestResult& contest) { return or_none(contest.ratio); }
-Value bound(const Race& race, const ContestResult& contest) { return bound(race, contest.maze); }
+Value score(const Race&, const ContestResult& contest) { return value_of(contest.score); }
+Value ratio(const Race&, const ContestResult& contest) { return value_of(contest.ratio); }
 
 Value name(const Race& race, const Standing& standing) { return race.mice[standing.mouse].name; }
 Value parameters(const Race& race, const Standing& standing) {
@@ -21,18 +22,23 @@ Value parameters(const Race& race, const Standing& standing) {
 Value contestant(const Race& race, const Standing& standing) { return !race.mice[standing.mouse].reference; }
 Value finished(const Race&, const Standing& standing) { return std::int64_t{standing.finished}; }
 Value runs(const Race&, const Standing& standing) { return std::int64_t{standing.runs}; }
-Value mean_all(const Race&, const Standing& standing) { return or_none(standing.mean_all); }
-Value mean_finished(const Race&, const Standing& standing) { return or_none(standing.mean_finished); }
+Value mean_all(const Race&, const Standing& standing) { return value_of(standing.mean_all); }
+Value mean_finished(const Race&, const Standing& standing) { return value_of(standing.mean_finished); }
 Value interval(const Race&, const Standing& standing) {
   if (!standing.mean_all) return nullptr;
   return JsonText{ReadJson{standing.interval.low, standing.interval.high}.dump()};
 }
-Value mean_ratio(const Race&, const Standing& standing) { return or_none(standing.mean_ratio); }
+Value mean_ratio(const Race&, const Standing& standing) { return value_of(standing.mean_ratio); }
 
 Value name(const Race& race, std::size_t maze) { return race.mazes[maze].name; }
 Value width(const Race& race, std::size_t maze) { return std::int64_t{race.mazes[maze].maze.size().width}; }
 Value height(const Race& race, std::size_t maze) { return std::int64_t{race.mazes[maze].maze.size().height}; }
-Value bound(const Race& race, std::size_t maze) { return or_none(race.facts[maze].bound); }
+Value bound(const Race& race, std::size_t maze) { return value_of(race.facts[maze].bound); }
+Value best_run(const Race& race, std::size_t maze) { return value_of(race.facts[maze].best_run); }
+Value whole_best_run(const Race& race, std::size_t maze) {
+  const auto& best = race.facts[maze].best_run;
+  return best ? Value(std::llround(*best)) : Value(nullptr);
+}
 
 }  // namespace labmouse::fields
 

@@ -14,17 +14,16 @@ Value maze_name(const Race& race, const ContestResult& contest);
 Value seed(const Race& race, const ContestResult& contest);
 Value outcome(const Race& race, const ContestResult& contest);
 Value score(const Race& race, const ContestResult& contest);
-Value bound(const Race& race, const ContestResult& contest);
 Value ratio(const Race& race, const ContestResult& contest);
-/// The figure at that place of the world's own list.
-template <auto Place>
+/// The figure that is that member of the world's struct.
+template <auto Member>
 Value figure(const Race&, const ContestResult& contest) {
-  return contest.figures[static_cast<std::size_t>(Place)];
+  return value_of(figures_of<decltype(struct_of(Member))>(contest).*Member);
 }
-/// The same of the contest's maze.
-template <auto Place>
+/// The same field of the contest's maze.
+template <Value (*Field)(const Race&, std::size_t)>
 Value of_maze(const Race& race, const ContestResult& contest) {
-  return race.facts[contest.maze].figures[static_cast<std::size_t>(Place)];
+  return Field(race, contest.maze);
 }
 
 // Of a mouse.
@@ -43,10 +42,9 @@ Value name(const Race& race, std::size_t maze);
 Value width(const Race& race, std::size_t maze);
 Value height(const Race& race, std::size_t maze);
 Value bound(const Race& race, std::size_t maze);
-template <auto Place>
-Value maze_figure(const Race& race, std::size_t maze) {
-  return race.facts[maze].figures[static_cast<std::size_t>(Place)];
-}
+/// The fastest possible run, and the same where the world counts it in whole units.
+Value best_run(const Race& race, std::size_t maze);
+Value whole_best_run(const Race& race, std::size_t maze);
 
 }  // namespace labmouse::fields
 

@@ -46,12 +46,4 @@ std::optional<double> mean_of_all(const Race& race, const Standing& standing, st
   return mean_if_any(numbers.values);
 }
 
-double sum_of(const Race& race, const Standing& standing, std::string_view figure) {
-  Numbers numbers(race, figure);
-  for_each_counted(race, standing, [&](const ContestResult& contest) { numbers.add(contest); });
-  double sum = 0.0;
-  for (const double value : numbers.values) sum += value;
-  return sum;
-}
-
 }  // namespace labmouse

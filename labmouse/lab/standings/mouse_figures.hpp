@@ -18,9 +18,6 @@ std::optional<double> mean_if_any(std::span<const double> values);
 std::optional<double> mean_finished(const Race& race, const Standing& standing, std::string_view figure);
 std::optional<double> mean_of_all(const Race& race, const Standing& standing, std::string_view figure);
 
-/// The sum of a figure over all contests that count.
-double sum_of(const Race& race, const Standing& standing, std::string_view figure);
-
 /// Calls with each contest of the mouse that counts, or that has a score.
 template <class Call>
 void for_each_counted(const Race& race, const Standing& standing, Call call) {

@@ -12,8 +12,8 @@
 namespace labmouse {
 namespace {
 
-constexpr std::array figures = {StepsFigure::blocked_steps, StepsFigure::void_rotations, StepsFigure::cut_movements,
-                                StepsFigure::idle_resets};
+constexpr std::array figures = {&StepsFigures::blocked_steps, &StepsFigures::void_rotations,
+                                &StepsFigures::cut_movements, &StepsFigures::idle_resets};
 
 /// What a race says of each kind, behind its number: of one and of several.
 constexpr std::array<std::array<std::string_view, 2>, figures.size()> short_words = {
@@ -24,18 +24,19 @@ constexpr std::array<std::array<std::string_view, 2>, figures.size()> short_word
 
 /// "490 blocked by walls, 2 void rotations; first in contest-05, step 7"; empty where a mouse has none.
 std::string counts_of(const Race& race, std::size_t mouse) {
-  std::array<double, figures.size()> steps = {};
+  std::array<std::int64_t, figures.size()> steps = {};
   std::string first, words;
   for (const ContestResult& contest : race.results) {
     if (contest.mouse != mouse || !contest.done) continue;
-    for (std::size_t kind = 0; kind < figures.size(); ++kind) steps[kind] += number_of(contest, figures[kind]);
-    if (const double step = number_of(contest, StepsFigure::first_action_error); step > 0 && first.empty())
-      first = fmt::format("; first in {}{}, step {:g}", shown(race.mazes[contest.maze].name),
+    const auto& counted = figures_of<StepsFigures>(contest);
+    for (std::size_t kind = 0; kind < figures.size(); ++kind) steps[kind] += (counted.*figures[kind]).value_or(0);
+    if (const auto step = counted.first_action_error; step > 0 && first.empty())
+      first = fmt::format("; first in {}{}, step {}", shown(race.mazes[contest.maze].name),
                           contest.run > 0 ? fmt::format(", run {}", contest.run + 1) : "", step);
   }
   for (std::size_t kind = 0; kind < figures.size(); ++kind)
-    if (const double count = steps[kind]; count > 0)
-      words += fmt::format("{}{:.0f} {}", words.empty() ? "" : ", ", count, short_words[kind][count == 1 ? 0 : 1]);
+    if (const auto count = steps[kind]; count > 0)
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, short_words[kind][count == 1 ? 0 : 1]);
   return words + first;
 }
 

@@ -12,11 +12,12 @@
 namespace labmouse {
 namespace {
 
-using F = StepsFigure;
+using F = StepsFigures;
 using fields::figure;
 
 double microseconds_per_decision(const ContestResult& contest) {
-  return number_of(contest, F::microseconds) / std::max(1.0, number_of(contest, F::decisions));
+  const auto& figures = figures_of<F>(contest);
+  return figures.microseconds.number / std::max(1.0, static_cast<double>(figures.decisions));
 }
 
 Value microseconds(const Race&, const ContestResult& contest) { return microseconds_per_decision(contest); }
@@ -24,44 +25,49 @@ Value rounded_microseconds(const Race&, const ContestResult& contest) {
   return JsonText{fmt::format("{:.3f}", microseconds_per_decision(contest))};
 }
 
+constexpr StoredFigures stored =
+    stored_figures<F, &F::search_steps, &F::speed_steps, &F::discovered, &F::visited, &F::blocked_steps,
+                   &F::void_rotations, &F::cut_movements, &F::idle_resets, &F::first_action_error, &F::words,
+                   &F::counts, &F::decisions, &F::microseconds>;
+
 constexpr std::array<ContestField, 15> contest_fields = {{{"maze", fields::maze_name},
                                                           {"seed", fields::seed},
                                                           {"outcome", fields::outcome},
                                                           {"score", fields::score},
-                                                          {"search_steps", figure<F::search_steps>},
-                                                          {"speed_steps", figure<F::speed_steps>},
-                                                          {discovered_share, figure<F::discovered>},
-                                                          {visited_share, figure<F::visited>},
-                                                          {"microseconds_per_decision", microseconds},
-                                                          {"blocked_steps", figure<F::blocked_steps>},
-                                                          {"void_rotations", figure<F::void_rotations>},
-                                                          {"cut_movements", figure<F::cut_movements>},
-                                                          {"idle_resets", figure<F::idle_resets>},
-                                                          {said_last, figure<F::words>},
-                                                          {"counts", figure<F::counts>}}};
+                                                          {"search_steps", figure<&F::search_steps>},
+                                                          {"speed_steps", figure<&F::speed_steps>},
+                                                          {discovered_share, figure<&F::discovered>},
+                                                          {visited_share, figure<&F::visited>},
+                                                          {"microseconds_per_decision", microseconds, true},
+                                                          {"blocked_steps", figure<&F::blocked_steps>},
+                                                          {"void_rotations", figure<&F::void_rotations>},
+                                                          {"cut_movements", figure<&F::cut_movements>},
+                                                          {"idle_resets", figure<&F::idle_resets>},
+                                                          {said_last, figure<&F::words>},
+                                                          {"counts", figure<&F::counts>}}};
 
 constexpr std::array<ContestField, 12> csv_fields = {{{"mouse", fields::mouse_name},
                                                       {"maze", fields::maze_name},
                                                       {"seed", fields::seed},
                                                       {"outcome", fields::outcome},
                                                       {"score", fields::score},
-                                                      {"search_steps", figure<F::search_steps>},
-                                                      {"speed_steps", figure<F::speed_steps>},
-                                                      {"optimum", fields::of_maze<StepsMazeFigure::optimum>},
-                                                      {"bound", fields::bound},
+                                                      {"search_steps", figure<&F::search_steps>},
+                                                      {"speed_steps", figure<&F::speed_steps>},
+                                                      {"optimum", fields::of_maze<fields::whole_best_run>},
+                                                      {"bound", fields::of_maze<fields::bound>},
                                                       {"microseconds_per_decision", rounded_microseconds},
-                                                      {discovered_share, figure<F::discovered>},
-                                                      {visited_share, figure<F::visited>}}};
+                                                      {discovered_share, figure<&F::discovered>},
+                                                      {visited_share, figure<&F::visited>}}};
 
 constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
                                                    {"width", fields::width},
                                                    {"height", fields::height},
-                                                   {"optimum", fields::maze_figure<StepsMazeFigure::optimum>},
+                                                   {"optimum", fields::whole_best_run},
                                                    {"bound", fields::bound}}};
 
 /// Steps of a finished contest's speed run above the shortest one.
 double over_optimum(const Race& race, const ContestResult& contest) {
-  return number_of(contest, F::speed_steps) - *number_of(race.facts[contest.maze].figures.front());
+  return static_cast<double>(*figures_of<F>(contest).speed_steps) - *race.facts[contest.maze].best_run;
 }
 
 std::optional<double> mean_over_optimum(const Race& race, const Standing& standing) {
@@ -82,8 +88,8 @@ double optimal_share(const Race& race, const Standing& standing) {
 double microseconds_per_decision(const Race& race, const Standing& standing) {
   double spent = 0.0, decisions = 0.0;
   for_each_counted(race, standing, [&](const ContestResult& contest) {
-    spent += number_of(contest, F::microseconds);
-    decisions += number_of(contest, F::decisions);
+    spent += figures_of<F>(contest).microseconds.number;
+    decisions += static_cast<double>(figures_of<F>(contest).decisions);
   });
   return decisions > 0 ? spent / decisions : 0.0;
 }
@@ -99,14 +105,14 @@ constexpr std::array<MouseField, 15> mouse_fields = {
      {"interval", fields::interval},
      {"mean_ratio", fields::mean_ratio},
      {"mean_search_steps",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_finished(r, s, "search_steps")); }},
+      [](const Race& r, const Standing& s) -> Value { return value_of(mean_finished(r, s, "search_steps")); }},
      {"mean_speed_over_optimum",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_over_optimum(r, s)); }},
+      [](const Race& r, const Standing& s) -> Value { return value_of(mean_over_optimum(r, s)); }},
      {"optimal_share", [](const Race& r, const Standing& s) -> Value { return optimal_share(r, s); }},
      {"mean_discovered_share",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, discovered_share)); }},
+      [](const Race& r, const Standing& s) -> Value { return value_of(mean_of_all(r, s, discovered_share)); }},
      {"mean_visited_share",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_share)); }},
+      [](const Race& r, const Standing& s) -> Value { return value_of(mean_of_all(r, s, visited_share)); }},
      {"microseconds_per_decision",
       [](const Race& r, const Standing& s) -> Value { return microseconds_per_decision(r, s); }}}};
 
@@ -145,9 +151,15 @@ constexpr std::array<Column, 9> table = {
 }  // namespace
 
 const WorldFields& steps_fields() {
-  static constexpr WorldFields all = {
-      contest_fields, csv_fields, mouse_fields, maze_fields,
-      table,          {},         "bound",      "best possible score, that of a mouse that knows the maze"};
+  static constexpr WorldFields all = {contest_fields,
+                                      csv_fields,
+                                      mouse_fields,
+                                      maze_fields,
+                                      table,
+                                      stored,
+                                      {},
+                                      "bound",
+                                      "best possible score, that of a mouse that knows the maze"};
   return all;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 
 #include "labmouse/contest/action_errors.hpp"
@@ -63,14 +62,12 @@ std::string outcome_of(const RunRecord& record) {
   return record.outcome == Outcome::forfeit ? fmt::format("{}: {}", outcome, name_of(reason_of(record))) : outcome;
 }
 
-Value counts_of(const RunRecord& record) {
+LeftOut<JsonText> counts_of(const RunRecord& record) {
   if (record.counts.empty()) return {};
   Json json;
   for (const Count& count : record.counts) json[count.name] = count.value;
   return JsonText{json.dump()};
 }
-
-Value last_words_of(const RunRecord& record) { return record.last_words.empty() ? Value() : Value(record.last_words); }
 
 std::int64_t first_of(const ActionErrors& action_errors) {
   int first = 0;
@@ -80,25 +77,25 @@ std::int64_t first_of(const ActionErrors& action_errors) {
   return first;
 }
 
-/// In the order of StepsFigure.
-std::vector<Value> figures_of(const RunRecord& record, const Score& score, const Coverage& coverage,
-                              const ActionErrors& action_errors, double microseconds) {
-  const auto action_error = [&](const ActionErrorCount& count) {
-    return action_errors == ActionErrors() ? Value() : Value(std::int64_t{count.steps});
-  };
-  return {std::int64_t{score.search_steps},
-          score.value ? Value(std::int64_t{score.speed_steps}) : Value(nullptr),
-          coverage.discovered,
-          coverage.visited,
-          action_error(action_errors.blocked),
-          action_error(action_errors.void_rotations),
-          action_error(action_errors.cut_movements),
-          action_error(action_errors.idle_resets),
-          first_of(action_errors),
-          last_words_of(record),
-          counts_of(record),
-          static_cast<std::int64_t>(record.steps.size()),
-          microseconds};
+std::shared_ptr<const Figures> figures_of(const RunRecord& record, const Score& score, const Coverage& coverage,
+                                          const ActionErrors& action_errors, double microseconds) {
+  auto figures = std::make_shared<StepsFigures>();
+  figures->search_steps = score.search_steps;
+  if (score.value) figures->speed_steps = score.speed_steps;
+  figures->discovered = coverage.discovered;
+  figures->visited = coverage.visited;
+  if (action_errors != ActionErrors()) {
+    figures->blocked_steps = action_errors.blocked.steps;
+    figures->void_rotations = action_errors.void_rotations.steps;
+    figures->cut_movements = action_errors.cut_movements.steps;
+    figures->idle_resets = action_errors.idle_resets.steps;
+  }
+  figures->first_action_error = first_of(action_errors);
+  if (!record.last_words.empty()) figures->words = record.last_words;
+  figures->counts = counts_of(record);
+  figures->decisions = static_cast<std::int64_t>(record.steps.size());
+  figures->microseconds = {microseconds};
+  return figures;
 }
 
 class StepsWorld final : public World {
@@ -109,12 +106,7 @@ class StepsWorld final : public World {
   std::string formula() const override {
     return fmt::format("speed-run steps + search steps / {}", rules_.search_factor);
   }
-  std::vector<Condition> conditions() const override { return {{"budget", std::int64_t{rules_.budget}}}; }
-  std::span<const Timing> timings() const override {
-    static constexpr std::array<Timing, 1> all = {
-        {{static_cast<std::size_t>(StepsFigure::microseconds), "microseconds_per_decision"}}};
-    return all;
-  }
+  std::vector<Condition> conditions() const override { return conditions_of(steps_rows, rules_); }
   std::string title() const override { return ""; }
   std::string heading() const override {
     return rules_.budget == Rules().budget ? "" : fmt::format(", budget {}", rules_.budget);
@@ -128,7 +120,7 @@ class StepsWorld final : public World {
 
   MazeFacts facts(const Maze& maze) const override {
     const Bound bound = bound_of(maze, rules_);
-    return {bound.score, {or_none(bound.optimum)}, reachable_cells(maze)};
+    return {bound.score, bound.optimum, reachable_cells(maze)};
   }
 
   ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {

@@ -1,14 +1,20 @@
 // The world of the capstone project: a step turns, then moves up to three cells; a run costs its steps.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/records/record_parts.hpp"
 #include "labmouse/lab/steps/steps_figures.hpp"
 
 namespace labmouse {
+
+/// What can be set of the world.
+inline constexpr std::array steps_rows = {
+    row<&Rules::budget>({"budget", "N", "Step limit of a contest, for both runs together", "1000", 1, longest_record})};
 
 /// Contests under these rules. Of what it holds, Held::run is a RunRecord.
 std::shared_ptr<const World> steps_world(const Rules& rules = {});

@@ -16,17 +16,11 @@
 namespace labmouse {
 namespace {
 
-bool is_timing(const World& world, std::string_view field) {
-  return std::any_of(world.timings().begin(), world.timings().end(),
-                     [&](const Timing& timing) { return timing.field == field; });
-}
-
 /// The fields of its JSON that have no column of their own and are no timings.
 std::string fields_text(const Race& race, const ContestResult& result) {
   Json json = Json::object();
   for (const ContestField& field : race.world().fields().contest) {
-    if (field.key == "maze" || field.key == "seed" || field.key == "outcome" || is_timing(race.world(), field.key))
-      continue;
+    if (field.key == "maze" || field.key == "seed" || field.key == "outcome" || field.by_clock) continue;
     const Value value = field.of(race, result);
     if (!std::holds_alternative<std::monostate>(value)) json[std::string(field.key)] = json_of(value);
   }
@@ -100,10 +94,11 @@ ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const 
   row.maze = result.maze;
   row.fields = fields_text(race, result);
   row.result = result;
-  std::vector<Value> timings, figures = std::move(row.result.figures);
-  row.result.figures.clear();
-  for (const Timing& timing : race.world().timings())
-    timings.push_back(std::exchange(figures[timing.figure], Value(0.0)));
+  const StoredFigures& stored = race.world().fields().figures;
+  std::vector<Value> timings, figures = stored.values_of(*result.figures);
+  row.result.figures.reset();
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (stored.all[i].by_clock) timings.push_back(std::exchange(figures[i], Value(0.0)));
   row.figures = figures_text(figures);
   if (!timings.empty()) row.timings = figures_text(timings);
   row.time = static_cast<std::int64_t>(std::time(nullptr));
@@ -111,15 +106,15 @@ ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const 
 }
 
 bool fill_in(const Statement& row, const World& world, ContestResult& result) {
-  auto figures = read_figures(row.text("figures"));
+  const StoredFigures& stored = world.fields().figures;
+  auto values = read_figures(row.text("figures"));
   const auto race_seed = parse_whole<std::uint64_t>(row.text("race_seed"));
-  if (!figures || !race_seed) return false;
+  if (!values || !race_seed) return false;
   const auto timings = row.is_null("timings") ? std::nullopt : read_figures(row.text("timings"));
-  for (std::size_t i = 0; i < world.timings().size(); ++i) {
-    const std::size_t place = world.timings()[i].figure;
-    if (place >= figures->size()) return false;
-    if (timings && i < timings->size()) (*figures)[place] = (*timings)[i];
-  }
+  for (std::size_t i = 0, timing = 0; timings && i < std::min(values->size(), stored.all.size()); ++i)
+    if (stored.all[i].by_clock && timing < timings->size()) (*values)[i] = (*timings)[timing++];
+  auto figures = stored.figures_of(*values);
+  if (!figures) return false;
   result.run = static_cast<int>(row.whole("run"));
   result.told = seed_of_program(*race_seed, result.run);
   result.outcome = today_value(row.text("outcome"));
@@ -128,7 +123,7 @@ bool fill_in(const Statement& row, const World& world, ContestResult& result) {
   result.score = row.real("score");
   result.counted = row.real("counted");
   result.ratio = row.real("ratio");
-  result.figures = std::move(*figures);
+  result.figures = std::move(figures);
   result.done = true;
   return true;
 }

@@ -74,9 +74,11 @@ std::vector<const ContestResult*> pick(Race& race, Dice& dice, const Verificatio
 
 /// All of a result but its timings, as text.
 std::string text_of(const World& world, const ContestResult& result) {
-  std::vector<Value> figures = result.figures;
-  for (const Timing& timing : world.timings()) figures[timing.figure] = Value();
-  figures.insert(figures.end(), {or_none(result.score), or_none(result.counted), or_none(result.ratio),
+  const StoredFigures& stored = world.fields().figures;
+  std::vector<Value> figures = stored.values_of(*result.figures);
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (stored.all[i].by_clock) figures[i] = Value();
+  figures.insert(figures.end(), {value_of(result.score), value_of(result.counted), value_of(result.ratio),
                                  std::int64_t{result.outcome_order}, result.outcome, result.never_started});
   return figures_text(figures);
 }

@@ -45,11 +45,6 @@ EntriesResult enter_one(std::vector<Contestant> mice, const WorldEntry& entry, c
   return result;
 }
 
-bool has(const WorldEntry& entry, std::string_view setting) {
-  return std::any_of(entry.settings.begin(), entry.settings.end(),
-                     [&](const WorldSetting& each) { return each.name == setting; });
-}
-
 /// "with --world physical or --world failures"
 std::string worlds_with(std::string_view setting) {
   std::string text;
@@ -99,6 +94,11 @@ EntriesResult enter_each(const std::vector<Contestant>& mice, const WorldEntry& 
 }
 
 }  // namespace
+
+bool has(const WorldEntry& entry, std::string_view setting) {
+  return std::any_of(entry.settings.begin(), entry.settings.end(),
+                     [&](const WorldSetting& each) { return each.name == setting; });
+}
 
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings) {
   if (mice.empty() && world.empty()) world = all_worlds().front()->name;

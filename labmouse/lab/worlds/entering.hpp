@@ -26,6 +26,9 @@ struct EntriesResult {
 /// races in the first world on the list that takes it; without mice, the first world has an entry.
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings);
 
+/// Whether a world has a setting of that name.
+bool has(const WorldEntry& entry, std::string_view setting);
+
 /// Why one of these settings counts in none of the worlds that the mice race in; empty where each counts in one.
 std::string unused_setting(const std::vector<Entry>& entries, const WorldSettings& given);
 

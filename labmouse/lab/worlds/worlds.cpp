@@ -8,20 +8,6 @@
 namespace labmouse {
 namespace {
 
-/// The text of a setting; nothing where the value is no good one.
-std::optional<std::string> text_of_setting(const WorldSetting& setting, const ReadJson& value) {
-  switch (setting.kind) {
-    case WorldSetting::Kind::flag:
-      return value.is_boolean() ? std::optional(value.get<bool>() ? "true" : "false") : std::nullopt;
-    case WorldSetting::Kind::whole:
-      if (!value.is_number_integer() || value < setting.low || value > setting.high) return std::nullopt;
-      return std::to_string(value.get<std::int64_t>());
-    case WorldSetting::Kind::text:
-      return value.is_string() ? std::optional(value.get<std::string>()) : std::nullopt;
-  }
-  return std::nullopt;
-}
-
 /// The kind of record that is meant, or that of the first world.
 template <class IsMeant>
 const RecordKind& kind_where(IsMeant is_meant) {
@@ -46,15 +32,11 @@ std::shared_ptr<const World> restore_world(std::string_view name, std::string_vi
   if (entry == nullptr || !json.is_object()) return nullptr;
   if (entry->restore != nullptr) return entry->restore(json);
   WorldSettings settings;
-  for (const WorldSetting& setting : entry->settings) {
-    std::string key(setting.name);
-    std::replace(key.begin(), key.end(), '-', '_');
-    const auto found = json.find(key);
-    const auto text = found == json.end() ? std::nullopt : text_of_setting(setting, *found);
-    if (!text) return nullptr;
-    settings.emplace(setting.name, *text);
-  }
-  return entry->make(settings).world;
+  JsonFields fields(json, "");
+  for (const WorldSetting& setting : entry->settings)
+    if (!setting.later || fields.has(key_of(setting).c_str()))
+      settings.emplace(setting.name, text_of(read_value(setting, fields)));
+  return fields.error().empty() ? entry->make(settings).world : nullptr;
 }
 
 const RecordKind& kind_of_record(std::string_view text) {

@@ -22,7 +22,7 @@ using test::Says;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-using F = PhysicalFigure;
+using F = PhysicalFigures;
 
 PhysicalConditions rough() {
   PhysicalConditions conditions = at_noise(5.0);
@@ -37,8 +37,9 @@ Race race_at(const PhysicalConditions& conditions, int runs, const std::string& 
   return hold_race(read_specs(mice).contestants, {{"ring", test::ring()}}, order);
 }
 
-double number(const ContestResult& result, F figure) {
-  return number_of(result.figures[static_cast<std::size_t>(figure)]).value_or(0.0);
+template <class Member>
+double number(const ContestResult& result, Member figure) {
+  return number_of(value_of(figures_of<F>(result).*figure)).value_or(0.0);
 }
 
 TEST(PhysicalWorld, HoldsEachContestWithDiceOfItsOwn) {
@@ -48,8 +49,8 @@ TEST(PhysicalWorld, HoldsEachContestWithDiceOfItsOwn) {
   for (const ContestResult& result : race.results) {
     const PhysicalRecord record = test::driven_physically("flood-return", test::ring(), at_noise(1.0), result.seed);
     EXPECT_DOUBLE_EQ(*result.score, in_seconds(*score(record.drive, find_rules("all-japan").rules).value()));
-    EXPECT_EQ(number(result, F::severity), record.severity);
-    EXPECT_EQ(number(result, F::wrong_walls), record.wrong_walls);
+    EXPECT_EQ(number(result, &F::severity), record.severity);
+    EXPECT_EQ(number(result, &F::wrong_walls), record.wrong_walls);
   }
 }
 
@@ -57,13 +58,13 @@ TEST(PhysicalWorld, CountsWhatEndedRuns) {
   const Race race = race_at(rough(), 60);
   int crashed = 0, unscored = 0;
   for (const ContestResult& result : race.results) {
-    const double ends = number(result, F::slid) + number(result, F::position_lost) + number(result, F::wall_error);
+    const double ends = number(result, &F::slid) + number(result, &F::position_lost) + number(result, &F::wall_error);
     crashed += ends > 0;
-    EXPECT_GE(number(result, F::carried) + 1, ends);
-    EXPECT_LE(number(result, F::done), number(result, F::starts));
+    EXPECT_GE(number(result, &F::carried) + 1, ends);
+    EXPECT_LE(number(result, &F::done), number(result, &F::starts));
     unscored += !result.score;
     // Only the column that says so counts failures.
-    EXPECT_EQ(number(result, F::par1), result.score.value_or(300.0));
+    EXPECT_EQ(number(result, &F::par1), result.score.value_or(300.0));
   }
   EXPECT_GT(crashed, 0);
   ASSERT_GT(unscored, 0);

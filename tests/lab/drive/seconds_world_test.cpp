@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-using F = SecondsFigure;
+using F = SecondsFigures;
 
 DriveRules rules_called(const std::string& name) { return find_rules(name).rules; }
 
@@ -38,12 +38,11 @@ RaceOrder order(const DriveRules& rules = rules_called("all-japan")) {
 
 std::vector<Contestant> mice(const std::string& specs) { return read_specs(specs).contestants; }
 
-std::optional<double> number(const ContestResult& result, F figure) {
-  return number_of(result.figures[static_cast<std::size_t>(figure)]);
+template <class Struct, class Member>
+std::optional<double> number(const ContestResult& result, Member Struct::*figure) {
+  return number_of(value_of(figures_of<F>(result).*figure));
 }
-std::optional<double> fastest(const Race& race, std::size_t maze) {
-  return number_of(race.facts[maze].figures[static_cast<std::size_t>(DriveMazeFigure::fastest)]);
-}
+std::optional<double> fastest(const Race& race, std::size_t maze) { return race.facts[maze].best_run; }
 /// A figure of a mouse in JSON.
 std::optional<double> number(const Race& race, const Standing& standing, std::string_view key) {
   return number_of(figure_of(race, standing, key));
@@ -79,21 +78,21 @@ TEST(SecondsWorld, SumsUpAContest) {
   const ContestResult& result = race.results.front();
   const DriveRecord record = test::driven("flood").record;
   ASSERT_EQ(record.runs.size(), 3U);
-  EXPECT_EQ(number(result, F::search), record.runs[2].begin);
-  EXPECT_EQ(number(result, F::starts), 2);
-  EXPECT_EQ(number(result, F::best), *record.runs[2].centre - record.runs[2].begin);
+  EXPECT_EQ(number(result, &F::search), record.runs[2].begin);
+  EXPECT_EQ(number(result, &F::starts), 2);
+  EXPECT_EQ(number(result, &F::best), *record.runs[2].centre - record.runs[2].begin);
   const DriveScore scored = score(record, rules_called("all-japan"));
   EXPECT_EQ(figure_of(race, result, "score"), Value(JsonText{score_json(scored).dump()}));
   EXPECT_DOUBLE_EQ(*result.score, static_cast<double>(*scored.value()) / 1e6);
-  EXPECT_EQ(number(result, F::proven), record.runs[2].known == record.runs[2].hoped ? 1 : 0);
+  EXPECT_EQ(number(result, &F::proven), record.runs[2].known == record.runs[2].hoped ? 1 : 0);
 }
 
 TEST(SecondsWorld, SharesAreOfTheReachableCells) {
   const Race race = hold_race(mice("flood,certify"), {{"ring", test::ring()}}, order());
   for (const ContestResult& result : race.results) {
-    EXPECT_GE(number(result, F::discovered), number(result, F::visited));
-    EXPECT_LE(number(result, F::discovered), 1.0);
-    EXPECT_GT(number(result, F::visited), 0.0);
+    EXPECT_GE(number(result, &F::discovered), number(result, &F::visited));
+    EXPECT_LE(number(result, &F::discovered), 1.0);
+    EXPECT_GT(number(result, &F::visited), 0.0);
   }
 }
 
@@ -147,11 +146,11 @@ TEST(SecondsWorld, TellsWhoHasProvenThatNothingIsLeftToHopeFor) {
   for (const ContestResult& result : race.results) {
     SCOPED_TRACE(race.mice[result.mouse].name + " in " + race.mazes[result.maze].name);
     const bool certify = race.mice[result.mouse].name == "certify", faster = race.mazes[result.maze].name == "faster";
-    ASSERT_TRUE(number(result, F::best) && fastest(race, result.maze));
-    EXPECT_EQ(number(result, F::starts), 2);
-    EXPECT_EQ(number(result, F::proven), certify ? 1 : 0);
+    ASSERT_TRUE(number(result, &F::best) && fastest(race, result.maze));
+    EXPECT_EQ(number(result, &F::starts), 2);
+    EXPECT_EQ(number(result, &F::proven), certify ? 1 : 0);
     // It may drive the best route without knowing that.
-    EXPECT_EQ(number(result, F::best) == fastest(race, result.maze), certify || !faster);
+    EXPECT_EQ(number(result, &F::best) == fastest(race, result.maze), certify || !faster);
   }
 }
 
@@ -159,8 +158,8 @@ TEST(SecondsWorld, ProvesNothingWithoutAFastRun) {
   DriveRules once = rules_called("all-japan");
   once.most_runs = 1;
   const Race race = hold_race(mice("certify"), {{"faster", with_a_faster_way()}}, order(once));
-  EXPECT_EQ(number(race.results.front(), F::starts), 1);
-  EXPECT_EQ(number(race.results.front(), F::proven), 0);
+  EXPECT_EQ(number(race.results.front(), &F::starts), 1);
+  EXPECT_EQ(number(race.results.front(), &F::proven), 0);
 }
 
 TEST(SecondsWorld, HandsOverRecordsThatCanBePlayedAgain) {
@@ -188,24 +187,27 @@ Race made_up() {
   race.mice[0].name = "quick";
   race.mice[1].name = "slow";
   race.mazes = {{"a", test::ring()}, {"b", test::ring()}, {"c", test::ring()}};
-  race.facts = {{5.0, {4'000'000, 5'000'000}, {}}, {10.0, {8'000'000, 10'000'000}, {}}, {{}, {nullptr, nullptr}, {}}};
+  race.facts = {{5.0, 4e6, {}}, {10.0, 8e6, {}}, {{}, {}, {}}};
   const auto add = [&](std::size_t mouse, std::size_t maze, std::int64_t value, std::int64_t best, double excess) {
     ContestResult& result = race.results.emplace_back();
     result.mouse = mouse;
     result.maze = maze;
     result.done = true;
     result.outcome = "out of time";
-    result.figures = {nullptr, 30'000'000, nullptr, nullptr, false,   2,       0,
-                      0,       0.5,        0.25,    Value(), nullptr, nullptr, nullptr};
+    const auto figures = std::make_shared<F>();
+    figures->search = 30'000'000;
+    figures->starts = 2;
+    figures->discovered = 0.5;
+    figures->visited = 0.25;
+    result.figures = figures;
     if (value == 0) return;
     result.outcome = "finished";
     result.score = result.counted = static_cast<double>(value) / 1e6;
     result.ratio = *result.score / *race.facts[maze].bound;
-    const auto set = [&](F figure, const Value& is) { result.figures[static_cast<std::size_t>(figure)] = is; };
-    set(F::score, JsonText{nlohmann::json{{"value", value}}.dump()});
-    set(F::score_us, value);
-    set(F::excess, excess);
-    for (const F figure : {F::best, F::gate_to_gate, F::rest_to_centre}) set(figure, best);
+    figures->score = JsonText{nlohmann::json{{"value", value}}.dump()};
+    figures->score_us = value;
+    figures->excess = excess;
+    figures->best = figures->gate_to_gate = figures->rest_to_centre = best;
   };
   add(0, 0, 6'000'000, 5'000'000, 0.25);
   add(0, 1, 11'000'000, 8'000'000, 0.0);

@@ -50,10 +50,6 @@ Race race(std::vector<Contestant> mice, const RaceHooks& hooks = {}) {
   return hold_race(std::move(mice), {{"ring", test::ring()}}, order_in(world()), hooks);
 }
 
-const Value& figure(const ContestResult& result, PhysicalFigure figure) {
-  return result.figures[static_cast<std::size_t>(figure)];
-}
-
 TEST(ControllerRace, IsHeldInThePhysicalWorldUnlessTold) {
   const EntriesResult entered = enter(controllers(), "", {});
   ASSERT_EQ(entered.error, "");
@@ -74,15 +70,15 @@ TEST(ControllerRace, IsTheSameAgain) {
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(first.results[i].score);
     EXPECT_EQ(first.results[i].score, second.results[i].score);
-    EXPECT_EQ(first.results[i].figures, second.results[i].figures);
+    const StoredFigures& all = first.world().fields().figures;
+    EXPECT_EQ(all.values_of(*first.results[i].figures), all.values_of(*second.results[i].figures));
   }
   EXPECT_NE(first.results[0].score, first.results[1].score);
   // It may have seen anything, and nobody knows.
-  for (const PhysicalFigure unknown :
-       {PhysicalFigure::discovered, PhysicalFigure::wall_error, PhysicalFigure::no_route_left,
-        PhysicalFigure::wrong_walls, PhysicalFigure::contradictions})
-    EXPECT_FALSE(number_of(figure(first.results[0], unknown)));
-  EXPECT_TRUE(number_of(figure(first.results[0], PhysicalFigure::position_lost)));
+  const auto& figures = figures_of<PhysicalFigures>(first.results[0]);
+  EXPECT_FALSE(figures.discovered);
+  for (const auto& unknown : {figures.wall_error, figures.no_route_left, figures.wrong_walls, figures.contradictions})
+    EXPECT_FALSE(unknown);
   EXPECT_TRUE(std::regex_search(table_of(first, false), std::regex("controller_template.* 0 +0 +- +- +0\\n")));
   EXPECT_THAT(table_of(first, false), HasSubstr("controller_template"));
 }

@@ -150,8 +150,8 @@ TEST(ActionErrorFields, CountByTheRulesOfTheRace) {
   Rules rules;
   rules.stride = 2;
   const Race race = hold_race({player("a", solution)}, {test::corridor()}, test::in_steps(rules));
-  EXPECT_EQ(number_of(race.results[0], StepsFigure::cut_movements), 4);
-  EXPECT_EQ(number_of(race.results[0], StepsFigure::first_action_error), 1);
+  EXPECT_EQ(figures_of<StepsFigures>(race.results[0]).cut_movements.value_or(0), 4);
+  EXPECT_EQ(figures_of<StepsFigures>(race.results[0]).first_action_error, 1);
 }
 
 }  // namespace

@@ -281,7 +281,7 @@ Race made_up() {
   race.order = test::in_steps();
   race.mice = test::mice("certify,flood");
   race.mazes = {test::corridor(), test::loop()};
-  race.facts = {{3.0, {3}, {}}, {8.0, {4}, {}}};
+  race.facts = {{3.0, 3.0, {}}, {8.0, 4.0, {}}};
   const auto add = [&](std::size_t mouse, std::size_t maze, std::int64_t search_run, std::int64_t speed,
                        std::optional<double> score) {
     ContestResult result;
@@ -292,8 +292,12 @@ Race made_up() {
     result.score = score;
     result.counted = score.value_or(100);
     if (score) result.ratio = *score / *race.facts[maze].bound;
-    const std::int64_t decisions = search_run + speed;
-    result.figures = {search_run, speed, 0.0, 0.0, {}, {}, {}, {}, 0, {}, {}, decisions, 2.0 * decisions};
+    const auto figures = std::make_shared<StepsFigures>();
+    figures->search_steps = search_run;
+    figures->speed_steps = speed;
+    figures->decisions = search_run + speed;
+    figures->microseconds = {2.0 * static_cast<double>(figures->decisions)};
+    result.figures = figures;
     race.results.push_back(result);
   };
   add(0, 0, 30, 3, 4.0);

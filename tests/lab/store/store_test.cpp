@@ -96,8 +96,13 @@ constexpr std::size_t contests_of_three = 3 + 3 + 60;
 
 /// A race without the figures that the clock makes.
 std::string without_timings(Race race) {
-  for (ContestResult& contest : race.results)
-    for (const Timing& timing : race.world().timings()) contest.figures[timing.figure] = Value(0.0);
+  const StoredFigures& stored = race.world().fields().figures;
+  for (ContestResult& contest : race.results) {
+    std::vector<Value> figures = stored.values_of(*contest.figures);
+    for (std::size_t i = 0; i < figures.size(); ++i)
+      if (stored.all[i].by_clock) figures[i] = Value(0.0);
+    contest.figures = stored.figures_of(figures);
+  }
   return json_of(race, {});
 }
 

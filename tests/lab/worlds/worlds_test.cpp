@@ -81,10 +81,9 @@ ExternalOptions patient() {
 std::string digest(const Race& race) {
   std::string text;
   for (const ContestResult& result : race.results) {
-    text += race.mice[result.mouse].name + ' ' + text_of(or_none(result.counted));
+    text += race.mice[result.mouse].name + ' ' + text_of(value_of(result.counted));
     for (const ContestField& field : race.world().fields().contest)
-      if (field.key != "microseconds_per_decision" && field.key != "seconds")
-        text += ' ' + text_of(field.of(race, result));
+      if (!field.by_clock) text += ' ' + text_of(field.of(race, result));
     text += '\n';
   }
   return text;
