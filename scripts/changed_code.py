@@ -9,12 +9,12 @@ ROOT = Path(__file__).resolve().parent.parent
 TOKENS = re.compile(r'''
     (?P<kept>R"(?P<mark>[^()\\\s]{0,16})\(.*?\)(?P=mark)"   # a raw string
            | "(?:\\.|[^"\\\n])*" | (?<![0-9A-Fa-f])'(?:\\.|[^'\\\n])+')
-  | //[^\n]* | /\*.*?\*/ | \s+''', re.DOTALL | re.VERBOSE)
+  | (?://[^\n]* | /\*.*?\*/ | \s)+''', re.DOTALL | re.VERBOSE)
 
 
 def code_of(text):
     """The text without comments, with one blank for each gap."""
-    return re.sub(r" +", " ", TOKENS.sub(lambda token: token["kept"] or " ", text))
+    return TOKENS.sub(lambda token: token["kept"] or " ", text)
 
 
 def git(*words):
