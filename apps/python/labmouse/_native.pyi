@@ -1,4 +1,4 @@
-"""The part of labmouse that is compiled."""
+"""The compiled part of labmouse."""
 
 from collections.abc import Mapping, Sequence
 import os
@@ -13,47 +13,49 @@ def version() -> str:
 
 class Error(ValueError):
     """
-    What is wrong with a maze, a mouse or an option: the line that the command `labmouse` would print.
+    An error in a maze, a mouse or an option. Its text is the line that the command `labmouse` would print.
     """
 
 def write_file(path: str | os.PathLike[str], text: str) -> None:
-    """Writes a file whole or not at all. Raises Error."""
+    """
+    Writes a file completely or not at all. Raises Error if it cannot be written.
+    """
 
 class Maze:
     """
-    A maze that never changes: its walls, its start and its goals, under a name.
+    An immutable maze: walls, start, goals and a name.
 
     Cells are (x, y): x counts eastwards and y northwards from (0, 0), the south-west corner. Two
-    mazes are equal where walls, start, heading and goals are, whatever their names.
+    mazes are equal if walls, start, heading and goals are equal; names do not count.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         """
         Reads a maze file of any format (docs/reference/maze-files.md), or takes a built-in maze by its name.
 
-        Raises Error with file, line, column and reason where there is none.
+        Raises Error with file, line, column and reason if there is no such maze.
         """
 
     @staticmethod
     def parse(text: str, name: str = 'maze') -> Maze:
         """
-        The maze of a text in any format. Raises Error with line, column and reason.
+        Reads a maze from text in any format. Raises Error with line, column and reason.
         """
 
     @staticmethod
     def from_walls(north: NDArray[numpy.bool_], east: NDArray[numpy.bool_], start: tuple[int, int] = (0, 0), heading: str = 'north', goals: Sequence[tuple[int, int]] | None = None, name: str = 'maze') -> Maze:
         """
-        The maze of two arrays of bool of the shape (height, width).
+        Makes a maze from two arrays of bool of the shape (height, width).
 
         north[y, x] says whether there is a wall north of the cell (x, y), and east[y, x] whether there is
         one east of it. The border must be closed: north[-1, :] and east[:, -1] are all True. `goals` is a
-        list of cells, or None for the centre. Raises Error where they make no maze.
+        list of cells, or None for the centre. Raises Error if this is not a valid maze.
         """
 
     @property
     def name(self) -> str:
         """
-        What results call it: the path of its file, or the name of a built-in or generated maze.
+        The name in results: the path of its file, or the name of a built-in or generated maze.
         """
 
     @property
@@ -70,7 +72,9 @@ class Maze:
 
     @property
     def heading(self) -> str:
-        """Where it looks there: 'north', 'east', 'south' or 'west'."""
+        """
+        The direction that the mouse faces there: 'north', 'east', 'south' or 'west'.
+        """
 
     @property
     def goals(self) -> list[tuple[int, int]]:
@@ -90,12 +94,12 @@ class Maze:
 
     def text(self, format: str = 'drawing') -> str:
         """
-        The maze as a text: 'drawing', 'capstone', 'num' or 'maz'. Raises Error where the format cannot hold it.
+        The maze as text in a format: 'drawing', 'capstone', 'num', 'maz', 'blocks', 'hex', 'dump', 'csv', 'steps', 'json' or 'c'. Raises Error if the format cannot hold this maze.
         """
 
     def save(self, path: str | os.PathLike[str], format: str | None = None) -> None:
         """
-        Writes it to a file; the format is that of the path's ending (.maz, .num), otherwise a drawing. Raises Error where the format cannot hold it, or the file cannot be written.
+        Writes the maze to a file. Without a format, the extension of the path decides (.maz, .num, .hex, .csv, .log, .json, .h; a drawing for all others). Raises Error if the format cannot hold this maze or the file cannot be written.
         """
 
     def named(self, name: str) -> Maze:
@@ -103,12 +107,12 @@ class Maze:
 
     def with_start(self, start: tuple[int, int], heading: str = 'north') -> Maze:
         """
-        The same maze with another start. Raises Error where that is no cell of the maze.
+        The same maze with another start. Raises Error if that is not a cell of the maze.
         """
 
     def with_goals(self, goals: Sequence[tuple[int, int]]) -> Maze:
         """
-        The same maze with other goals, one at least. Raises Error where they are no cells of the maze.
+        The same maze with other goals, at least one. Raises Error if one is not a cell of the maze.
         """
 
     @property
@@ -129,20 +133,20 @@ class Maze:
 
 def generate(kind: str = 'contest', size: int | tuple[int, int] = 16, seed: int = 1, loops: float = 0.0) -> Maze:
     """
-    A maze from a generator: 'depth-first', 'prim', 'kruskal', 'wilson', 'division', 'empty' or 'contest'.
+    Generates a maze: 'depth-first', 'prim', 'kruskal', 'wilson', 'division', 'empty' or 'contest'.
 
     `size` is a side in cells or (width, height), 1 to 64. The same seed gives the same maze everywhere.
     `loops` is the share, 0 to 1, of the remaining inner walls that is opened afterwards.
-    Raises Error where the generator cannot make such a maze.
+    Raises Error if the generator cannot make such a maze.
     """
 
 def find_mazes(paths: Sequence[str | os.PathLike[str]]) -> list[Maze]: ...
 
 def set_sighting_type(type: type) -> None:
-    """Takes the class of which readings are made."""
+    """Sets the class of sightings, called with (left, ahead, right)."""
 
 class Briefing:
-    """What a mouse learns of its contest before it is put into the maze."""
+    """What a mouse is told before it is put into the maze."""
 
     @property
     def width(self) -> int:
@@ -160,7 +164,7 @@ class Briefing:
 
     @property
     def heading(self) -> str:
-        """Where it looks there: 'north', 'east', 'south' or 'west'."""
+        """The direction that it faces there: 'north', 'east', 'south' or 'west'."""
 
     @property
     def goals(self) -> list[tuple[int, int]]:
@@ -168,32 +172,32 @@ class Briefing:
 
     @property
     def world(self) -> str:
-        """'strides' or 'seconds', also for a mouse in the physical world."""
+        """'steps' or 'seconds'; in the physical world, too, it is 'seconds'."""
 
     @property
     def stride(self) -> int:
         """
-        The longest movement of a step, in cells: 3 by the rules; in seconds any straight that it has seen to be open.
+        The longest movement of a step, in cells: 3 by the rules. In seconds 32, the largest side of a maze: there, a mouse may move along any straight that it has seen to be open.
         """
 
     @property
     def budget(self) -> int | None:
-        """Steps that both runs may take together; None in seconds."""
+        """The number of steps that both runs may take together; None in seconds."""
 
     @property
     def time_limit(self) -> float | None:
-        """Seconds that it may be in the maze; None in steps."""
+        """The time limit in the maze, in seconds; None in steps."""
 
     @property
     def sight(self) -> int:
         """
-        Cells that a reading reaches at most: in a reading of so many, no wall was seen at the end.
+        The range of the sensors in cells. A reading of this value means that no wall was seen within range.
         """
 
     @property
     def seed(self) -> int:
         """
-        For a stochastic mouse: the same contest always has the same seed; below 2**64.
+        The seed for a stochastic mouse, below 2**64. The same contest always has the same seed.
         """
 
     def __getstate__(self) -> tuple[tuple[int, int, tuple[int, int], int, list[tuple[int, int]]], tuple[int, int, int, int], tuple[bool, int]]: ...
@@ -203,7 +207,7 @@ class Briefing:
     def __repr__(self) -> str: ...
 
 class Strategy:
-    """A mouse for another process, which asks it decision by decision."""
+    """A mouse in a worker process, asked for one decision at a time."""
 
     def __init__(self, maker: object, briefing: Briefing) -> None: ...
 
@@ -211,7 +215,9 @@ class Strategy:
     def started(self) -> bool: ...
 
     def decide(self, left: int, ahead: int, right: int) -> tuple[int, int, int, int]:
-        """Kind, rotation, movement and reason."""
+        """
+        The action: kind, rotation in degrees, movement in cells, forfeit reason.
+        """
 
     def show(self, x: int, y: int, heading: int, left: int, ahead: int, right: int) -> None: ...
 
@@ -284,14 +290,14 @@ class RunningRace:
 
     def spent(self) -> dict[tuple[str, int], tuple[int, float]]:
         """
-        Contests and seconds by the name of the mouse and the cells of the maze, of a race in one thread that has ended.
+        The number of contests and their seconds, by the name of the mouse and the number of cells of the maze. Valid for a race in one thread, once it has ended.
         """
 
     def result(self) -> HeldRace: ...
 
 def merge_stores(paths: Sequence[str], target: str) -> int:
     """
-    As `labmouse store merge`; returns how many contests are new in the target. Raises Error.
+    Merges stores as `labmouse store merge` does. Returns how many contests are new in the target. Raises Error if stores conflict or cannot be read or written.
     """
 
 class HeldContest:
@@ -357,7 +363,9 @@ def bound(maze: Maze, world: tuple[str, Mapping[str, str]]) -> float | None: ...
 def route(maze: Maze, robot: str) -> tuple[str, str, str]: ...
 
 def robot_numbers(name: str) -> tuple[str, str]:
-    """A robot's name, and JSON of its numbers. Raises Error."""
+    """
+    A robot's name, and JSON of its parameters. Raises Error if there is no such robot.
+    """
 
 def robot_ranges() -> dict[str, tuple[float, float]]:
     """The lowest and the highest value of each key of robot files."""
@@ -367,7 +375,7 @@ def robot_file(parameters: str, remarks: Mapping[str, str], otherwise: str) -> t
 
 def turn_curve(turn: str, speed: float, limits: Sequence[float], cell: float) -> list[float]:
     """
-    Width, length of the curve, and length with its straights of a turn at a speed in mm/s, in mm.
+    Width of a turn, length of its curve, and length with its straights, in mm; `speed` is in mm/s.
     """
 
 def turn_clearance(turn: str, speed: float, limits: Sequence[float], cell: float) -> float:
@@ -377,16 +385,16 @@ def turn_clearance(turn: str, speed: float, limits: Sequence[float], cell: float
 
 def drive_duties(robot: str, stronger: float, left: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], right: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> tuple[list[float], list[float]]:
     """
-    Way (mm) and angle (rad) by tick of a robot under duties, on an open floor and without noise.
+    Distance (mm) and heading (rad, to the left) of a robot by tick (1 ms) for given PWM duties of its motors, on an open floor and without noise. `stronger`: share by which the right motor is stronger.
     """
 
 def drive_speeds(robot: str, speed: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], speeding: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], turning: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], twisting: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> tuple[list[float], list[float]]:
     """
-    The same of a robot whose controller follows speeds (mm/s, mm/s², rad/s, rad/s²).
+    The same for a robot whose controller follows speed and its derivative (mm/s, mm/s²) and yaw rate and its derivative (rad/s, rad/s²).
     """
 
 class MazeFamily:
-    """Numbered mazes of one generator and one split."""
+    """Generated mazes of one kind and split, by number."""
 
     def __init__(self, kind: str, size: tuple[int, int], loops: float, split: str, count: int) -> None: ...
 
@@ -394,12 +402,12 @@ class MazeFamily:
 
 def split_of(maze: Maze) -> str:
     """
-    The set that a maze belongs to by its content: 'train', 'validation' or 'test'.
+    The split of a maze: 'train', 'validation' or 'test'. A hash of its content decides.
     """
 
 def action_of(number: int) -> tuple[int, int] | None:
     """
-    The (rotation in degrees, movement in cells) of an action's number; None for the reset.
+    The (rotation in degrees, movement in cells) of an action, by its number; None for the reset.
     """
 
 ACTIONS: int = 22
@@ -411,7 +419,7 @@ ROW_COLUMNS: int = 16
 BELIEF_PLANES: int = 16
 
 class ContestBatch:
-    """Contests in steps, played together."""
+    """Contests in the world of steps that are stepped together."""
 
     @overload
     def __init__(self, count: int, mazes: Sequence[Maze], in_turn: bool = False, budget: int = 1000) -> None: ...
@@ -428,13 +436,15 @@ class ContestBatch:
 
     @property
     def bytes_a_contest(self) -> int:
-        """What it holds for each contest besides what it writes to."""
+        """Bytes of memory for each contest, without the arrays of bind()."""
 
     def bind(self, rewards: Annotated[NDArray[numpy.float64], dict(order='C', device='cpu')], returns: Annotated[NDArray[numpy.float64], dict(order='C', device='cpu')], ended: Annotated[NDArray[numpy.uint8], dict(order='C', device='cpu')], *, rows: Annotated[NDArray[numpy.int16], dict(order='C', device='cpu')] | None = None, words: Annotated[NDArray[numpy.uint16], dict(order='C', device='cpu')] | None = None, bytes: Annotated[NDArray[numpy.uint8], dict(order='C', device='cpu')] | None = None, masks: Annotated[NDArray[numpy.int8], dict(order='C', device='cpu')] | None = None, states: Annotated[NDArray[numpy.uint8], dict(order='C', device='cpu')] | None = None, mazes: Annotated[NDArray[numpy.int64], dict(order='C', device='cpu')] | None = None) -> None:
-        """Where to write from now on."""
+        """
+        Sets the arrays to write to from now on. Follow it with start(). Raises Error if a size is wrong.
+        """
 
     def seed(self, contest: int, seed: int) -> None:
-        """From which seed a contest draws its mazes."""
+        """Sets the seed by which a contest draws its mazes."""
 
     def start(self, which: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', writable=False)] | None = None) -> None:
         """Begins new contests: all, or those where `which` is not 0."""
