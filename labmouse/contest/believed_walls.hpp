@@ -34,14 +34,14 @@ class BelievedWalls {
 
   Size size() const { return maze_.size(); }
   /// Whether the believed position must be wrong: three sure readings in the last two cells contradicted the map. Only
-  /// true with the learned map.
+  /// true with MapKind::learned.
   bool doubts_its_place() const { return asks_where_it_is_ && against_[0] + against_[1] >= 3; }
   /// Whether the map combines contradicting readings, rather than keep the first.
   bool weighs() const { return weighs_; }
   const Knowledge& known() const { return log_odds_.view(); }
   const LogOddsMap& log_odds() const { return log_odds_; }
   Sighting sighting(const Pose& pose) const { return log_odds_.sighting(pose); }
-  /// Those of these walls that are closed in the true maze.
+  /// The given walls that are closed in the true maze.
   WallSet standing(const WallSet& walls) const;
 
  private:

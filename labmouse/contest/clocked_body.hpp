@@ -1,4 +1,5 @@
-// The simulated body of a mouse in a contest, with the clock. It records wall touches, passed gates and the trace.
+// The simulated body of a mouse in a contest, with the clock. It records wall touches, the trace, and when the mouse
+// passes the gates (out of the start cell, into a goal).
 #pragma once
 
 #include <cstdint>

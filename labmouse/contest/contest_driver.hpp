@@ -15,8 +15,7 @@ class ContestDriver {
  public:
   virtual ~ContestDriver() = default;
 
-  /// Whether it can crash and detect walls wrongly. A driver that cannot drives at the usual pace only, and reads at
-  /// all edges.
+  /// Whether it can crash and detect walls wrongly. If not, it drives only at the usual pace, and reads at all edges.
   virtual bool errs() const = 0;
 
   /// Places the mouse at the start, by hand.
@@ -25,11 +24,12 @@ class ContestDriver {
   virtual void carry_to_start() = 0;
   /// Reads the walls at rest.
   virtual void look_about() = 0;
-  /// Makes a search move over one edge, a dash, or to rest, and reads at its end; false if the run was aborted.
+  /// Makes a search move: over one edge, over several known cells (a dash), or to rest. Reads at its end; false if the
+  /// run was aborted.
   virtual bool make(const Action& part, bool replanned) = 0;
   /// Makes a speed run from the start until the mouse stands; false if the run was aborted.
   virtual bool run(const DriveRoute& route) = 0;
-  /// Sets the pace, as a part of the usual one.
+  /// Sets the pace, as a share of the usual one.
   virtual void set_pace(double pace) = 0;
 
   /// The believed place, between two moves.

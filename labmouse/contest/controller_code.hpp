@@ -26,7 +26,7 @@ struct ControllerBriefing {
 /// What a program reports with its duties. The true position decides on runs; this is only the program's intent.
 enum class ControllerWord : std::uint8_t {
   drive,    ///< nothing
-  fast,     ///< the next run to begin is a fast one
+  fast,     ///< the next run to begin is a speed run
   goal,     ///< ends this run after it has entered a goal; the way home follows
   carry,    ///< asks to be carried to the start by hand
   give_up,  ///< the contest is over

@@ -14,7 +14,7 @@ struct ExploredCells {
   CellSet discovered;
   /// Cells that the mouse stood in or drove through.
   CellSet visited;
-  /// Cells that can be reached from the start; the others are shares of these.
+  /// Cells that can be reached from the start; Coverage counts only these.
   CellSet reachable;
 
   friend bool operator==(const ExploredCells&, const ExploredCells&) = default;

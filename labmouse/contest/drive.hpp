@@ -16,7 +16,7 @@ Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& mode
 
 /// Runs the contest, in a maze up to 32×32. The strategy must be new and briefed as above. The contest ends as a
 /// forfeit (`lost`) on a move through a wall not seen open, a reset before a goal was entered, or an action that is
-/// none of a search. A strategy that has no more to do after a run forfeits as `finished`: that ends the contest, and
+/// not a search move. A strategy that has no more to do after a run forfeits as `finished`: that ends the contest, and
 /// does not count as a forfeit.
 DriveRecord drive(const Maze& maze, const DriveRules& rules, const DriveModel& model, DrivingStrategy& mouse);
 

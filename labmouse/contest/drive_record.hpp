@@ -51,7 +51,7 @@ struct DriveRun {
   std::optional<MazeTime> gate_in;   ///< first entered a goal
   std::optional<MazeTime> centre;    ///< first in the middle of a goal cell
   bool touched = false;              ///< whether the mouse had been touched in the maze before this run
-  double pace = 1.0;                 ///< pace of the run, as a part of the usual one
+  double pace = 1.0;                 ///< pace of the run, as a share of the usual one
   std::vector<SearchMove> moves;     ///< of a search and a way home
   DriveRoute route;                  ///< of a speed run; its times count from `begin`
   /// Walls known at the beginning, and the times of the fastest route over open walls and over walls not known to be

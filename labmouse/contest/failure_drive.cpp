@@ -73,8 +73,8 @@ void FailureDriver::look_about() {
   walls_.read(clock_, place_.pose, seen);
 }
 
-/// No evidence is an effect of the mouse's position, so all walls around it share one draw `clear`. A wall whose share
-/// of empty readings is above it gives none.
+/// Readings without evidence depend on the mouse's position, so all walls around it share one random draw `clear`. A
+/// wall gives no evidence if `clear` is below its share of such readings.
 Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
   const Wall wall = wall_at(place_.pose.cell, side);
   // The border is known.

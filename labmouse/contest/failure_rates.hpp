@@ -21,7 +21,8 @@ struct ManoeuvreRates {
       1.0};  ///< distribution of the localization error afterwards, if it did not crash
 };
 
-/// Classes of evidence: by whole nats for a gap, none, by whole nats for a wall.
+/// Classes of evidence, each one nat wide: those for a gap, the strongest first; none; those for a wall, the strongest
+/// last.
 inline constexpr int most_nats_told = 8;
 inline constexpr std::size_t evidence_classes = 2 * most_nats_told + 1;
 
@@ -57,7 +58,7 @@ struct RatesAtNoise {
   std::array<FailureRatesByDraw, draw_classes> by_draws{};
 };
 
-/// Rates at one pace, as a part of the usual one.
+/// Rates at one pace, as a share of the usual one.
 struct RatesAtPace {
   double pace = 1.0;
   std::vector<RatesAtNoise> noises;  ///< by increasing noise, at least one

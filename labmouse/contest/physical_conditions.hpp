@@ -26,7 +26,7 @@ struct PhysicalConditions {
 /// Largest factors of the noise and of the variation between mice.
 inline constexpr double most_noise = 100.0, most_variation = 10.0;
 
-/// Slowest pace, as a part of the usual one.
+/// Slowest pace, as a share of the usual one.
 inline constexpr double least_pace = 0.2;
 
 /// Range of the search speed, mm/s. A smaller value is in m/s, as in older records.

@@ -1,4 +1,4 @@
-// Splits a search move over several edges into parts, each driven at once with a reading at its end.
+// Splits a search move over several edges into parts. The mouse reads the walls at the end of each part.
 #pragma once
 
 #include <optional>

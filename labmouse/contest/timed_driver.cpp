@@ -10,7 +10,7 @@ MazeTime TimedDriver::time_of(const Action& part) const {
   return slowed(part.movement > 1 ? model_.search.dash(part.movement) : search_time(model_.search, place_, part));
 }
 
-/// If a search ended at the edge of a goal, the first move home gives the time at its middle.
+/// If a search ended at the edge of a goal, the first move home gives the time at the goal's middle.
 void TimedDriver::advance(const Action& part, MazeTime begin, bool replanned) {
   auto& runs = record_.runs;
   DriveRun& run = runs.back();

@@ -124,7 +124,7 @@ void Corrections::see_edge(const SeenEdge& seen, const View& view, const ViewSlo
   };
   if (!fits(before, seen.edge == Edge::falls) || !fits(behind, seen.edge == Edge::rises)) return;
   // The edge is at the line, but an oblique beam also sees the side of a post. So a wall seems to begin before the
-  // post, and to continue behind it. The factors come from sums over the light of such beams.
+  // post, and to continue behind it. The factors come from numerical integration of the light that such beams reflect.
   const double post_side = 2.0 * half_wall_of(cell_) * std::sqrt(std::max(0.0, 1.0 / square(view.cosine) - 1.0));
   const double seeming = seen.edge == Edge::rises   ? -0.38 * post_side
                          : seen.edge == Edge::falls ? 0.2 * post_side

@@ -11,7 +11,7 @@ namespace {
 /// Errors of gyro and slip are constant during a turn. To model them as noise per tick, their variance is scaled by the
 /// duration of a turn, s.
 constexpr double turn_seconds = 0.15;
-/// Relative errors: of the gyro's scale after calibration, and of the measured slip.
+/// Share of the gyro's scale error that remains after calibration, and relative error of the measured slip.
 constexpr double gyro_rest = 0.2, slip_rest = 0.3;
 /// Slip is measured above this turn rate (rad/s) and this speed (mm/s), and limited to `most_slip` (rad).
 constexpr double least_turning = 2.0, least_speed = 100.0, most_slip = 0.5;

@@ -23,7 +23,7 @@ struct Piece {
   bool left = true;                  ///< of a curve or a pivot
 
   static Piece straight(const Position& from, const Direction& ahead, const Ramps& ramps);
-  /// Backwards over the length of the ramps; `ahead` stays where it points.
+  /// Backwards over the length of the ramps; `ahead` is still where the mouse points.
   static Piece backwards(const Position& from, const Direction& ahead, const Ramps& ramps);
   static Piece curve(const Position& from, const Direction& ahead, const TurnShape& shape, bool left,
                      const Ramps& ramps);

@@ -37,7 +37,7 @@ struct Launch {
   std::shared_ptr<const HiddenFiles> hidden;
   /// In a sandbox: what it sees, computed once for many starts; null: computed at each start.
   std::shared_ptr<const Surroundings> surroundings;
-  /// When it becomes true, waits for the external mouse end; may be null.
+  /// When it becomes true, each wait for the mouse ends; may be null.
   const std::atomic<bool>* stop = nullptr;
 };
 

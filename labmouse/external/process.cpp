@@ -32,8 +32,8 @@ using namespace std::chrono_literals;
 constexpr auto glance = 10ms;
 /// An ending program closes its output first. If it has not ended after this time, it only closed its output.
 constexpr auto between_both = 500ms;
-/// Pause before the next read from a mouse that writes without waiting for replies. Line by line, none fills its pipe
-/// much faster.
+/// Pause before the next read from a mouse that writes without waiting for replies. A program that writes line
+/// by line needs about this time or more to fill its pipe.
 constexpr auto nap = 1ms;
 /// Portions of fewer bytes count as small.
 constexpr ssize_t small_portion = 4096;

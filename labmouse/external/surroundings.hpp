@@ -37,7 +37,7 @@ Surroundings surroundings_of(const Launch& launch, const std::string& program);
 /// not part of the system; otherwise its directory.
 std::string folder_of(const Launch& launch, const std::string& program);
 
-/// Those of these paths that the mouse could see.
+/// The given paths that the mouse could see.
 std::vector<std::string> seen_of(const Surroundings& around, const std::vector<std::string>& paths);
 
 }  // namespace labmouse

@@ -2,7 +2,8 @@
 //
 //   S(e)    = T(e) + travel * d(e) - insight * u(e)              of an unseen wall e
 //   S(goal) = way_here * K + travel * d(goal) - goal_bonus       until it was entered
-//   the lowest S is next; once the goal was entered, only of walls with  T(e) + stop_travel * d(e) < K + stop_margin
+//   The mouse goes to the lowest S. Once the goal was entered, only walls with
+//   T(e) + stop_travel * d(e) < K + stop_margin  count.
 //
 // T(e) is the cost of the cheapest run through e (EdgeCosts), K that of the shortest known run, d the steps to where e
 // is seen or the goal is entered, and u the number of unseen walls seen from there. The other names are parameters;
@@ -172,7 +173,7 @@ class Ariadne final : public Explorer {
     return false;
   }
 
-  /// Chooses again with no wall counted as closed, because every other way is.
+  /// Chooses again with no wall counted as closed, because otherwise no candidate is left.
   void choose_as_last_resort() {
     if (policy_.last_resort == policy_.before.prices) return;
     outlook_.price(policy_.last_resort);
@@ -299,7 +300,7 @@ class Ariadne final : public Explorer {
   Outlook outlook_;
   EdgeCosts costs_;
   Views views_;
-  DistanceField way_;  ///< over known passages from the target
+  DistanceField way_;  ///< distances to the target over known passages; in floods, over possible ones
   bool is_large_;
   std::optional<ariadne::Viewpoint> nearest_goal_;
   int known_ = unreachable;  ///< length of the shortest known run from start to goal

@@ -1,7 +1,7 @@
 // cautious: goes to a new neighbour if there is one, else to the least visited cell near.
 //
-// Limits: ignores where the goal is. With a share near 1, most steps are spent on the last cells; if cells are
-// unreachable, the share is never reached, and the budget ends.
+// Limits: ignores where the goal is. With a share of cells to visit (`explore_frac`) near 1, most steps are
+// spent on the last cells; if cells are unreachable, the share is never reached, and the budget ends.
 // Choices: as the report's program does it. A visit is a step that begins in the cell; the start has one more. A
 // neighbour is one cell away, in any direction. If all are visited, the mouse goes to the least visited cell that one
 // known move leads to, up to three cells away; ties go to the first in the order of a Python 3.4 set. The share is of

@@ -51,7 +51,7 @@ class CellFlood : public Explorer {
 /// The passages of which both cells are in the set: a map on which all other cells are closed off.
 WallSet passages_among(const CellSet& cells, const WallSet& passages);
 
-/// The tie order that reproduces the report: west, south, east, north.
+/// The parameter `ties`. Its default (west, south, east, north) reproduces the scores of the first report.
 inline constexpr Parameter cell_flood_ties =
     Parameter::choice("ties", "wsen", TieOrder::all,
                       "Order of the directions, by compass (such as nesw) or as the mouse faces (such as alrb); the "

@@ -1,6 +1,7 @@
 // dead-end: random turns, but only to free cells.
 //
-// Limits: it can stay in a corridor or a loop for long. If the share cannot be reached, it never resets.
+// Limits: it can stay in a corridor or a loop for long. If the share of cells to mark (`coverage`) cannot be
+// reached, it never resets.
 // Choices: as for random-move.
 #include <array>
 

@@ -169,9 +169,9 @@ class Festina final : public DrivingStrategy {
   CellSet goals_;
   int most_runs_;
   std::unique_ptr<DriveFields> own_fields_;
-  DriveFields* fields_;  ///< in seconds
+  DriveFields* fields_;  ///< own_fields_, or the caller's
   std::unique_ptr<DrivingStrategy> strategy_;
-  double usual_pace_;  ///< pace of the briefing, as a part of the robot's own; all other paces are relative to it
+  double usual_pace_;  ///< the caller's pace, as a share of the robot's own; all other paces are relative to it
   double search_pace_, least_pace_;
   double slower_;
   RunLadder ladder_;

@@ -1,13 +1,13 @@
 // flood-explore: floods to the goal, then to every cell that it has not visited.
 //
 // Limits: explores all cells regardless of the budget. In large mazes, and in mazes with an unreachable cell, it never
-// resets. It counts cells, not steps, so its route is seldom the fastest even with the complete map. Choices: the
-// report does not define "farthest". Distances to the mouse, the goal or the start do not reproduce its scores; a list
-// of points [column, row] in reverse order gives all three exactly (33.733 as 412 steps and 20, 43.367 as 551 and 25,
-// 52.4 as 822 and 25). So the easternmost column comes first, and in it the northernmost cell. The same scores require
-// that the speed run prefers the end of the tie order (flood-block determines that order); some other orders, such as
-// ahead, left, right, give the same scores. For an unreachable cell (the report's mazes have none) all distances are
-// equal, so each step takes the first direction in the order, and the search never ends.
+// resets. It counts cells, not steps, so its route is seldom the fastest even with the complete map.
+// Choices: the report does not define "farthest". Distances to the mouse, the goal or the start do not reproduce its
+// scores; a list of points [column, row] in reverse order gives all three exactly (33.733 as 412 steps and 20, 43.367
+// as 551 and 25, 52.4 as 822 and 25). So the easternmost column comes first, and in it the northernmost cell. The same
+// scores require that the speed run prefers the end of the tie order (flood-block determines that order); some other
+// orders, such as ahead, left, right, give the same scores. For an unreachable cell (the report's mazes have none) all
+// distances are equal, so each step takes the first direction in the order, and the search never ends.
 #include <array>
 #include <optional>
 

@@ -1,10 +1,10 @@
 // Base of the strategies of the third report: manhattan, frontier, potential, cautious, random and
 // random-then-shortest.
 //
-// They map which cells can be reached in one move, as single readings show (ConnectedCells). Ties go to the first in
-// the order of a hash table of Python 3.4, as in the original. A cell is visited when a step ends in it; the search run
-// ends when that is a goal. The speed run is planned once, by breadth-first search over the map to the first mapped
-// goal cell, column by column. It ends in the first goal cell on that way.
+// They map which cells one move can reach, if a single reading shows the whole move (ConnectedCells). Ties go to the
+// first in the order of a hash table of Python 3.4, as in the original. A cell is visited when a step ends in it; the
+// search run ends when that is a goal. The speed run is planned once, by breadth-first search over the map to the first
+// mapped goal cell, column by column. It ends in the first goal cell on that way.
 // Source: Edward Kish, "Plot and Navigate a Virtual Maze" (the third report), and its program.
 #pragma once
 

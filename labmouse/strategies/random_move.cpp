@@ -1,7 +1,7 @@
 // random-move: random turns, regardless of walls.
 //
 // Limits: in a corridor, two of three draws hit a wall; a dead end takes two turns in the same direction. So it seldom
-// covers its share within the budget. If the share cannot be reached, it never resets.
+// marks the share of cells (`coverage`) within the budget. If the share cannot be reached, it never resets.
 // Choices: the report prints no scores of this mouse. Versions of its program differ in the share; 5/6 is that of the
 // report's listing.
 #include <array>

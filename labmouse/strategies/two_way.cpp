@@ -209,7 +209,7 @@ class TwoWay final : public Explorer {
   CellSet visited_now_;  ///< on this way
   CellSet discovered_;
   CellSet dead_ends_;
-  Path plan_;  ///< the next cell is the last
+  Path plan_;  ///< in reverse: the next cell is at the back
   Path way_there_;
   Path way_back_;
   Path route_;

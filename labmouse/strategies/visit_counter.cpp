@@ -1,8 +1,8 @@
 // visit-counter: goes to the least visited neighbour.
 //
 // Limits: ignores where the goal is, and maps only passages that it walks. Only random choices mark a cell, so search
-// runs are longer than necessary. Its map can lack a passage (WalkedPassages::slip). If the share cannot be reached, it
-// never resets.
+// runs are longer than necessary. Its map can lack a passage (WalkedPassages::slip). If the share of cells to mark
+// (`coverage`) cannot be reached, it never resets.
 // Choices: the share is that of the report's listing, 5/6; the program had 1/2, 3/4 and 4/5 at other times.
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@
 namespace labmouse {
 
 struct MmsOptions {
-  /// Whether a line that mms would not answer ends the run.
+  /// Whether an invalid line ends the run; otherwise it is only logged.
   bool strict = false;
   /// How often Reset is pressed for a mouse that waits for it, that is, asked `wasReset` 100 times in a row.
   int presses = 0;

@@ -14,38 +14,39 @@ struct DrivePolicy {
   /// time does not count, this holds only for the first `corner_time` of the time limit.
   double corner_turn, corner_time;
 
-  /// On the way home: factors on the times of quarter turns and of turning back; the cost of an unseen wall, by nat and
-  /// fixed; and the price in 1/32 nat from which it counts as closed.
+  /// On the way home: factors on the times of quarter turns and of turning back; the cost of an unseen wall (per nat,
+  /// and a constant); and the price in 1/32 nat from which it counts as closed.
   double home_turn, home_back;
   double home_cells_a_nat, home_cells_a_wall;
   int home_closed;
 
-  /// For a possible speed run: the cost of unseen walls in milliseconds, by nat and fixed, and the price in 1/32 nat
-  /// from which they count as closed; the longest run considered, as a multiple of the best known one; and the part of
-  /// the gain that does not count, in milliseconds.
+  /// For a possible speed run: the cost of unseen walls in milliseconds (per nat, and a constant), and the price in
+  /// 1/32 nat from which they count as closed; the longest run considered, as a multiple of the best known one; and the
+  /// part of the gain that does not count, in milliseconds.
   int run_a_nat, run_a_wall, run_closed;
   double run_longest;
   int run_gain;
 
-  /// If the maze time counts: the highest and lowest worth of an unseen cell, in cells, and the worth of a gain in
-  /// search time, relative to that by the rules.
+  /// If the maze time counts: the highest worth of the gain through an unseen cell, in cells (cell_most), and the
+  /// search time in s that a gain of 1 s is worth at a maze time divisor of 30, in proportion at others (cell_worth).
+  /// cell_least, in cells, is added wherever there is a gain, under all rules.
   double cell_most, cell_least, cell_worth;
-  /// If it does not count: the highest worth, and the worth of a gain in search time.
+  /// If it does not count: the highest worth, in cells, and the search time in s that a gain of 1 s is worth.
   double look_most, look_worth;
   /// Exponent of the probability that a possible run exists, in the worth of its gain; and the gain that counts in
   /// full, as a share of the best known run.
   double chance, sure_gain;
 
-  /// On the way to a look: in mazes of the prior's size, the cost of an unseen wall in cells per nat; in larger ones,
-  /// the time in cells that entering an unseen cell saves, because it will be needed later, unless the time ends
-  /// before.
+  /// On the way to a cell from which an unseen wall can be read: in mazes of up to RunCosts::largest_area, the cost of
+  /// an unseen wall in cells per nat; in larger ones, the discount in cells for entering an unseen cell. There is no
+  /// discount if the time limit is too short to enter all cells.
   double way_cells_a_nat, way_news;
 
-  /// In mazes of the prior's size (where RunCosts works): walls of that price or more, in 1/32 nat, are not part of
+  /// In mazes of up to RunCosts::largest_area: walls of that price or more, in 1/32 nat, are not part of
   /// possible routes.
   int hope_closed;
-  /// A possible route is worth a look if its gain, times this power of its probability, is at least this share of the
-  /// known time; and the same share once routes through unlikely walls are considered.
+  /// A possible route is explored if gain * probability^hope_chance is at least hope_gain * known time. Once routes
+  /// through unlikely walls are considered, the gain must be at least last_gain * known time.
   double hope_gain, hope_chance, last_gain;
 
   explicit DrivePolicy(const Settings& settings);
@@ -59,7 +60,7 @@ constexpr Parameter number_in_seconds(std::string_view name, std::string_view va
 /// The parameters that DrivePolicy reads.
 ///
 /// Tuned on 257 contest mazes by CMA-ES for the mean of three robots (`classic`, `kerise`, `beginner`) under
-/// `thirtieth`. `corner_time` and the parameters of looks, ways and hopes were tuned one by one.
+/// `thirtieth`. `corner_time`, look_*, way_* and hope_* were tuned one by one.
 /// docs/explanation/how-ariadne-explores.md has the effect of each, also in mazes not used for tuning.
 inline constexpr std::array drive_parameters = {
     number_in_seconds(

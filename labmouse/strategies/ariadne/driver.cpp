@@ -34,7 +34,8 @@ double probability(int reluctance) {
 
 DriveTime part(double factor, DriveTime time) { return static_cast<DriveTime>(factor * time); }
 
-/// Uses the fields of the briefing if its maze is large enough for corridors.
+/// The times of the parts of speed runs. They are measured in corridors of a maze of at least run_prices_side each
+/// way, in the briefing's memory if its maze is that large.
 RunPrices run_prices(const Briefing& briefing) {
   if (std::min(briefing.size.width, briefing.size.height) >= run_prices_side)
     return run_prices_of(briefing.drive.fields->routes());
@@ -73,7 +74,7 @@ class Driver final : public DrivingExplorer {
     return weighs() && knows_run() ? home() : look();
   }
 
-  /// Starts again with a new prior and new routes.
+  /// Clears all readings and routes.
   void renew() override {
     outlook_ = Outlook(briefing(), prior_);
     outlook_.price(reluctances);
@@ -195,7 +196,7 @@ class Driver final : public DrivingExplorer {
     const std::optional<HopedRun> run = runs_->through(cell);
     const int gain = run ? known_ - run->time - policy_.run_gain : 0;
     if (gain <= 0) return 0;
-    // A large gain is more certain to be one than a small gain. The exponent on the probability allows for correlated
+    // Small gains count less, because they are less certain. The exponent on the probability allows for correlated
     // walls of a route.
     const double trust = std::sqrt(std::sqrt(gain / (policy_.sure_gain * known_)));
     const double worth = weighs() ? policy_.cell_worth / 30 * briefing().drive.maze_time_divisor : policy_.look_worth;

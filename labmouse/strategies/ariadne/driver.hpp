@@ -9,9 +9,9 @@
 //
 // If it does not count, the mouse explores like certify: it goes to the next unseen wall of the fastest possible route,
 // until such a route would save next to nothing. Only walls likely enough to be open are considered, and ways past
-// cells worth a look are preferred. In mazes larger than those of the prior, it considers all walls, and proves the
-// route; its ways lead through unseen cells if there is time for all of them. Turns count as cheap only early, because
-// a mouse that comes late to the goal may have no time for a run.
+// cells worth a look are preferred. In mazes of more than 256 cells, it considers all walls, until its route is proven
+// to be the fastest; its ways lead through unseen cells if there is time for all of them. Turns count as cheap only
+// early, because a mouse that comes late to the goal may have no time for a run.
 #pragma once
 
 #include <memory>

@@ -25,7 +25,7 @@ inline constexpr int largest_to_weigh = 900;
 struct Phase {
   PriceTable prices{};  ///< of unseen walls
   int way_here = 0;     ///< weight of the cost from the start to a wall, in the cost of a run through it
-  int travel = 0;       ///< of a step to where the wall is seen, when walls are compared
+  int travel = 0;       ///< weight of a step to where a wall is seen, in the comparison of walls
   int insight = 0;      ///< bonus for each unseen wall that is seen from there
 };
 
