@@ -65,7 +65,7 @@ class SearchHome {
     if (on_the_way_home && !place.at_rest && search_.dashes()) dash_from(place.pose, time);
   }
 
-  /// On the way home the robot may dash (drive straight over several known cells faster than it searches), because it
+  /// On the way home the robot may dash (drive straight over known cells faster than it searches), because it
   /// reads no walls there.
   void dash_from(const Pose& edge, MazeTime time) {
     Pose next = edge;
