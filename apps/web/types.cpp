@@ -1,5 +1,5 @@
 // Prints the files that scripts/page-types writes into apps/web/page/src/core: the page's TypeScript types (types.ts),
-// or with any argument the tables of worlds (worlds.json).
+// or with any argument the tables of score units and leaderboard columns of each world (worlds.json).
 #include <cstdio>
 
 #include "labmouse/lab/page/world_tables.hpp"

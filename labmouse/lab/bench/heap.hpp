@@ -5,7 +5,7 @@
 
 namespace labmouse {
 
-/// Bytes of the heap in use; 0 where the C library has no such figure (other than glibc).
+/// Bytes of the heap in use; 0 if the C library is not glibc.
 std::size_t heap_in_use();
 
 }  // namespace labmouse

@@ -8,8 +8,8 @@
 
 namespace labmouse {
 
-/// The costs of DistanceField, by size.index(cell), by Dijkstra's algorithm (1959) with a std::priority_queue. It is
-/// written for clarity and supports any motion.
+/// Computes the costs of a DistanceField by Dijkstra's algorithm (1959) with a std::priority_queue. The result is
+/// indexed by size.index(cell). Written for clarity; supports any motion.
 std::vector<int> plain_distances(Size size, const Motion& motion, const WallSet& passages, const CellSet& from);
 
 /// Breadth-first search for moves of cost one, a fair competitor that handles one cell at a time. Passages are read

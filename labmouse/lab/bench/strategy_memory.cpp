@@ -13,7 +13,8 @@
 namespace labmouse {
 namespace {
 
-/// The heap reuses freed blocks, which the figure misses. Over so many strategies this is negligible.
+/// Number of strategies to average over. A new strategy may reuse blocks that were free before, which the measurement
+/// misses; over many strategies this is negligible.
 constexpr std::size_t strategies = 64;
 
 std::size_t own_memory(const BuiltinMouse& mouse, const Briefing& briefing) {

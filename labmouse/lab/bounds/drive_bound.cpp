@@ -26,8 +26,8 @@ std::optional<MazeTime> fast_score(const DriveRun& run, const DriveRules& rules)
   return end - (rules.gate_to_gate ? *run.gate_out : run.begin) + maze_time_part(run.begin, rules);
 }
 
-/// The least time to a goal and back, by Dijkstra's algorithm (1959). A node is an edge, and whether a goal was
-/// entered.
+/// The least time to a goal and back, by Dijkstra's algorithm (1959). A node of the graph is a cell, the heading in
+/// which the robot enters it, and whether a goal was entered.
 class SearchHome {
  public:
   SearchHome(const Maze& maze, const SearchDrive& search)
@@ -65,7 +65,8 @@ class SearchHome {
     if (on_the_way_home && !place.at_rest && search_.dashes()) dash_from(place.pose, time);
   }
 
-  /// On the way home the robot may dash, because no walls are left to be read.
+  /// On the way home the robot may dash (drive straight over known cells faster than it searches), because it
+  /// reads no walls there.
   void dash_from(const Pose& edge, MazeTime time) {
     Pose next = edge;
     for (int cells = 1; maze_.is_open(next.cell, next.heading); ++cells) {

@@ -16,9 +16,10 @@ struct DriveBound {
   /// Time of the fastest route from rest at the start to the goal's centre; empty where no route from the start pose
   /// reaches a goal.
   std::optional<DriveTime> fastest;
-  /// The score of a mouse that knows the maze but may start a speed run only after a search run. It is the minimum of
-  /// two: of the shortest search run to a goal, and of the fastest route after the shortest search run to a goal and
-  /// back. With gate-to-gate timing, another route may be faster by some milliseconds. Empty where no run can count.
+  /// The score of a mouse that knows the maze but may start a speed run only after a search run. It is the lower of two
+  /// scores: that of the shortest search run to a goal alone; and that of the fastest route, driven after the shortest
+  /// search run to a goal and back. With gate-to-gate timing it is not strict: the fastest route is chosen from rest to
+  /// the centre, and another one may be some milliseconds faster between the gates. Empty where no run is valid.
   std::optional<MazeTime> score;
 };
 

@@ -13,13 +13,14 @@ namespace labmouse {
 ///
 /// A single run is optimal. The score is run + total / 10, and the total contains the run, so a second run only adds to
 /// it. No other rule makes a run cheaper:
-/// - a run begins with the last move out of the start cell, in which a mouse can only be at the centre: earlier actions
-///   add to the total and shorten no run;
+/// - a run begins with the last move out of the start cell, and this move always begins at the centre of that cell:
+///   earlier actions add to the total and shorten no run;
 /// - a crash counts all half steps of its command, and more half steps never cost less;
 /// - ackReset adds 15 to the next run;
 /// - driving through a goal ends no run, and a turn in a goal ends no run that the arrival did not end.
-/// Turns before the first move count in the total only. The best run has at most one. It costs less than half a point,
-/// the least difference between runs, so the least run also gives the least score.
+/// Turns before the first move count in the total only, and the best run has at most one of them. That turn costs 0.1
+/// points, less than the least difference between two runs (half a point). So the shortest run also gives the least
+/// score.
 struct MmsBound {
   /// The least effective distance + turns of a run. It is 0 where the start cell is a goal (mazes up to 2×2 cells): mms
   /// then counts a turn at the start as a finished run.

@@ -43,7 +43,7 @@ struct DrawingLayers {
   /// The cells that a search run visited and those that it discovered, shaded in two tones (in text only the shares).
   std::optional<ExploredCells> explored;
   /// The walls that the mouse considered to explore next: dashed lines with the costs of their runs in steps. The
-  /// chosen one is drawn stronger, those not worth the way weaker (not in text).
+  /// chosen one is solid and thicker; those not worth the way are half transparent (not in text).
   std::optional<StepReasons> candidates;
   /// Where the mouse stands now.
   std::optional<Pose> mouse;

@@ -13,7 +13,7 @@ class Legend {
   /// @param begin Left end of the first row, at half its height. @param right Rows break before this x.
   Legend(Point begin, int right) : begin_(begin), pen_(begin), right_(right) {}
 
-  /// Adds an entry. The sample is SVG around (0,0), its left middle.
+  /// Adds an entry. The sample is SVG; the middle of its left side is at (0,0).
   void add(int sample_width, std::string_view sample, std::string_view words);
 
   const std::string& svg() const { return svg_; }

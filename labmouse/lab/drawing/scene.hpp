@@ -32,7 +32,8 @@ struct Scene {
 
 /// Explored cells, heat, start and goals.
 std::string floor_svg(const Scene& scene);
-/// Posts, unknown walls, walls and wrong guesses, the latter two as one path each with one segment a wall.
+/// Posts, unknown walls, closed walls and wrong guesses. All closed walls are one path, and all wrong guesses another,
+/// with one segment for each wall.
 std::string walls_svg(const Scene& scene);
 /// The two legs of the search run as lines; the second one dashed, so that it differs not only in colour.
 std::string search_run_svg(const Scene& scene);

@@ -19,7 +19,7 @@ std::string visited_words(const ExploredCells& explored);
 std::string discovered_words(const ExploredCells& explored);
 /// "3 wrong guesses: closed, never seen".
 std::string wrong_words(const WallSet& walls);
-/// "14 candidates of step 12, with their runs in steps".
+/// "14 candidates of step 12, with runs in steps"; "ways ahead" instead of "runs" if way_here is below 1.
 std::string candidates_words(const StepReasons& choice);
 /// "chosen: 17.4" (the cost of its run in steps), or "none chosen".
 std::string chosen_words(const Reasons& reasons);

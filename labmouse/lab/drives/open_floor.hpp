@@ -12,8 +12,8 @@ class OpenFloor {
  public:
   /// Begins at rest.
   /// @param hardware Must outlive this object. @param cell Width of a cell in mm.
-  /// @param stronger How much stronger the right motor is than the left one, as a share of their mean, the hardware's
-  /// value.
+  /// @param stronger Strength of the right motor minus that of the left one, as a share of their mean. The mean is that
+  /// of the hardware.
   OpenFloor(const Hardware& hardware, double cell, double stronger);
 
   /// Simulates one tick with these duties.
@@ -21,7 +21,7 @@ class OpenFloor {
   /// Simulates one tick with the duties of the controller for these speeds.
   void follow(const Command& command);
 
-  /// After each tick, from the start on: path length in mm, and angle in rad to the left.
+  /// At the start and after each tick: path length in mm, and heading in rad, counterclockwise from the start.
   const std::vector<double>& ways() const { return ways_; }
   const std::vector<double>& angles() const { return angles_; }
 

@@ -23,10 +23,10 @@ namespace labmouse {
 /// are left out. A contest without a score and without such a reset gives the failure score.
 double best_stop(const RunRecord& record, const Maze& maze, const Rules& rules);
 
-/// Variants of the mouse: up to `count`, with each number among its parameters shifted at random, except those for the
-/// world of seconds. The shift is uniform, up to a quarter of the value or a hundredth of the range, whichever is more,
-/// within the range. Other parameters stay. Duplicates, and variants equal to the mouse, are left out. Empty for a
-/// mouse without such parameters.
+/// Up to `count` variants of the mouse. In each, every numeric parameter is shifted at random, except those for the
+/// world of seconds. The shift is uniform, up to a quarter of the value or a hundredth of the range, whichever is more;
+/// the result is kept within the range. Other parameters stay. Duplicates, and variants equal to the mouse, are left
+/// out. Empty for a mouse without such parameters.
 std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint64_t seed);
 
 struct HindsightOrder {

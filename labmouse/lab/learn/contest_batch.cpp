@@ -29,7 +29,7 @@ constexpr auto moves = [] {
   return table;
 }();
 
-// Memory is prefetched so many contests ahead, enough to hide the latency.
+// Number of contests ahead of which memory is prefetched; enough to hide the latency.
 constexpr std::size_t fetched_ahead = 6;
 
 Size largest_of(std::span<const Maze> mazes) {

@@ -71,8 +71,8 @@ enum class MazeOrder : std::uint8_t { drawn, in_turn };
 
 class ContestBatch {
  public:
-  /// `count` contests (1 or more) in mazes of a list (not empty) or of a family that refuses() accepts. `rules.stride`
-  /// must be longest_choice, `rules.budget` 1 to 32767.
+  /// `count` contests (1 or more) in mazes of a list (not empty), or of a family for which refuses() returns an empty
+  /// text. `rules.stride` must be longest_choice, `rules.budget` 1 to 32767.
   ContestBatch(int count, std::span<const Maze> mazes, MazeOrder order, const Rules& rules = {});
   ContestBatch(int count, const MazeFamily& family, MazeOrder order, const Rules& rules = {});
 

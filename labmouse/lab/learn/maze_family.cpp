@@ -7,7 +7,7 @@
 namespace labmouse {
 namespace {
 
-// A family is refused if none of so many generated mazes is in the split.
+// Number of mazes to generate before a family is refused because none of them is in the split.
 constexpr int attempts_before_refusal = 4096;
 
 std::uint64_t content_of(const Maze& maze) {

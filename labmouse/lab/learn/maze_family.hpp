@@ -39,7 +39,8 @@ struct MazeFamily {
 /// small a size is in the split.
 std::string_view refuses(const MazeFamily& family);
 
-/// The maze of that number, in a family that refuses() accepts. Equal numbers give equal mazes in all versions.
+/// The maze of that number, in a family for which refuses() returns an empty text. Equal numbers give equal mazes in
+/// all versions.
 Maze maze_of(const MazeFamily& family, std::uint64_t number);
 
 }  // namespace labmouse

@@ -60,8 +60,8 @@ using MmsProgram = Launch;
 
 /// A mouse with its parameters; each contest makes a new strategy or process of it.
 struct Contestant {
-  /// The name that the user gave it, otherwise its SPEC in its shortest form: only parameters that differ from their
-  /// defaults, in the order of the mouse's table.
+  /// The name that the user gave it, otherwise its SPEC (the text that selects a mouse, see specs.hpp) in its shortest
+  /// form: only parameters that differ from their defaults, in the order of the mouse's table.
   std::string name;
   /// Its SPEC; empty if it equals the name.
   std::string spec;

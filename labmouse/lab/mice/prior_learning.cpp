@@ -11,7 +11,8 @@
 namespace labmouse {
 namespace {
 
-/// Number of contexts of six neighbours, without the two parallel walls, which are the highest digits.
+/// Number of contexts of the six neighbours that are not parallel walls: 3^6. The two parallel walls are the highest
+/// base-three digits of a context, so `context % 729` leaves them out.
 constexpr int contexts_of_six = 729;
 
 /// Follows a search run and counts the unseen walls whose context has changed; at first all walls.

@@ -29,16 +29,16 @@ struct PriorCounts {
 
   /// Adds the counts of a contest's search run; its speed run is ignored.
   void add(const Maze& maze, const RunRecord& record);
-  /// Adds the counts of a search run by ariadne with a uniform prior and the flat model. If the goal cannot be reached,
-  /// the part until the end counts.
+  /// Adds the counts of a search run by the built-in mouse ariadne with `prior=uniform` and `model=flat`. If the goal
+  /// cannot be reached, the part until the end counts.
   void explore(const Maze& maze, const Rules& rules);
 
   friend bool operator==(const PriorCounts&, const PriorCounts&) = default;
 };
 
-/// The prior of counts, as reluctances: -32 ln P(open). Rare contexts are smoothed by pseudo-counts: with the share of
-/// the same context without the two parallel walls, which itself is smoothed with the share of all walls. Without
-/// counts P is 0.5.
+/// The prior of counts, as reluctances: -32 ln P(open). Rare contexts are smoothed by pseudo-counts in two stages. Each
+/// context of eight neighbours is smoothed towards the context without the two parallel walls, and that one towards the
+/// share of all walls. Rim contexts are smoothed towards the share of all walls. Without counts P is 0.5.
 WallPrior prior_of(const PriorCounts& counts);
 
 /// How well a prior predicts the walls from which it was counted, in nats per wall; 0 without walls.

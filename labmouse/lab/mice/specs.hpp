@@ -51,8 +51,8 @@ std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving = 
 /// Why a mouse cannot race in steps, or which parameter has no effect there; empty if it can.
 std::string refuse_to_walk(const Contestant& mouse);
 
-/// The settings of a mouse that have an effect in seconds. Of the many that have none in steps, only those that differ
-/// from their defaults.
+/// The settings of a mouse that have an effect in seconds. If the mouse also races in steps, settings that have an
+/// effect in seconds only are included only where they differ from their defaults, because there are many.
 Settings settings_in_seconds(const Contestant& mouse);
 /// The settings of a mouse that have an effect in steps.
 Settings settings_in_steps(const Contestant& mouse);

@@ -19,10 +19,11 @@ struct MazeSum {
 /// The total of `sum` divided by the total of `count`; 0 without values.
 double mean_of(std::span<const MazeSum> mazes);
 
-/// The interval of mean_of for mazes of the same kind. It is the t interval; on a side where the bootstrap-t interval
-/// (Efron 1982) is wider, it is extended by three quarters of the difference. The t interval is too narrow for skewed
-/// values, the bootstrap for tied ones. Values of one maze are not independent, so mazes are the sampling units; mazes
-/// without values are ignored. It always contains the mean. With fewer than two mazes, both limits are the mean.
+/// The interval of mean_of for mazes of the same kind. It is the t interval; with five or more mazes, on a side where
+/// the bootstrap-t interval (Efron 1982) is wider, it is extended by three quarters of the difference. The t interval
+/// is too narrow for skewed values, the bootstrap for tied ones. Values of one maze are not independent, so mazes are
+/// the sampling units; mazes without values are ignored. It always contains the mean. With fewer than two mazes, both
+/// limits are the mean.
 /// @param seed Seed of the 1,999 resamples: equal mazes in equal order give equal intervals.
 Interval interval_of(std::span<const MazeSum> mazes, std::uint64_t seed);
 

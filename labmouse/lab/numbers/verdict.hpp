@@ -25,7 +25,8 @@ TestVerdict verdict_of(const PairedDifference& found, double corrected_p);
 /// "better", "worse", "no difference shown", "too few mazes".
 std::string_view name_of(TestVerdict verdict);
 
-/// Notes to print below verdicts: how many mazes are missing, and that several verdicts are corrected. May be empty.
+/// Notes to print below verdicts: how many mazes are missing, and for how many comparisons the p-values are corrected.
+/// May be empty.
 std::string verdict_notes(const std::vector<PairedDifference>& all);
 
 }  // namespace labmouse

@@ -9,7 +9,8 @@
 
 namespace labmouse {
 
-/// The mouse of the fields `name`, which may be empty, and `spec`, the SPEC of the program on the command line.
+/// The mouse described by the fields `name` and `spec`. `name` may be empty; `spec` is the SPEC with which the command
+/// line would run the same program.
 Contestant read_page_external(PageRequest& request);
 
 /// The mice of the field `played`, if any, with the contests that they have run. Each needs one contest, with the right

@@ -13,8 +13,8 @@ namespace labmouse {
 /// Settings cannot name files. In place of a file, a setting gives a name, a line break and the file's text.
 std::shared_ptr<const World> read_page_world(PageRequest& request);
 
-/// `again` of a play: the fields of a `contest` request that repeat its conditions, and the built-in mice that can race
-/// under them.
+/// The field `again` of a play (the JSON of a contest that the page replays): the fields of a `contest` request that
+/// repeat its conditions, and the built-in mice that can race under them.
 Json again_json(const World& world);
 
 /// The play of a record, with `again` if its conditions can be restored.

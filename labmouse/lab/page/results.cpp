@@ -154,7 +154,8 @@ Json take_maze(const ReadJson& json, const std::string& path, std::string& error
   return Taker(json, path).texts({"name"}).counts({"width", "height"}).others().done(error);
 }
 
-/// Fields that all worlds have, and plain values of others, of which the page uses those that it knows.
+/// Copies a group of results. Fields that all worlds have are required. Other fields are kept if they are plain; the
+/// page uses those that it knows.
 Json take_group(const ReadJson& json, const std::string& path, std::string& error) {
   Taker taker(json, path);
   taker.texts({"world", "formula"}).list("mazes", take_maze);

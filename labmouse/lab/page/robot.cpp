@@ -54,7 +54,7 @@ Json turn_path(const TurnShape& shape, const TurnRoom& room, Cell corner, double
 /// A kind of turn: its path, which does not depend on the speed, and the walls around it.
 Json turn_json(const Robot& robot, const TurnShape& shape) {
   const TurnRoom room = room_of(shape.turn);
-  // The panel shows 2×2 cells; the cell of the first node is the south-eastern one.
+  // The panel shows 2×2 cells; the turn begins in the south-eastern one or on its northern side.
   const Cell corner = neighbour(room.from.cell, Heading::west);
   Json json = {{"turn", name_of(shape.turn)},
                {"speeds", Json::array()},

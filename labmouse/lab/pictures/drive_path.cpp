@@ -77,7 +77,7 @@ class SearchPath {
     pivot(quarters, std::abs(quarters) * search_.quarter);
   }
 
-  /// Drives over the first edge.
+  /// Drives to the middle of the side by which the robot leaves its cell.
   void leave(double quarters, bool at_rest) {
     if (at_rest) {
       pivot(quarters, std::abs(quarters) * search_.quarter);
@@ -102,8 +102,8 @@ class SearchPath {
     }
   }
 
-  /// Drives so many cells to or from rest: at constant search speed, and with constant acceleration for the remaining
-  /// time.
+  /// Drives that distance in cells to or from rest: at constant search speed, and with constant acceleration for the
+  /// remaining time.
   void straight(double cells, double time, double from, double to) {
     const double changing = std::clamp(2.0 * (time - cells * model_.tables.cell / speed_ * 1e6), 0.0, time);
     const double slow = speed_ / 2.0 * changing / 1e6 / model_.tables.cell;

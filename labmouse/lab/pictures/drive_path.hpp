@@ -15,7 +15,7 @@ struct DrivePathPoint {
   double time = 0.0;  ///< microseconds on the maze's clock
   double x = 0.0;     ///< in cells from the south-west corner
   double y = 0.0;
-  double heading = 0.0;       ///< eighths of a turn clockwise from north; grows and falls beyond a whole turn
+  double heading = 0.0;       ///< eighths of a turn clockwise from north; not wrapped to one turn
   double speed = 0.0;         ///< mm/s
   double acceleration = 0.0;  ///< mm/s² along the path, until the next point
 };

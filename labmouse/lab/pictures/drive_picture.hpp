@@ -12,8 +12,8 @@ namespace labmouse {
 /// One self-contained SVG picture with a legend: a route in its maze.
 std::string draw_route(const Maze& maze, const DriveRoute& driven, const DriveModel& model, const std::string& title);
 
-/// The same for a contest: in colours the run that counts if it is a speed run, else the last speed run; searches
-/// as thin lines.
+/// The same for a contest. One run is coloured by speed: the run that gives the score if it is a speed run, else the
+/// last speed run. Search runs are thin lines; other speed runs are not drawn.
 std::string draw_contest(const DriveRecordFile& file);
 
 }  // namespace labmouse

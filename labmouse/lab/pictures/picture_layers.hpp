@@ -32,7 +32,7 @@ std::string_view meaning_of(Layer layer);
 const LayerSet& all_layers();
 /// Whether the layer needs a record.
 bool needs_record(Layer layer);
-/// Whether text drawings cannot show it; heat needs colours.
+/// Whether text drawings cannot show it in the maze (of `shares` they print the figures only); heat needs colours.
 bool needs_svg(Layer layer, bool colours);
 
 /// The layers of a list such as `heat,path`, or an error text.

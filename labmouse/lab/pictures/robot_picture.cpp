@@ -59,7 +59,7 @@ std::vector<Panel> panels_of(const Robot& robot, const DriveModel& model) {
   return panels;
 }
 
-/// The south-western of the 2×2 cells; the cell of the first node is the south-eastern one.
+/// The south-western of the 2×2 cells; the turn begins in the south-eastern one or on its northern side.
 Cell south_west(const Panel& panel) { return neighbour(panel.room.from.cell, Heading::west); }
 
 std::string place(const Panel& panel, MazePoint point) {
