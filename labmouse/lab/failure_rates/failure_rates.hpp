@@ -2,7 +2,7 @@
 // beginning and end are counted, and crashes; for each wall reading, its evidence and whether it was wrong.
 //
 // Counts are by the localization error at the beginning of the manoeuvre, because it causes most of the failures: a
-// mouse that knows its position rarely misreads walls or crashes.
+// mouse that knows its position rarely detects walls wrongly or crashes.
 #pragma once
 
 #include <atomic>
