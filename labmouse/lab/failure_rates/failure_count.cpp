@@ -132,7 +132,7 @@ class FailureCounter {
   double cell_;
   double pace_;  ///< the usual one
   FailureCounts& counts_;
-  WallSet read_;  ///< at least once so far
+  WallSet read_;  ///< walls that were read before
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ struct FailureOrder {
   DriveRules rules;
   PhysicalConditions conditions;  ///< except noise and pace, which are those below
   std::vector<double> noises;
-  std::vector<double> paces = {1.0};  ///< all noises at each
+  std::vector<double> paces = {1.0};  ///< each with all noises
   int runs = 1;                       ///< contests of each mouse in each maze, under each noise
   std::uint64_t seed = 1;
   int jobs = 0;  ///< threads; 0: all processors

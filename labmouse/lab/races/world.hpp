@@ -50,7 +50,7 @@ struct MazeFacts {
 struct Keep {
   bool record = false;
   bool picture = false;
-  bool reasons = false;  ///< in the record, those of a mouse that has some
+  bool reasons = false;  ///< whether the record has the reasons of decisions, if the mouse gives any
 };
 
 /// What a contest gives besides its result.
@@ -64,7 +64,7 @@ struct ContestOutput {
 struct ContestField {
   std::string_view key;
   Value (*of)(const Race&, const ContestResult&);
-  bool by_clock = false;  ///< whether it is made of a figure that the clock of a machine made
+  bool by_clock = false;  ///< whether it depends on a time by the machine's clock
 };
 struct MouseField {
   std::string_view key;
@@ -144,7 +144,7 @@ std::vector<Condition> conditions_of(const Rows& rows, const Conditions& conditi
 struct ScorePlace {
   std::string_view key = "score";
   std::string_view inner;  ///< where the score is an object, its field
-  double unit = 1.0;       ///< what a number there is to be multiplied by
+  double unit = 1.0;       ///< factor from the number in JSON to the world's unit
   double least = 0.0;      ///< no score is below
 };
 

@@ -86,12 +86,12 @@ struct OpenedRecord {
   std::unique_ptr<Replay> replay;
   std::vector<Problem> problems;
   std::string disagreement;
-  bool lacks_maze = false;  ///< the record is one, but it has no maze, and none was given
+  bool lacks_maze = false;  ///< the text is a record, but it has no maze, and none was given
 };
 
 /// Records of one kind; several worlds may have it.
 struct RecordKind {
-  std::string_view header;  ///< what `labmouse` is in its first line
+  std::string_view header;  ///< value of the key `labmouse` in its first line
   std::string_view name;    ///< "a record in steps"
   std::string_view packed;  ///< the member of Replay::packed() that no other kind has
   /// Plays the record in `maze` instead of its own where that is not null.

@@ -19,7 +19,7 @@ struct StepsFigures : Figures {
   LeftOut<std::string> words;           ///< what the mouse had to say
   LeftOut<JsonText> counts;             ///< an object of what the mouse counted
   std::int64_t decisions = 0;
-  ByClock microseconds;  ///< spent in them
+  ByClock microseconds;  ///< of real time for all decisions
 };
 
 }  // namespace labmouse
