@@ -230,7 +230,8 @@ bool collide(const Output& one, const Output& other) {
   using Kind = Output::Kind;
   if (one.path.empty() || other.path.empty() || (one.kind == Kind::input && other.kind == Kind::input)) return false;
   if (one.kind == Kind::file && other.kind == Kind::file) return is_same_file(one.path, other.path);
-  // A stream of one option may be a file's name for the other, and reading a stream destroys nothing.
+  // A path such as `-` is a stream for one option and may be a file name for the other. Reading a stream destroys
+  // nothing.
   const bool streams = descriptor_to_write(one.path) || descriptor_to_write(other.path);
   return !streams && !is_stream(one.path) && is_same_file(one.path, other.path);
 }

@@ -17,7 +17,8 @@
 
 namespace labmouse::cli {
 
-/// exit_interrupted() gives the code of a command that a signal stopped.
+/// exit_finding: the command ran, but found something wrong, such as a record that does not match its maze. exit_usage:
+/// bad usage, bad input or another error. exit_signal plus the number of a signal: stopped by it (exit_interrupted()).
 enum ExitCode { exit_good = 0, exit_finding = 1, exit_usage = 2, exit_signal = 128 };
 
 /// Bad usage or input: one line or several for standard error; ends the program with exit code 2.
@@ -74,7 +75,7 @@ void require_writable(const std::string& path);
 struct Output {
   enum class Kind {
     file,   ///< written by save()
-    other,  ///< written in another way, such as a store: only compared with the others
+    other,  ///< written in another way, such as a store; only checked not to be the file of another option
     input   ///< read by the command, so it must not be overwritten
   };
 

@@ -29,8 +29,8 @@ std::int64_t milliseconds_now() {
   return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
 }
 
-/// Raises the flag. A terminal that closes and `timeout` send their signal twice at once, so only a later one says that
-/// waiting has no use.
+/// Signal handler: raises the flag. A second signal ends the program, if it comes `patience` milliseconds later or
+/// more: a terminal that closes, and `timeout`, send their signal twice at once.
 void stop_or_end(int number) {
   constexpr std::int64_t patience = 1000;
   if (stop_flag.exchange(true) && caught_signal != 0) {
@@ -136,7 +136,7 @@ void add_mice_files(Command& command, std::vector<std::string>& mice_files) {
 
 std::vector<std::string> with_mice_files(std::vector<std::string> specs, const std::vector<std::string>& mice_files) {
   for (const std::string& file : mice_files) {
-    // A pipe can be read only once, and a FILE:NAME is no file.
+    // Only regular files are checked here: a pipe can be read only once, and FILE:NAME is not the name of a file.
     std::error_code unknown;
     if (std::filesystem::is_regular_file(file, unknown))
       refuse_other_kind(file, read_file(file).content, FileKind::unknown);
@@ -152,7 +152,8 @@ MazeCollection find_mazes_of(const World& world, const Contests& contests) {
         fmt::format("error: --start and --goal cannot be used in the world {}, which {}", world.name(), fixed));
   MazeCollection mazes = find_mazes(contests.mazes, places);
   const auto before = static_cast<std::ptrdiff_t>(mazes.skipped.size());
-  if (const std::string refused = leave_out(world, separated(contests.mazes), mazes); !refused.empty()) throw UsageError(refused);
+  if (const std::string refused = leave_out(world, separated(contests.mazes), mazes); !refused.empty())
+    throw UsageError(refused);
   tell_skipped({mazes.skipped.begin() + before, mazes.skipped.end()});
   if (mazes.mazes.empty())
     throw UsageError(
@@ -189,12 +190,12 @@ Interruptible::Interruptible() {
   stop_flag = false;
   caught_signal = 0;
   for (const int number : ending_signals())
-    // `nohup` has the hangup ignored, and so it stays.
+    // `nohup` starts programs with SIGHUP ignored; this must stay so.
     if (std::signal(number, stop_or_end) == SIG_IGN && is_hangup(number)) std::signal(number, SIG_IGN);
 }
 
 Interruptible::~Interruptible() {
-  // What is done has still to be printed, and the first signal may come twice.
+  // After a signal the handlers stay: the results have still to be printed, and the signal may come twice.
   if (caught_signal != 0) return;
   for (const int number : ending_signals())
     if (std::signal(number, SIG_DFL) == SIG_IGN) std::signal(number, SIG_IGN);

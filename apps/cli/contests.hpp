@@ -1,4 +1,5 @@
-// What the subcommands that hold many contests share: where and how often, a bar, and what ends them early.
+// What the subcommands that run many contests share: options, a progress bar, and handling of the signals that end them
+// early.
 #pragma once
 
 #include <atomic>
@@ -20,17 +21,18 @@ struct Contests {
   std::vector<std::string> mazes;
   Places places;
   WorldChoice world;
-  /// Without its world, which depends on the mice, and without runs that nobody asked for, which depend on the world.
+  /// World and number of runs are not set here: the world depends on the mice, and the default of runs on the world.
   RaceOrder order;
   std::optional<int> runs;
 
   /// The file of --store; empty without one.
   std::string store_path;
 
-  /// Opens the store, where there is one to open; throws UsageError.
+  /// The order for that world, with the store opened if --store names one. Throws UsageError if it cannot be opened.
   RaceOrder order_in(std::shared_ptr<const World> chosen) const;
-  /// After all contests: waits until the store has them, and says what came from it and what was added, below a table
-  /// or, where a program reads the output, on standard error. Throws UsageError where the store failed.
+  /// After all contests: waits until the store has them, and prints how many came from it and how many were added.
+  /// This goes to standard output if it is `below_a_table`; otherwise to standard error, because a program reads the
+  /// output. Throws UsageError if the store failed.
   void finish_store(bool below_a_table) const;
 
  private:
@@ -47,18 +49,19 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const WorldChoice& world,
                                          ExternalOptions options = {});
 
-/// --mice file, files of mice.
+/// Adds the option --mice-file.
 void add_mice_files(Command& command, std::vector<std::string>& mice_files);
-/// SPECs of mice and of the files of mice files.
+/// Adds a SPEC for each mice file.
 std::vector<std::string> with_mice_files(std::vector<std::string> specs, const std::vector<std::string>& mice_files);
 
-/// The mazes in which that world holds contests; of those that were named directly none may be refused.
+/// The mazes in which that world runs contests. It skips others, but throws UsageError for one that the user named
+/// directly.
 MazeCollection find_mazes_of(const World& world, const Contests& contests);
 
-/// Takes the folder of --out for one race, until the pointer goes; nothing where none was asked for. Throws UsageError.
+/// Reserves the folder of --out for one race, until the result is destroyed; null without --out. Throws UsageError.
 std::unique_ptr<ResultsFolder> take_folder(const std::string& out, bool overwrite);
 
-/// The numbers of an option that is a setting of a world, which commas part; throws UsageError.
+/// The numbers, separated by commas, of an option that is a setting of a world; throws UsageError.
 std::vector<double> numbers_of(const WorldSetting& setting, const std::string& text);
 
 /// A bar and the time left on standard error, where that is a terminal.
@@ -79,8 +82,8 @@ class Progress {
   std::size_t percent_ = 101;
 };
 
-/// While one of these lives, Ctrl-C and the signals SIGTERM and SIGHUP do not end the program but raise a flag; another
-/// one, a second later or more, ends it all the same. One at a time.
+/// While an object of this class exists, Ctrl-C and the signals SIGTERM and SIGHUP do not end the program but raise a
+/// flag. Another such signal, a second later or more, ends the program. Only one object may exist at a time.
 class Interruptible {
  public:
   Interruptible();

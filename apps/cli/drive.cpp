@@ -1,4 +1,4 @@
-// labmouse drive: how sure a robot's controller is along known ways.
+// labmouse drive: tests a robot's controller on known routes.
 #include <fmt/format.h>
 
 #include <memory>
@@ -30,7 +30,8 @@ struct DriveOptions {
   std::string log;
 };
 
-/// What is compared: the noises, or for one of them its groups or the corrections.
+/// The cases that are compared: the levels of noise; with --groups or --corrections, for each level the groups of noise
+/// or the corrections of the estimator.
 std::vector<DriveCase> cases_of(const DriveOptions& options) {
   if (options.groups && options.corrections)
     throw UsageError("error: --groups and --corrections are two comparisons; ask for one of them");

@@ -1,4 +1,4 @@
-// labmouse failure rates: what goes wrong in the physical world, and at what.
+// labmouse failure-rates: measures how often manoeuvres and wall readings fail in the physical world.
 #include "labmouse/lab/failure_rates/failure_rates.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +37,8 @@ struct FailureOptions {
   double within = 3.0, interval_within = 5.0;
 };
 
-/// Runs all contests in the failure model, too; whether they end alike.
+/// Runs all contests in the physical world and in the failure model. Returns exit_finding if the shares of finished
+/// contests differ by more than allowed.
 int check_rates(const FailureOptions& options, FailureOrder order, const std::vector<Contestant>& mice,
                 const std::vector<NamedMaze>& mazes) {
   for (const std::string name : {"--pace", "--variation", "--search-speed", "--save", "--format"})

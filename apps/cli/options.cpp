@@ -17,7 +17,7 @@
 namespace labmouse::cli {
 namespace {
 
-/// Options that people write, and what they mean.
+/// Options that users often write wrongly, each with the option that they mean.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 10> often_meant = {{{"--mouse", "--mice"},
                                                                                         {"--maze", "--mazes"},
                                                                                         {"--mazes", "--maze"},
@@ -35,7 +35,7 @@ std::vector<std::string> commands_of(const CLI::App& app) {
   return names;
 }
 
-/// A word in the place of a command.
+/// The message for an unknown command.
 std::string describe_unknown_command(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> names = commands_of(app);
   // `labmouse help` is as common as `labmouse --help`.
@@ -48,7 +48,7 @@ std::string describe_unknown_command(const CLI::App& app, const std::string& wor
                                   : fmt::format("did you mean '{}'?", near));
 }
 
-/// A word that is one too many.
+/// The message for an argument too many.
 std::string describe_unexpected_argument(const CLI::App& command, const std::string& word) {
   if (command.get_option_no_throw("--mice") != nullptr)
     return fmt::format("unexpected argument '{0}'; mice are named with --mice {0}", word);
@@ -85,7 +85,7 @@ std::string example_of(std::string_view footer) {
   return fmt::format("; for example `{}`", example.substr(0, example.find('\n')));
 }
 
-/// What CLI11 says of something that is missing, by its name and in our words.
+/// The message for a missing command or option. `said` is CLI11's message, which begins with the option's name.
 std::string describe_missing(const CLI::App& command, std::string_view said) {
   if (const auto names = commands_of(command); !names.empty())
     return fmt::format("a command is missing; the commands are {}", fmt::join(names, ", "));
@@ -100,7 +100,7 @@ UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
     command = command->get_subcommands().front();
     name += " " + command->get_name();
   }
-  // A word in the place of a command's own commands is only called a missing one.
+  // For an unknown subcommand of a command, CLI11 only reports that a subcommand is missing.
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                           (command != &app && !command->get_subcommands({}).empty());
   const std::vector<std::string> words = app.remaining(true);
@@ -112,7 +112,7 @@ UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
       fmt::format("error: {}{} (see `{} --help`)", problem, missing ? example_of(command->get_footer()) : "", name));
 }
 
-/// A first word that is no command, which CLI11 would only call a missing one.
+/// Throws if the first argument is neither a command nor an option: CLI11 would only report a missing command.
 void refuse_unknown_command(const CLI::App& app, const std::string& word) {
   if (word.starts_with('-')) {
     if (app.get_option_no_throw(word) == nullptr)
@@ -169,7 +169,8 @@ CLI::Option* add_numeric(CLI::App& app, const std::string& name, Number& value, 
   return add_numeric(app, name, take, meaning)->default_function([&value] { return fmt::format("{}", value); });
 }
 
-/// A shell makes an empty word of a variable that is not set; it would be taken for an option left out.
+/// Refuses the empty value. A shell passes one for a quoted variable that is not set, and the program would treat it as
+/// if the option were not given.
 CLI::Validator not_empty() {
   return {[](const std::string& text) { return text.empty() ? "its value is empty" : ""; }, "", "not empty"};
 }
@@ -265,7 +266,7 @@ std::size_t Option::count() const { return option_->count(); }
 std::string Option::name() const { return option_->get_name(); }
 
 Command* Command::add_subcommand(const std::string& name, const std::string& meaning) {
-  // CLI11 hands the footer of the command above on, which has the example of another command.
+  // By default a subcommand inherits the footer of its parent in CLI11, which has the example of another command.
   return &subcommands_.emplace_back(*app_->add_subcommand(name, meaning)->footer(""));
 }
 void Command::require_subcommand() { app_->require_subcommand(1); }

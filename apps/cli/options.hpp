@@ -30,8 +30,8 @@ class Check {
 
   const CLI::Validator& validator() const { return *validator_; }
 
-  std::string type;   ///< what the help calls a value; empty where the option says it
-  std::string range;  ///< behind the meaning in the help: "1 to 1000000"; or empty
+  std::string type;   ///< name of the value in the help; empty: Option::type_name() sets it
+  std::string range;  ///< shown in the help after the meaning, such as "1 to 1000000"; may be empty
 
  private:
   std::shared_ptr<const CLI::Validator> validator_;
@@ -47,7 +47,7 @@ Check existing_directory();
 Check seed_number();
 /// What a setting of a world, which must outlive the check, can be.
 Check setting_value(const WorldSetting& setting);
-/// Finite, and written plainly.
+/// A finite decimal number.
 Check finite_number();
 
 /// One option, flag or positional argument of a command. Each of its setters returns it.
@@ -58,7 +58,7 @@ class Option {
   /// What its value is called in the help.
   Option* type_name(const std::string& name);
   Option* required();
-  /// Only together with that one.
+  /// This option can be given only together with `other`.
   Option* needs(const Option* other);
   /// How many values stand behind the option each time that it is given.
   Option* expected(int count);
@@ -67,7 +67,7 @@ class Option {
   Option* take_all();
   /// Checks are made in the order in which they were added.
   Option* check(const Check& check);
-  /// An empty value has a meaning; for all others it is refused.
+  /// Allows the empty value, which all other options refuse.
   Option* may_be_empty();
   /// Shows the variable's present value as the default; to be called last.
   Option* capture_default_str();
@@ -83,7 +83,7 @@ class Option {
   CLI::Option* option_;
 };
 
-/// Headings of the help under which options of several commands stand.
+/// Headings in the help that several commands use for groups of options.
 namespace groups {
 inline constexpr const char* mice = "Mice";
 inline constexpr const char* mazes = "Mazes";
@@ -93,7 +93,7 @@ inline constexpr const char* programs = "Limits of external programs";
 inline constexpr const char* output = "Output";
 }  // namespace groups
 
-/// A command, or one of its own commands. It gives out pointers that live as long as it does.
+/// A command, or one of its own commands. The pointers that it returns stay valid as long as it exists.
 class Command {
  public:
   explicit Command(CLI::App& app) : app_(&app) {}
@@ -119,16 +119,16 @@ class Command {
                    const std::string& meaning);
   Option* add_flag(const std::string& name, bool& value, const std::string& meaning);
 
-  /// The heading in the help under which all options stand that are added from now on.
+  /// Sets the heading in the help for all options that are added after this call.
   void group(const std::string& heading) { group_ = heading; }
   /// Leaves the options of these headings out of its help and names the command whose help has them.
   void refer(std::initializer_list<std::string> headings, const std::string& command);
 
-  /// Stands below its help.
+  /// Sets the text below the command's help.
   void footer(const std::string& text);
   /// What the command does once its options are read.
   void callback(const std::function<void()>& action);
-  /// The same with all words behind the command as they are, for another program that reads them.
+  /// Like callback(), but `action` gets all arguments after the command unparsed, to pass them to another program.
   void hand_over(const std::function<void(const std::vector<std::string>&)>& action);
 
   /// How often the option of that name was given; 0 where the command has none.
@@ -157,7 +157,7 @@ class CommandLine {
   /// What is printed where no word follows the name of the program.
   void start_page(const std::string& text) { start_page_ = text; }
 
-  /// Reads the words and does what the command named there does. Returns true where the help or the version was asked
+  /// Parses the arguments and runs the command that they name. Returns true where the help or the version was asked
   /// for and printed instead. Throws UsageError with one line that says what is wrong and where the help is.
   bool run(int argc, char** argv);
 

@@ -1,4 +1,5 @@
-// labmouse robot fit, labmouse robot compare: from measured turns and logs of a mouse.
+// labmouse robot fit: writes a robot file from measured turns or logs. labmouse robot compare: compares a robot with a
+// log.
 #include "robot_fit.hpp"
 
 #include <fmt/format.h>

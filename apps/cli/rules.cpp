@@ -13,7 +13,7 @@
 namespace labmouse::cli {
 namespace {
 
-/// The text of the rules file, with its remarks on what is certain.
+/// The text of the rules file, with its comments. Those of the built-in rules say which numbers are certain.
 std::string text_of_rules(const std::string& name) {
   for (const BuiltinRules& rules : builtin_rules())
     if (rules.name == name) return std::string(rules.text);

@@ -44,7 +44,7 @@ std::vector<Contestant> mice_by(SpecResult read) {
   return std::move(read.contestants);
 }
 
-/// The mice of SPECs. A name is no part of one: it may have any characters.
+/// The mice of SPECs. Names are given beside the SPECs, not in them, because they may have any characters.
 std::vector<Contestant> mice_by_specs(const Choice& choice, const ExternalOptions& options) {
   std::vector<std::string> nameless;
   std::vector<Contestant> mice;
@@ -82,7 +82,7 @@ std::vector<Contestant> mice_of(Choice& choice, const std::atomic<bool>* stop) {
   return mice;
 }
 
-/// Mazes by name; one that is there twice counts once.
+/// Sorts mazes by name and removes duplicates; throws UserError if two different mazes have the same name.
 void require_names(std::vector<NamedMaze>& mazes) {
   std::stable_sort(mazes.begin(), mazes.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   for (std::size_t i = 1; i < mazes.size(); ++i)

@@ -1,4 +1,4 @@
-// A program with a world that nothing but its own file and the list knows holds contests in it, and shows them.
+// The program runs and shows contests in a world that only its own file and the list of worlds know.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-// A sixth world as a sketch: the world of robots without errors, but for a battery that does not always last. Dice
-// decide for each contest how much of its time the mouse has. Whatever serves all worlds serves this one, too.
+// A sixth world as a sketch: the world of robots without errors, but for a battery that does not always last. A
+// random draw decides for each contest what part of the time limit the mouse has. Whatever serves all worlds serves
+// this one, too.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// A world that nothing but its own folder and one list knows is raced by everything that holds contests.
+// Everything that runs contests works with a world that only its own folder and the list of worlds know.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST(ToyWorld, IsAGroupOfTheJsonOfARace) {
   EXPECT_TRUE(group["mice"][0]["results"][0].contains("stumbles"));
 }
 
-/// The page's tests show this race: what stands in tests/toy/results.json is what a race says.
+/// The page's tests show the race in tests/toy/results.json; this checks that the program still gives the same.
 TEST(ToyWorld, HasResultsThatThePageShows) {
   RaceOrder order = order_with("40");
   order.runs = 2;
@@ -137,7 +137,7 @@ TEST(ToyWorld, HasAReportThatThePageShows) {
   ASSERT_EQ(nlohmann::json::parse(file, nullptr, false), report) << report.dump(1);
 }
 
-/// Whoever knows no world by its name learns from `about` what a race in one is asked, and holds it.
+/// A page that knows no world by name gets from `about` which settings a world has, and can run a race in it.
 TEST(ToyWorld, IsOfferedAndHeldByThePage) {
   const auto worlds = test::answer("about", nlohmann::json::object())["worlds"];
   ASSERT_EQ(worlds.back()["name"], "toy");

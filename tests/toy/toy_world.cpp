@@ -1,5 +1,5 @@
-// A world of one file: mice that stumble. Each contest is three runs of the capstone's; dice decide before each whether
-// the mouse stumbles in it, and the best of the others counts and is recorded. Where it stumbles in all three, the
+// A world of one file: mice that stumble. Each contest is three contests in steps. A random draw decides for each
+// whether the mouse stumbles; the best of the others counts and is recorded. If the mouse stumbles in all three, the
 // contest has no score.
 #include <fmt/format.h>
 

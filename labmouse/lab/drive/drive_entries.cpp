@@ -85,7 +85,7 @@ WorldResult make_seconds(const WorldSettings& chosen) {
   return {seconds_world(parts.rules, parts.model), "", std::move(parts.remarks)};
 }
 
-/// The conditions, too, under which things go wrong.
+/// Robot, rules and the conditions of a world with errors.
 template <class Rows>
 Parts parts_with_errors(const WorldEntry& entry, const Rows& rows, const WorldSettings& chosen) {
   Parts parts = parts_of(entry, chosen);
@@ -123,7 +123,7 @@ WorldResult make_failures(const WorldSettings& chosen) {
           std::move(parts.remarks)};
 }
 
-/// Robot and rules that a world was made of; nothing where the conditions are none.
+/// Robot and rules from the JSON of a world's conditions; nothing if they are invalid.
 std::optional<Parts> restored_parts(const ReadJson& json) {
   if (!json.is_object() || !json.contains("rules") || !json.contains("robot")) return std::nullopt;
   JsonFields fields(json, "");
@@ -135,7 +135,7 @@ std::optional<Parts> restored_parts(const ReadJson& json) {
   return parts;
 }
 
-/// And the conditions.
+/// Robot, rules and conditions from the JSON of a world with errors; nothing if they are invalid.
 std::optional<Parts> restored_with_errors(const ReadJson& json) {
   std::optional<Parts> parts = restored_parts(json);
   if (!parts || !why_not_physical(*parts->model).empty()) return std::nullopt;
@@ -154,7 +154,7 @@ std::shared_ptr<const World> restore_physical(const ReadJson& json) {
   return parts ? physical_world(parts->rules, parts->model, parts->conditions) : nullptr;
 }
 
-/// Failure rates of a file are restored where the program brings the same.
+/// Restores the failure model; null if the program has no built-in failure rates of that name and hash.
 std::shared_ptr<const World> restore_failures(const ReadJson& json) {
   const std::optional<Parts> parts = restored_with_errors(json);
   if (!parts || !json.contains("failure_rates") || !json["failure_rates"].is_string()) return nullptr;
@@ -168,7 +168,7 @@ std::shared_ptr<const World> restore_failures(const ReadJson& json) {
 
 }  // namespace
 
-/// The most noise that was counted at every pace.
+/// The highest level of noise at which failure rates were measured for every pace.
 double most_noise_of(const FailureFile& failure_rates) {
   double most = failure_rates.tallies.back().noise;
   for (std::size_t i = 0; i + 1 < failure_rates.tallies.size(); ++i)

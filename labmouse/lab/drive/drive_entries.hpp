@@ -1,4 +1,4 @@
-// The worlds in which robots drive on the list of all worlds.
+// Entries, in the list of all worlds, of the worlds in which robots drive.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ extern const WorldEntry seconds_entry;
 extern const WorldEntry physical_entry;
 extern const WorldEntry failures_entry;
 
-/// Why such failure rates say nothing of a robot under that noise, naming the options that chose them; empty where they
-/// do.
+/// Why these failure rates cannot be used for that robot under that noise; the message names the options to change.
+/// Empty if they can be used.
 std::string why_not_failures(const DriveModel& model, double noise, const FailureFile& failure_rates);
 
 }  // namespace labmouse

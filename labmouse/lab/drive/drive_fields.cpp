@@ -57,7 +57,7 @@ constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
                                                    {"fastest_us", fields::whole_best_run},
                                                    {"bound_us", bound_us}}};
 
-/// The mean over the contests with a score, a time of it in seconds.
+/// The mean, in seconds, of a time over the contests with a score.
 template <auto Figure>
 std::optional<double> mean_seconds(const Race& race, const Standing& standing) {
   std::vector<double> values;
@@ -71,7 +71,7 @@ Value mean_time(const Race& race, const Standing& standing) {
   return value_of(mean_seconds<Figure>(race, standing));
 }
 
-/// Over all contests; nothing where it is unknown of all of them.
+/// The sum of a figure over all contests; nothing if no contest has the figure.
 template <auto Figure>
 std::optional<double> sum(const Race& race, const Standing& standing) {
   double all = 0.0;
@@ -188,7 +188,7 @@ constexpr auto seconds_table = joined(
           "mean_starts", "runs", "Mean number of starts in a contest.", 1}}});
 constexpr std::array<ComparedFigure, 2> seconds_compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
 
-// Those in which things go wrong.
+// The worlds with errors.
 
 std::optional<double> mean_par1(const Race& race, const Standing& standing) {
   const auto all = sum<&P::par1>(race, standing);
@@ -267,7 +267,7 @@ constexpr auto physical_table = joined(
          rarely({"wrong", "walls", 5, count_text<&P::wrong_walls>, "wrong_walls", "walls read wrongly",
                  "Walls that the mouse took for closed where they are open, or for open where they are closed.", 0})}});
 
-// In the order in which stores have had them from the beginning.
+// Do not change the order: existing stores have the figures in this order.
 
 constexpr StoredFigures seconds_stored =
     stored_figures<S, &S::score, &S::search, &S::best, &S::excess, &S::proven, &S::starts, &S::decisions, &S::replanned,

@@ -7,7 +7,7 @@ namespace labmouse {
 
 /// Of the world without errors.
 const WorldFields& seconds_fields();
-/// Of those in which things go wrong.
+/// Of the worlds with errors: the physical world and the failure model.
 const WorldFields& physical_fields();
 
 }  // namespace labmouse

@@ -14,8 +14,8 @@ struct DriveFigures : Figures {
   std::optional<JsonText> score;     ///< an object of its parts; nothing where no run counts
   std::int64_t search = 0;           ///< in the maze before the first speed run; all of the time where there is none
   std::optional<std::int64_t> best;  ///< the fastest run that counts, from rest to the centre
-  std::optional<double> excess;      ///< of that over the fastest possible one, as a share of it
-  std::int64_t starts = 0;           ///< runs from the start
+  std::optional<double> excess;  ///< time of `best` above that of the fastest possible run, as a share of the latter
+  std::int64_t starts = 0;       ///< runs from the start
   std::int64_t decisions = 0;
   std::int64_t replanned = 0;
   std::optional<double> discovered, visited;  ///< shares of the reachable cells, where they are known
@@ -28,18 +28,18 @@ struct SecondsFigures : DriveFigures {
   bool proven = false;  ///< whether no faster route than the known one could exist before the last speed run
 };
 
-/// Those of a contest in which things go wrong. Counts are of runs from the start, searches among them, unless they say
-/// otherwise. What nobody knows of a mouse whose whole program is somebody else's is not there.
+/// Those of a contest in a world with errors. Counts are of runs from the start, including search runs, unless stated
+/// otherwise. Figures that depend on the map have no value for an external controller, whose map is unknown.
 struct PhysicalFigures : DriveFigures {
   std::int64_t done = 0;
-  std::int64_t slid = 0, position_lost = 0;               ///< crashes by their causes, ways home among them
+  std::int64_t slid = 0, position_lost = 0;               ///< crashes by their causes, including those on ways home
   std::optional<std::int64_t> wall_error, no_route_left;  ///< the same
   std::int64_t late = 0;                                  ///< cut short by the end of the time
   std::int64_t carried = 0;                               ///< how often a hand took the mouse to the start
   std::int64_t grazes = 0;
-  std::optional<std::int64_t> wrong_walls;  ///< walls that it took for what they are not
+  std::optional<std::int64_t> wrong_walls;  ///< walls classified wrongly
   std::optional<std::int64_t> contradictions;
-  double severity = 0.0;                ///< how unlucky its draws were, in deviations
+  double severity = 0.0;                ///< RobotSample::severity(), in standard deviations
   double par1 = 0.0;                    ///< seconds: the score, or without one the time limit
   std::optional<std::string> ended_by;  ///< a name of RunEnd: what ended a contest without a score
 };

@@ -44,7 +44,7 @@ MazeTime search_time_of(const DriveRecord& record) {
 
 void add_score(MazeTime value, const DriveBound& bound, const DriveRules& rules, ContestResult& result) {
   result.score = result.counted = in_seconds(value);
-  // A bonus would leave little or nothing to compare; all have it.
+  // The ratio is of scores without the bonus: less the bonus, the best possible score could be 0 or below.
   const MazeTime bonus = rules.untouched_bonus;
   if (const MazeTime best = bound.score.value_or(0) + bonus; bound.score && best > 0)
     result.ratio = static_cast<double>(value + bonus) / static_cast<double>(best);

@@ -17,8 +17,8 @@ namespace labmouse {
 std::string outcome_of(const DriveRecord& record, const DriveScore& score);
 /// The fastest of the runs that count, from rest to the centre.
 std::optional<MazeTime> best_of(const DriveScore& score);
-/// How much longer the best run took than the fastest possible one, as a share; nothing without a run or where that
-/// takes no time.
+/// How much longer the best run took than the fastest possible one, as a share; nothing without a run or if the
+/// fastest possible run takes no time.
 std::optional<double> excess_of(const std::optional<MazeTime>& best, const DriveBound& bound);
 /// In the maze before the first speed run; all of the time where there is none.
 MazeTime search_time_of(const DriveRecord& record);

@@ -23,8 +23,8 @@ namespace labmouse {
 /// A contest as it was driven.
 struct DrivenContest {
   DriveRecord record;
-  std::optional<PhysicalPart> physical;  ///< where things go wrong
-  std::optional<Coverage> coverage;      ///< nothing of a mouse that does not tell what it knows
+  std::optional<PhysicalPart> physical;  ///< in worlds with errors
+  std::optional<Coverage> coverage;      ///< nothing for an external controller, whose map is unknown
   std::string words;
   bool started = true;
 };
@@ -48,7 +48,7 @@ class DriveWorld : public World {
  protected:
   const DriveRules& rules() const { return rules_; }
   const DriveModel& model() const { return *model_; }
-  /// Rules and robot, with as much of it as counts.
+  /// Rules and robot, with those of its parts on which results depend in this world.
   std::vector<Condition> drive_conditions(RobotParts parts) const;
 
   /// Runs the contest. `reachable`: the cells of the maze that a mouse can reach; `traced`: whether to keep where it

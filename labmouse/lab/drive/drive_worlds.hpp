@@ -1,5 +1,5 @@
-// The worlds in which robots drive, by the rules of real contests: without errors, with a body and a controller, and
-// with what these do wrong by dice.
+// The worlds in which robots drive, by the rules of real contests: without errors (seconds), with a simulated body and
+// controller (physical), and with random failures in place of these (the failure model).
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@
 
 namespace labmouse {
 
-/// Contests of this robot (without an error) under these rules. Scores are seconds; of what any of these worlds holds,
-/// Held::run is a DriveRecord.
+/// Contests of this robot (without an error) under these rules. Scores are in seconds.
 std::shared_ptr<const World> seconds_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model);
 
-/// The same of a robot that can drive there, which slips, wrong walls and crashes under these conditions.
+/// The same with errors: under these conditions the robot slips, detects walls wrongly and crashes. It must be able to
+/// drive in the physical world.
 std::shared_ptr<const World> physical_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
                                             const PhysicalConditions& conditions);
 

@@ -1,4 +1,4 @@
-// How well the failure model tells what the physical one would: the same contests in both, with the same draws.
+// How well the failure model predicts the physical world: both run the same contests, with the same draws.
 #pragma once
 
 #include <atomic>
@@ -24,13 +24,13 @@ struct Fidelity {
   std::optional<Interval> interval;
 };
 
-/// Both shares may differ by so much, and the ends of the interval by so much, from 0 to 1.
+/// Limits, 0 to 1, of the difference between the shares of both worlds, and of the ends of its interval.
 struct FidelityBars {
   double difference = 0.03;
   double interval = 0.05;
 };
 
-/// Runs all contests of an order in both worlds: for each mouse and noise what came of it.
+/// Runs all contests of an order in both worlds. Returns the comparison for each mouse under each noise.
 std::vector<Fidelity> compare_worlds(const FailureOrder& order, const FailureFile& failure_rates,
                                      std::span<const Contestant> mice, std::span<const NamedMaze> mazes,
                                      const std::atomic<bool>* stop = nullptr);

@@ -19,7 +19,7 @@
 namespace labmouse {
 namespace {
 
-/// A point of the trace so often: every 20 mm at 400 mm/s.
+/// Ticks between two points of the trace: 20 mm at 400 mm/s.
 constexpr int trace_ticks = 50;
 
 std::int64_t ends_of(const PhysicalNotes& notes, RunEnd end) {
@@ -77,16 +77,16 @@ class PhysicalWorld : public DriveWorld {
   }
 
  protected:
-  /// What a record of this world has besides.
+  /// Adds what records of a derived world have in addition.
   virtual void complete(PhysicalPart&) const {}
-  /// The contest of a mouse that decides.
+  /// Runs the contest of a strategy, which this project's controller drives.
   virtual PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
                                     DrivingStrategy& mouse) const {
     return drive_physically(maze, rules(), model(), conditions, seed, mouse);
   }
 
  private:
-  /// "noise 1 was measured" holds of one mouse; how far mice are apart is a guess that belongs beside it.
+  /// The noise was measured on one robot. The variation between mice is an assumption, so it is stated, too.
   std::string noise_text() const {
     return fmt::format("noise {:g}, variation {:g}", conditions_.noise.all, conditions_.noise.variation);
   }
@@ -111,7 +111,7 @@ class PhysicalWorld : public DriveWorld {
     return driven;
   }
 
-  /// That of a mouse whose whole program is somebody else's.
+  /// Runs the contest of an external controller.
   DrivenContest drive_itself(const ControllerProgram& program, const Maze& maze, const PhysicalConditions& conditions,
                              const ContestResult& contest) const {
     const auto code = program(controller_briefing(maze, rules(), model(), conditions, contest.told));
@@ -130,7 +130,7 @@ class PhysicalWorld : public DriveWorld {
     return driven;
   }
 
-  /// Of a mouse that does not tell what it knows there is no coverage, and nobody can say what it takes walls for.
+  /// For an external controller, whose map is unknown, there are no coverage and no wall detection errors.
   std::shared_ptr<DriveFigures> own_figures(const DrivenContest& driven, const DriveScore& score) const override {
     const DriveRecord& record = driven.record;
     const PhysicalNotes& notes = driven.physical->notes;
@@ -157,7 +157,7 @@ class PhysicalWorld : public DriveWorld {
   PhysicalConditions conditions_;
 };
 
-/// The same by dice.
+/// The failure model: the same contests with random failures in place of body and controller.
 class FailureWorld final : public PhysicalWorld {
  public:
   FailureWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions,

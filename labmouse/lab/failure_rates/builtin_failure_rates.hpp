@@ -1,4 +1,4 @@
-// The failure rates that the program carries with it: those of the folder failure rates/.
+// The built-in failure rates: those of the folder failure_rates/.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 
 namespace labmouse {
 
-/// One file of failure rates/: its name (without the ending) and its text.
+/// One file of failure_rates/: its name (without the ending) and its text.
 struct BuiltinRates {
   std::string_view name;
   std::string_view text;

@@ -11,7 +11,7 @@
 
 namespace labmouse {
 
-/// Some of a count, and how many there were.
+/// A share as two counts: the part and the whole.
 struct Share {
   std::int64_t part = 0;
   std::int64_t all = 0;
@@ -23,7 +23,7 @@ class CountsByMaze {
   /// `mazes` may be empty: then contests count as independent.
   CountsByMaze(const FailureCounts& counts, std::vector<FailureCounts> mazes) : all(counts), mazes_(std::move(mazes)) {}
 
-  /// Of the share that `share` makes of counts.
+  /// The confidence interval of the share that `share` computes from counts.
   template <class ShareOf>
   Interval interval(ShareOf share) const {
     std::vector<MazeSum> sums;
@@ -42,7 +42,7 @@ class CountsByMaze {
   std::vector<FailureCounts> mazes_;
 };
 
-/// What `of` makes of the tally at that place and of the same tally in each maze.
+/// The counts that `of` takes from tally number `place`: over all mazes, and in each.
 template <class Of>
 CountsByMaze counts_of(const MeasuredRates& measured, std::size_t place, Of of) {
   std::vector<FailureCounts> mazes;
@@ -51,7 +51,7 @@ CountsByMaze counts_of(const MeasuredRates& measured, std::size_t place, Of of) 
   return {of(measured.tallies[place]), std::move(mazes)};
 }
 
-/// Of the contests with those draws.
+/// The counts of the contests whose robot sample is in class `draws`.
 inline CountsByMaze of_draws(const MeasuredRates& measured, std::size_t place, std::size_t draws) {
   return counts_of(measured, place, [&](const FailureTally& tally) { return tally.by_draws[draws]; });
 }

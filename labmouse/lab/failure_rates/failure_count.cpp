@@ -6,7 +6,7 @@
 namespace labmouse {
 namespace {
 
-/// A mouse whose heading has changed by more in the last ticks of a run was in a turn.
+/// A mouse crashed in a turn if its heading changed by more than `turning` radians in the `last_moments` of a run.
 constexpr MazeTime last_moments = 40'000;
 constexpr double turning = 0.1;
 
@@ -50,7 +50,7 @@ class FailureCounter {
     ++count.times;
     ++count.after[level_at(end)];
   }
-  /// A wall that was taken for a gap stands in the way of any manoeuvre.
+  /// Crashes into a wall that was read as open are not counted: they do not depend on the manoeuvre.
   void add_crash(Manoeuvre manoeuvre, MazeTime begin, RunEnd end) {
     if (end == RunEnd::wall_error) return;
     ManoeuvreCount& count = count_of(manoeuvre, begin);
@@ -66,7 +66,7 @@ class FailureCounter {
     const Pose start = {maze_.start(), maze_.start_heading()};
     SearchPlace place = {run.moves.empty() ? start : run.moves.front().from, true};
     MazeTime time = run.begin;
-    // A way home goes on from where a search or a speed run ended: at rest only after the latter.
+    // A way home goes on from where the run before it ended, perhaps in motion.
     if (run.kind == DriveRun::Kind::home) place.at_rest = began_at_rest(run);
     for (const SearchMove& move : run.moves) {
       add(manoeuvre_of(maze_, place, move.action), move.begin, move.end);
@@ -78,7 +78,8 @@ class FailureCounter {
     add_crash(place.at_rest ? Manoeuvre::start : moving, time, end);
   }
 
-  /// A way home behind a speed run begins at rest; behind a search it goes on.
+  /// A way home begins at rest after a speed run; after a search run, if that had no moves or ended with a rotation
+  /// only.
   bool began_at_rest(const DriveRun& home) const {
     const auto& runs = record_.drive.runs;
     const auto index = static_cast<std::size_t>(&home - runs.data());
@@ -95,7 +96,7 @@ class FailureCounter {
   }
 
   void count_fast(const DriveRun& run, RunEnd end) {
-    // A route's times are those of the usual pace, and the clock's are not.
+    // Times of a route are at the usual pace; this converts them to the time of the contest.
     const auto clock = [&](DriveTime time) {
       return run.begin + static_cast<MazeTime>(static_cast<double>(time) / (pace_ * run.pace));
     };
@@ -131,7 +132,7 @@ class FailureCounter {
   double cell_;
   double pace_;  ///< the usual one
   FailureCounts& counts_;
-  WallSet read_;  ///< at least once so far
+  WallSet read_;  ///< walls that were read before
 };
 
 }  // namespace

@@ -41,7 +41,7 @@ class FailureFileReader {
     if (error.empty()) error = fields.error();
   }
 
-  /// A list of so many; an empty one where it is none.
+  /// The list under `key`; reports an error and returns an empty list if it does not have `size` entries.
   const ReadJson& list_of(JsonFields& fields, const char* key, std::size_t size) {
     static const ReadJson none = ReadJson::array();
     const ReadJson& list = fields.list(key);
@@ -93,7 +93,7 @@ class FailureFileReader {
     return counts;
   }
 
-  /// Times, crashes, those that slid, and how far off its believed position it was after the others.
+  /// How often, crashes, crashes by sliding, and the levels of localization error after the others.
   ManoeuvreCount manoeuvre_count(const ReadJson& json) {
     std::array<std::int64_t, 3 + position_error_levels> entries{};
     numbers(json, "manoeuvres", entries);
@@ -110,7 +110,7 @@ bool comes_before(const FailureTally& a, const FailureTally& b) {
   return a.pace < b.pace || (a.pace == b.pace && a.noise < b.noise);
 }
 
-/// "failure rates/mine.json" is mine.
+/// "failure_rates/mine.json" gives "mine".
 std::string short_name(const std::string& name) {
   std::string alone = name.substr(name.rfind('/') + 1);
   return alone.ends_with(".json") ? alone.substr(0, alone.size() - 5) : alone;

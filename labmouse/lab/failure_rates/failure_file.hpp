@@ -1,4 +1,4 @@
-// Failure rates as `labmouse failure rates` has counted them, in a file; and those that the program brings.
+// Failure rates in a file, as `labmouse failure-rates` saves them; and the built-in ones.
 #pragma once
 
 #include <optional>
@@ -32,17 +32,17 @@ struct FoundRates {
   std::string error;
 };
 
-/// Reads a text, of which nothing is sure, strictly.
+/// Reads an untrusted text strictly.
 FoundRates read_rates(std::string_view text, const std::string& name);
 
 /// The built-in ones of that name, or those of a file, whose name has a slash or ends in `.json`.
 FoundRates find_rates(const std::string& name);
 
-/// Those of that name and hash which the program brings, or nothing: a file of that name may be another one.
+/// The built-in ones of that name and hash, or nothing. A user's file can have the same name and other rates.
 std::optional<FailureFile> builtin_rates_of(const std::string& name, std::string_view hash);
 
-/// How likely all of it is, by what was counted. Where little was counted of a class of luck, what was counted of it
-/// under all noises counts, too; where that is little, what was counted of all classes; then that of all manoeuvres.
+/// Estimates the probabilities from the counts. If a class of draws has few counts, its rates are shrunk towards those
+/// of the class under all noises; if these are few, towards those of all classes; then towards those of all manoeuvres.
 FailureRates rates_of(const FailureFile& file);
 
 }  // namespace labmouse

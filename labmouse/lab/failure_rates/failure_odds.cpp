@@ -6,10 +6,10 @@
 namespace labmouse {
 namespace {
 
-/// What was counted of more than what is asked for counts like so many.
+/// Weight of the prior, which is the share in a wider class, as a number of counts.
 constexpr double as_many = 20.0;
 
-/// A share by a count, and by what it is where more was counted.
+/// A share estimated from counts, with the share in a wider class as prior.
 double share_by(std::int64_t part, std::int64_t all, double elsewhere) {
   return (static_cast<double>(part) + as_many * elsewhere) / (static_cast<double>(all) + as_many);
 }
@@ -28,7 +28,7 @@ ManoeuvreRates rates_by(const ManoeuvreCount& count, const ManoeuvreRates& elsew
           shares_by(count.after, elsewhere.after)};
 }
 
-/// A mouse of which nothing was counted stays as far off its believed position as it is.
+/// Rates if nothing was counted: no crash, and the level of localization error does not change.
 ManoeuvreRates nothing_counted(std::size_t level) {
   ManoeuvreRates failure;
   failure.after = {};
@@ -36,7 +36,8 @@ ManoeuvreRates nothing_counted(std::size_t level) {
   return failure;
 }
 
-/// Counts of one noise, and those of all noises at its pace: a mouse that is as weak under another noise fails alike.
+/// Rates for one noise. `any_noise` has the counts of all noises at the same pace: mice of one class of draws fail
+/// alike under all of them.
 RatesAtNoise odds_of(const FailureTally& tally, const FailureTally& any_noise) {
   if (tally.noise == 0.0) return no_failures();
   const FailureCounts all = tally.all();

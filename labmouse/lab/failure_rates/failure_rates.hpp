@@ -1,9 +1,8 @@
-// What goes wrong in the physical world, and at what: contests are run, and of each manoeuvre it is counted how far
-// the mouse was from where it believed to be, how far it was afterwards, and whether it crashed; and of each reading of
-// a wall whether it was wrong.
+// Measures failure rates in the physical world. Contests are run. For each manoeuvre, the localization errors at its
+// beginning and end are counted, and crashes; for each wall reading, its evidence and whether it was wrong.
 //
-// Counts are by how far the mouse was lost as the manoeuvre began, because that is what makes the next one go wrong:
-// a mouse that knows where it is neither wrong walls nor crashes.
+// Counts are by the localization error at the beginning of the manoeuvre, because it causes most of the failures: a
+// mouse that knows its position rarely detects walls wrongly or crashes.
 #pragma once
 
 #include <atomic>
@@ -25,24 +24,23 @@
 
 namespace labmouse {
 
-/// Counts what happened in a contest, at that usual pace, whose mouse told where it believed to be, with a point of the
-/// trace every few ticks. What a mouse does behind the goal of a speed run counts nowhere, and neither does what it did
-/// when the time was over.
+/// Adds a contest, driven at that pace, to the counts. Its trace must have a point every few ticks, with the estimated
+/// position. Manoeuvres after the goal of a speed run, or unfinished at the end of the time, are not counted.
 void count_failures(const PhysicalRecord& record, const Maze& maze, double cell, double pace, FailureCounts& counts);
 
 struct FailureOrder {
   std::shared_ptr<const DriveModel> model;
   DriveRules rules;
-  PhysicalConditions conditions;  ///< but for their noise
+  PhysicalConditions conditions;  ///< except noise and pace, which are those below
   std::vector<double> noises;
-  std::vector<double> paces = {1.0};  ///< all noises at each
+  std::vector<double> paces = {1.0};  ///< each with all noises
   int runs = 1;                       ///< contests of each mouse in each maze, under each noise
   std::uint64_t seed = 1;
   int jobs = 0;  ///< threads; 0: all processors
 };
 
 struct FailureHooks {
-  /// Called after each contest with the number of all, from any thread but never from two at once.
+  /// Called after each contest with the total number of contests, from any thread but never from two at once.
   std::function<void(std::size_t all)> finished;
   /// Once it is true no other contest begins, and those under way end at their next decision and do not count.
   const std::atomic<bool>* stop = nullptr;
@@ -65,8 +63,8 @@ std::string table_of(const MeasuredRates& measured, const FailureOrder& order);
 /// With the interval of each share.
 std::string json_of(const MeasuredRates& measured, const FailureOrder& order, std::span<const Contestant> mice,
                     std::size_t mazes);
-/// The counts alone, as read_rates() reads them: kept in a file they make a world. Counts that were stopped early are
-/// marked, and read_rates() refuses them.
+/// The counts alone, as read_rates() reads them: the content of a file for the failure model. Counts that were stopped
+/// early are marked, and read_rates() refuses them.
 std::string write_rates(const MeasuredRates& measured, const FailureOrder& order, std::span<const Contestant> mice,
                         std::size_t mazes);
 

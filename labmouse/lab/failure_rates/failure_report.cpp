@@ -23,7 +23,7 @@ std::string name_of_level(std::size_t level) {
   return percent(position_error_limits[level - 1]) + " to " + percent(position_error_limits[level]);
 }
 
-/// A thousandth part, with its interval; a dash where nothing was counted.
+/// A share per thousand, with its interval; dashes if nothing was counted.
 template <class ShareOf>
 std::string per_thousand(const CountsByMaze& counts, ShareOf share) {
   const Share of = share(counts.all);
@@ -40,7 +40,7 @@ std::string near(const ManoeuvreCount& count) {
   return fmt::format("{:.2f}", 100.0 * share_of(count.after[0] + count.after[1] + count.after[2], ended));
 }
 
-/// Of the manoeuvres that `select` takes from counts.
+/// The line of a table for the manoeuvres that `select` takes from counts.
 template <class Select>
 std::string manoeuvre_line(std::string_view name, const CountsByMaze& counts, Select select) {
   const ManoeuvreCount count = select(counts.all);
@@ -176,8 +176,8 @@ Json trimmed(const Numbers& numbers) {
   return Json(std::vector<std::int64_t>(numbers.begin(), end));
 }
 
-/// Of a file: of each manoeuvre times, crashes, those that slid, and how far off its believed position it was after the
-/// others.
+/// Counts as a file has them. Of each manoeuvre: how often, crashes, crashes by sliding, and the levels of localization
+/// error after the others.
 Json counts_json(const FailureCounts& counts) {
   Json json = {{"contests", counts.contests}, {"finished", counts.finished}, {"put", trimmed(counts.put)}};
   for (const Manoeuvre manoeuvre : all_manoeuvres) {

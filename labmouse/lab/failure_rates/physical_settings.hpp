@@ -1,5 +1,4 @@
-// What can be set of contests in which things go wrong, for all who read it: the worlds, records and files of failure
-// rates.
+// Settings of contests with errors. Worlds, records and files of failure rates use them.
 #pragma once
 
 #include <array>
@@ -59,7 +58,7 @@ inline constexpr PhysicalRow map_row = {
 
 /// Those of the physical world, in the order of its conditions.
 inline constexpr std::array physical_rows = {noise_row, variation_row, search_speed_row, pace_row, map_row};
-/// Those of the failure model, which has the others of its failure rates.
+/// Those of the failure model. Its failure rates determine the others.
 inline constexpr std::array failures_rows = {noise_row, pace_row, map_row};
 
 }  // namespace labmouse

@@ -87,7 +87,7 @@ std::optional<double> mean_total(const Race& race, const Standing& standing) {
   return mean_if_any(values);
 }
 
-/// Over all runs, those in mazes without a way to the centre among them.
+/// The sum of a figure over all runs, including those in mazes without a route to the centre.
 template <std::int64_t F::*Figure>
 Value sum(const Race& race, const Standing& standing) {
   std::int64_t all = 0;
@@ -96,7 +96,7 @@ Value sum(const Race& race, const Standing& standing) {
   return all;
 }
 
-/// How many runs ended how, of the ways that there were.
+/// The number of runs with each outcome that occurred.
 Value outcomes(const Race& race, const Standing& standing) {
   auto json = Json::object();
   for (std::size_t outcome = 0; outcome <= static_cast<std::size_t>(MmsOutcome::interrupted); ++outcome) {

@@ -50,7 +50,7 @@ std::string ends_of(const Race& race, std::size_t mouse) {
   return text;
 }
 
-/// How the first of them did, and what it said last.
+/// For each mouse with such runs: their number, how the first of them ended, and its last lines of standard error.
 std::string ends_of(const Race& race, const MouseColumn& names) {
   std::string text;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {

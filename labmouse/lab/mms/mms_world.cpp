@@ -28,8 +28,7 @@ std::vector<std::string> kept_sentences(std::vector<std::string> log) {
   return log;
 }
 
-/// The value over the best possible one. In a maze that starts in its goal that is 0, and so is the value of a mouse
-/// that does nothing more than needed.
+/// The value over the best possible one; nothing if that is 0, as in a maze whose start is a goal.
 std::optional<double> ratio(const std::optional<double>& value, const std::optional<double>& best) {
   if (!value || !best || *best <= 0.0) return std::nullopt;
   return *value / *best;

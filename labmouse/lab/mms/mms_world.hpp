@@ -24,12 +24,11 @@ inline constexpr std::array mms_rows = {
     row<&MmsOptions::most_lines>(
         {"line-limit", "N", "End a run after N lines; its best run counts", "10000000", 1, 2'000'000'000})};
 
-/// Hosts each program once in each maze. Of log and errors the figures have the ends only: many runs have to fit into
-/// memory.
+/// Hosts each program once in each maze. The figures keep only the first sentences of the log and the last lines of
+/// standard error, so that many runs fit into memory.
 std::shared_ptr<const World> mms_world(const MmsOptions& options = {});
 
-/// Fills in what is left of the result of a contest that went so: a run that visited those cells, in a maze with the
-/// facts that the world has of it.
+/// Completes the result of a contest from its run, the cells that it visited, and the facts of its maze.
 void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, ContestResult& result);
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// Where contests are kept, so that none has to be held twice. lab/store has the one in a file.
+// Interface of stores, which keep contests so that none has to run twice. lab/store implements it as a file.
 #pragma once
 
 #include <functional>
@@ -16,9 +16,10 @@ class ContestStore {
   ContestStore& operator=(const ContestStore&) = delete;
   virtual ~ContestStore() = default;
 
-  /// Before any contest of a race is held: fills in those that were kept before and are `wanted`, which are done then.
+  /// Before any contest of a race runs: fills in the results that are in the store and `wanted`, and marks them as
+  /// done.
   virtual void recall(Race& race, const std::function<bool(const ContestResult&)>& wanted) = 0;
-  /// Takes a contest of that race that was held. From several threads at once.
+  /// Stores a contest of that race after it has run. Called from several threads at once.
   virtual void keep(const Race& race, const ContestResult& contest) = 0;
   /// Whether it can keep no more: then no other contest begins.
   virtual bool failed() const = 0;

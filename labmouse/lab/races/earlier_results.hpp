@@ -7,8 +7,8 @@
 
 namespace labmouse {
 
-/// The results of a race as they are written now. Earlier versions wrote a race in steps at the top, and only those in
-/// other worlds in `groups`; and they had other names. Anything else comes back as it is.
+/// The results of a race as they are written now. Earlier versions wrote a race in steps at the top
+/// level, and only races in other worlds in `groups`; and some keys had other names. Other JSON is returned unchanged.
 /// @tparam AnyJson Json or ReadJson.
 template <class AnyJson>
 AnyJson with_groups(AnyJson results) {

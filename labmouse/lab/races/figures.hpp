@@ -19,7 +19,7 @@ struct StoredFigure {
   Value (*of)(const Figures&);
   /// False where the value is not of the figure's kind.
   bool (*set)(const Value&, Figures&);
-  bool by_clock;  ///< stores keep those apart from results
+  bool by_clock;  ///< a time by the machine's clock: stores keep it apart from results
 };
 
 template <class Struct, class Member>

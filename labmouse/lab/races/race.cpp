@@ -29,7 +29,7 @@ bool find_facts(Race& race, const RaceHooks& hooks) {
   return std::all_of(race.facts.begin(), race.facts.end(), [](const MazeFacts& facts) { return facts.found; });
 }
 
-/// In turn to each shard, so that no mouse is slow in one of them alone.
+/// Assigns contests to the shards in turn, so that the contests of a slow mouse are spread over all shards.
 void list_contests(Race& race) {
   std::size_t number = 0;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
@@ -41,14 +41,14 @@ void list_contests(Race& race) {
         contest.maze = maze;
         contest.run = run;
         contest.told = seed_of_program(race.order.seed, run);
-        // A world that draws something itself draws it anew in each maze.
+        // In a stochastic world the random draws differ between mazes.
         contest.seed = race.mice[mouse].external && !race.world().is_stochastic()
                            ? contest.told
                            : contest_seed(race.order.seed, race.mazes[maze].name, run);
       }
 }
 
-/// Files with mazes are not for the mice that race in them.
+/// Hides the files that contain mazes from the external mice.
 void hide_files(const Race& race) {
   std::set<HiddenFiles*> lists;
   for (const Contestant& mouse : race.mice)
@@ -59,7 +59,7 @@ void hide_files(const Race& race) {
   }
 }
 
-/// Takes from the store what it has. A contest of which something is to be kept has to be held all the same.
+/// Takes from the store what it has. A contest whose record or picture is wanted runs all the same.
 void recall(Race& race, const RaceHooks& hooks) {
   if (!race.order.store) return;
   race.order.store->recall(race, [&](const ContestResult& contest) {

@@ -29,7 +29,8 @@ struct RaceOrder {
   Shard shard = {};
   /// Where contests are taken from and kept; may be null.
   std::shared_ptr<ContestStore> store = nullptr;
-  /// Files and folders besides those of the mazes in which external mice could look up mazes: the store, the records.
+  /// Files and folders to hide from external mice besides the mazes themselves, because they contain mazes: the store,
+  /// the records.
   std::vector<std::string> files = {};
 };
 
@@ -46,7 +47,7 @@ struct ContestResult {
   std::string outcome;  ///< "finished", "forfeit: hit a wall"
   /// Why an external mouse's program did not get as far as its first word; empty where it did, and for all other mice.
   std::string never_started;
-  int outcome_order = 0;  ///< in which lists of outcomes have it
+  int outcome_order = 0;  ///< position of the outcome in lists of outcomes
   /// In the world's own unit; lower is better. Nothing where the contest has none.
   std::optional<double> score;
   /// What enters the mean over all contests: the score, or what the world counts for a failure, if anything.
@@ -77,8 +78,8 @@ struct Race {
 struct RaceHooks {
   /// What is to be kept of a contest, for `finished`; asked from any thread. Nothing, where it is empty.
   std::function<Keep(const ContestResult&)> keep;
-  /// Called after each contest, from any thread but never from two at once. Of one that the store had, nothing is held
-  /// again and the last argument is empty.
+  /// Called after each contest, from any thread but never from two at once. A contest from the store does not run
+  /// again; then the last argument is empty.
   std::function<void(const Race&, const ContestResult&, const ContestOutput&)> finished;
   /// Asked before each contest and each decision; once it is true no other begins.
   const std::atomic<bool>* stop = nullptr;
@@ -98,7 +99,7 @@ std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int r
 /// nothing of the maze.
 std::uint64_t seed_of_program(std::uint64_t seed, int run);
 
-/// Takes everything from a result that would count.
+/// Marks a result as not judged, and removes its score and everything else that would enter a mean.
 void leave_unjudged(ContestResult& result);
 
 /// Whether a contest enters the means: it is done and judged, and some mouse could score in its maze.

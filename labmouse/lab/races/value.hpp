@@ -17,7 +17,7 @@ struct JsonText {
   friend bool operator==(const JsonText&, const JsonText&) = default;
 };
 
-/// std::monostate says nothing at all and is left out of JSON; nullptr says that there is none, and is null there.
+/// A field with std::monostate is left out of JSON; nullptr, for a figure without a value, is null there.
 using Value = std::variant<std::monostate, std::nullptr_t, bool, std::int64_t, double, std::string, JsonText>;
 
 /// A number that the clock of a machine made: it differs from race to race.
@@ -31,7 +31,7 @@ struct LeftOut : std::optional<T> {
   using std::optional<T>::optional;
 };
 
-/// The value of a member of a struct: a number, a truth, a text, JSON, or an optional one of these.
+/// The value of a member of a struct: a number, a bool, a text, JSON, or an optional one of these.
 template <class T>
 Value value_of(const T& member) {
   return member;
@@ -62,7 +62,7 @@ bool set_to(const Value& value, T& member) {
 }
 inline bool set_to(const Value& value, ByClock& member) { return set_to(value, member.number); }
 
-/// The number of a value, a truth counting 0 or 1; nothing where it is none.
+/// The number of a value, with false as 0 and true as 1; nothing if it is not a number.
 std::optional<double> number_of(const Value& value);
 
 /// As CSV has it: numbers with as few digits as give them back, nothing where there is none.

@@ -50,10 +50,10 @@ struct MazeFacts {
 struct Keep {
   bool record = false;
   bool picture = false;
-  bool reasons = false;  ///< in the record, those of a mouse that has some
+  bool reasons = false;  ///< whether the record has the reasons of decisions, if the mouse gives any
 };
 
-/// A contest that was held, for those who look closer than its result.
+/// What a contest gives besides its result.
 struct ContestOutput {
   std::optional<RunRecord> run;  ///< step by step, in worlds of steps
   std::string record;            ///< the text of its file, where it was to be kept
@@ -64,7 +64,7 @@ struct ContestOutput {
 struct ContestField {
   std::string_view key;
   Value (*of)(const Race&, const ContestResult&);
-  bool by_clock = false;  ///< whether it is made of a figure that the clock of a machine made
+  bool by_clock = false;  ///< whether it depends on a time by the machine's clock
 };
 struct MouseField {
   std::string_view key;
@@ -96,8 +96,8 @@ constexpr Column rarely(Column column) {
   return column;
 }
 
-/// A figure that studies compare besides the score: a number above 0 whose ratio between two mice says something, by
-/// its key in the JSON of a contest and as a table calls it.
+/// A figure that studies compare besides the score: a positive number whose ratio between two mice is meaningful. It
+/// has a key in the JSON of a contest, and a name in tables.
 struct ComparedFigure {
   std::string_view key;
   std::string_view name;
@@ -125,7 +125,7 @@ struct WorldFields {
   std::string_view bound_meaning = "best possible score";
 };
 
-/// Something that results depend on besides mice, mazes and seed: the budget, the robot. A truth, a number, a text or
+/// Something that results depend on besides mice, mazes and seed: the budget, the robot. A bool, a number, a text or
 /// JSON.
 struct Condition {
   std::string key;
@@ -144,7 +144,7 @@ std::vector<Condition> conditions_of(const Rows& rows, const Conditions& conditi
 struct ScorePlace {
   std::string_view key = "score";
   std::string_view inner;  ///< where the score is an object, its field
-  double unit = 1.0;       ///< what a number there is to be multiplied by
+  double unit = 1.0;       ///< factor from the number in JSON to the world's unit
   double least = 0.0;      ///< no score is below
 };
 
@@ -157,8 +157,8 @@ class World {
   /// How it scores, in one line without its end.
   virtual std::string formula() const = 0;
   virtual std::vector<Condition> conditions() const = 0;
-  /// To be raised where the same contest comes to another result, or its figures are others: what stores have of
-  /// earlier editions is then run again.
+  /// Increase it when a change gives the same contest another result or other figures: contests of earlier editions in
+  /// stores are then run again.
   virtual int edition() const { return 1; }
   /// What the heading of the leaderboard begins with, such as "world of mms, "; and what it ends with, such as
   /// ", budget 500". Empty where nothing has to be said.
@@ -184,7 +184,7 @@ class World {
   /// It is not done where `stop`, which may be null, ended it. Called from several threads at once.
   virtual ContestOutput hold(const Race& race, ContestResult& result, Keep keep,
                              const std::atomic<bool>* stop) const = 0;
-  /// Whether contests differ by their seeds for mice, too, that are deterministic themselves.
+  /// Whether contests depend on their seeds even if the mouse is deterministic.
   virtual bool is_stochastic() const { return false; }
   /// Whether a mouse may have several contests in a maze; then their files are numbered.
   virtual bool numbers_runs() const { return true; }
@@ -193,7 +193,7 @@ class World {
   /// What a contest without a score counts where mice are compared, where it always has to count: the score at the time
   /// limit (PAR-1), or the failure score.
   virtual double limit_score() const = 0;
-  /// The figure of a contest whose mean over the finished ones tells mice with equal means apart; empty without one.
+  /// The figure that breaks ties between mice with equal mean scores, by its mean over finished contests; may be empty.
   virtual std::string_view tie_breaker() const { return ""; }
   virtual ScorePlace score_place() const { return {}; }
 

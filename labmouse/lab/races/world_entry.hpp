@@ -39,10 +39,10 @@ struct WorldEntry {
   std::span<const WorldSetting> settings;
   WorldResult (*make)(const WorldSettings& settings);
   const RecordKind* records = nullptr;  ///< the kind of the records of its contests
-  /// Makes the world again from an object of its conditions, of which nothing is sure; null where they are none.
-  /// Without it each setting is a condition.
+  /// Makes the world again from an untrusted object of its conditions; returns null if they are invalid. If this
+  /// pointer is null, each setting is a condition.
   std::shared_ptr<const World> (*restore)(const ReadJson& conditions) = nullptr;
-  /// How many contests in each maze a mouse that meets dice has, where nobody says.
+  /// Default number of contests in each maze, if the mouse or the world is stochastic.
   int usual_runs = 20;
 };
 

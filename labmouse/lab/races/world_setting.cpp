@@ -22,7 +22,8 @@ std::string wrong_number(const WorldSetting& setting, const std::string& text) {
                      setting.low, setting.high);
 }
 
-/// The text in today's words; what is wrong with it, in `error`, as in "none of first and last".
+/// The text, with a former name replaced by today's. Sets `error`, such as "none of first and last", if it is no
+/// choice.
 std::string choice_of(const WorldSetting& setting, std::string text, std::string& error) {
   const std::span all = setting.choices;
   if (all.empty()) return text;

@@ -29,12 +29,12 @@ struct WorldSetting {
   double low = 0.0, high = 0.0;    ///< of a number
   /// All values of a text that takes one of a few words; empty where it takes others, too.
   std::span<const std::string_view> choices = {};
-  /// Whether a race may have several values, separated by commas: then it is held once for each.
+  /// Whether a race may have several values, separated by commas: then it is run once for each.
   bool listed = false;
-  /// Names of what the program brings, where it takes these and files.
+  /// Names of the built-in values, if the setting takes such a name or a file.
   std::vector<std::string> (*brought)() = nullptr;
-  /// Where it is more than `low`, only `low` and numbers from here can be chosen; files of earlier versions have
-  /// others.
+  /// If it is above `low`, users can choose only `low` itself and numbers from `least_chosen` on; files of earlier
+  /// versions can have others.
   double least_chosen = 0.0;
   std::string_view unit = {};  ///< of such a number
   /// Whether files of earlier versions lack it; they mean the default.
@@ -47,7 +47,7 @@ using WorldSettings = std::map<std::string, std::string, std::less<>>;
 
 /// The value that a user chose; or what is wrong with the text, in `error`, as in "'x' is not a number from 0 to 1".
 Value chosen_value(const WorldSetting& setting, const std::string& text, std::string& error);
-/// The value that a file has, of which nothing is sure; the fields hold what is wrong.
+/// The value in an untrusted file; errors are reported to `fields`.
 Value read_value(const WorldSetting& setting, JsonFields& fields);
 /// The setting's key in JSON.
 std::string key_of(const WorldSetting& setting);
@@ -109,7 +109,7 @@ std::string choose(const Rows& rows, const WorldSettings& chosen, Conditions& co
   return "";
 }
 
-/// Sets them to what a file has; the fields hold what is wrong.
+/// Sets the conditions to the values in a file; errors are reported to `fields`.
 template <class Rows, class Conditions>
 void read_settings(const Rows& rows, JsonFields& fields, Conditions& conditions) {
   for (const auto& [setting, of, set] : rows) {

@@ -28,7 +28,7 @@ struct PhysicalPart {
 
 /// A contest in seconds with everything that is needed to replay it.
 struct DriveRecordFile {
-  std::string version;  ///< of the program that wrote it; write_drive_record() puts its own
+  std::string version;  ///< version of the program that wrote the record; write_drive_record() writes the current one
   std::string maze_name;
   std::optional<Maze> maze;  ///< always set, and at most 32x32
   std::string mouse;
@@ -36,7 +36,7 @@ struct DriveRecordFile {
   Settings settings;  ///< written, not read back
   std::uint64_t seed = 0;
   std::shared_ptr<const DriveModel> model;  ///< always set, and without an error
-  std::uint64_t tables_hash = 0;            ///< of the tables it was made with; write_drive_record() puts the model's
+  std::uint64_t tables_hash = 0;  ///< of the robot's tables, as read; write_drive_record() writes that of `model`
   DriveRules rules;
   DriveRecord record;
   bool ended = true;                              ///< false where the last line, with the outcome, is missing
@@ -44,7 +44,7 @@ struct DriveRecordFile {
   std::optional<DriveRunScore> recorded_score{};  ///< the score in the last line; computed by write_drive_record()
 };
 
-/// The pace of a run as a share of the robot's usual pace.
+/// The pace of a run: its speed on the same path, as a share of the robot's usual speed.
 inline double pace_of(const DriveRecordFile& file, const DriveRun& run) {
   return file.physical ? file.physical->conditions.controller.pace * run.pace : 1.0;
 }
@@ -61,8 +61,9 @@ struct ReadDriveRecordResult {
 
 ReadDriveRecordResult read_drive_record(std::string_view text);
 
-/// Replays a record in its maze and compares places, times, walls, known and possible times, gates and the score. The
-/// mouse's name and its counts of decisions and plans are not checked. Returns the first difference, or an empty text.
+/// Replays a record in its maze and compares places, times, walls and the score. Compared are also the times of the
+/// fastest known and the fastest possible route, and when the mouse left the start and entered a goal. The mouse's name
+/// and its counts of decisions and plans are not checked. Returns the first difference, or an empty text.
 std::string replay(const DriveRecordFile& file);
 
 /// The runs as a table, followed by a line with the result.

@@ -10,7 +10,8 @@
 namespace labmouse {
 
 /// Drives the route from rest at the start and compares its places and times with the robot's tables. All passed walls
-/// must be in `open`. The route may be any, even one outside the maze. Returns the first difference, or an empty text.
+/// must be in `open`. Any route is safe to pass, even one that leaves the maze. Returns the first difference, or an
+/// empty text.
 std::string check_route(const DriveRoute& route, Pose start, Size size, const WallSet& open, const CellSet& goals,
                         const DriveModel& model);
 

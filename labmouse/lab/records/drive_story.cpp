@@ -110,7 +110,7 @@ class Story {
     if (i > 0 && (record_.runs[i - 1].kind == Kind::fast || makes_sure(i - 1))) return " from its run";
     WallSet possible = WallSet::all(file_.maze->size());
     possible -= run.closed;
-    // The failure model leaves out these times, so they are computed here.
+    // A record of the failure model lacks the times of the known and the possible route, so they are computed here.
     const DriveTime known = run.known < no_time ? run.known : fastest_over(run.open);
     const DriveTime hoped = run.hoped < no_time ? run.hoped : fastest_over(possible);
     if (known >= no_time || hoped >= no_time) return "";

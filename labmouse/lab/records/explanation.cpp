@@ -30,7 +30,8 @@ const Candidate* chosen_of(const Reasons& reasons) {
   return reasons.chosen < 0 ? nullptr : &reasons.candidates[static_cast<std::size_t>(reasons.chosen)];
 }
 
-/// The candidate nearest to being worth a look (its run costs `hope`); of several, the one with the shortest way to it.
+/// The candidate whose run costs `hope`: the one that came closest to being chosen. Of several, the one with the
+/// shortest way to it.
 const Candidate* nearest_to_worth(const Reasons& reasons) {
   const Candidate* nearest = nullptr;
   for (const Candidate& candidate : reasons.candidates)
@@ -87,7 +88,8 @@ std::string heading_of(const StepRecord& step, std::size_t candidates, bool goal
                      candidates == 1 ? "" : "s");
 }
 
-/// Reports the first step of a flood; the following ones are left out.
+/// Reports that the mouse floods from this step on: it compares no candidates, but takes the shortest way that could be
+/// open. The following steps of a flood are not reported.
 std::string flood_of(const StepRecord& step) {
   return fmt::format(
       "\nstep {} at ({},{}): floods from here on. The maze is large, its budget is small for it, or half of\n"

@@ -33,7 +33,7 @@ struct Played {
 }  // namespace
 
 std::string replay(const MmsRecordFile& file, const std::function<void(std::size_t event, const MmsHost&)>& after) {
-  // Any limits of the original run do not matter: the program obeyed all these lines.
+  // The limits of the original run do not matter: all these lines came before a limit ended it.
   MmsHost host(*file.maze, {.most_seconds = std::numeric_limits<int>::max()});
   Played played;
   host.on_event([&](const MmsEvent& event) { played = {true, std::string(event.reply), event.pose}; });

@@ -16,7 +16,7 @@ namespace labmouse {
 namespace {
 
 constexpr std::size_t most_lines = 2'000'000, most_actions = 1'000'000, most_ticks = 7'200'000;
-/// Of a tape, in one line.
+/// Ticks of an external controller in one line of the record.
 constexpr std::size_t ticks_a_line = 10'000;
 
 constexpr std::array<std::string_view, 5> words = {"drive", "fast", "goal", "carry", "give up"};
@@ -81,7 +81,8 @@ void read_touch(PhysicalNotes& notes, JsonFields& fields) {
   notes.touches.push_back(touch);
 }
 
-/// A line of the tape: as rows, and the words that are not `drive`, each with the number of its row.
+/// A line of the tape, the output of an external controller: a row of two duties for each tick, and under `said` the
+/// commands other than `drive`, each with the number of its row.
 std::string tape_line(std::span<const ControllerTick> ticks) {
   std::vector<std::int32_t> numbers;
   Json said = Json::array();
@@ -201,7 +202,7 @@ Json counts_json(const PhysicalNotes& notes) {
 
 std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_limit) {
   constexpr MazeTime second = 1'000'000, millisecond = 1000, longest = 7200 * second;
-  // A replay holds them twice, and twice as text: some 150 MB.
+  // A replay keeps the points of the trace twice as numbers and twice as text: some 150 MB.
   constexpr MazeTime most_points = 500'000;
   if (time_limit > longest)
     return fmt::format("'time_limit' is more than {} s, which is the most in the physical world", longest / second);

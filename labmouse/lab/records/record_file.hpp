@@ -32,7 +32,7 @@ struct RecordFile {
   std::string interpreter;  ///< interpreter of an external mouse and its version
   std::uint64_t seed = 0;
   Rules rules;
-  std::string version;  ///< of the program that wrote it; write_record() puts its own
+  std::string version;  ///< version of the program that wrote the record; write_record() writes the current one
   RunRecord run;
   bool ended = true;               ///< false where the last line, with the outcome, is missing
   std::vector<GivenFields> given;  ///< fields of each step as read; a step beyond this list has all fields

@@ -15,10 +15,11 @@ constexpr double eighth = std::numbers::pi / 4.0;
 
 double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
-/// The heading that is nearest to another one, without its whole turns.
+/// The heading, changed by whole turns (8 eighths) to be nearest to `other`.
 double beside(double heading, double other) { return heading - 8.0 * std::round((heading - other) / 8.0); }
 
-/// How far a wall is that reads so much at a right angle, in cells; 0 where nothing comes back.
+/// The distance, in cells, at which a wall at a right angle to the beam gives this reading; 0 if the reading is too
+/// small.
 double distance_of(std::int16_t level, const Infrared& infrared, const Beam& beam, double cell) {
   constexpr std::int16_t least = 5;
   if (level < least) return 0.0;

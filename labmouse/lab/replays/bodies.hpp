@@ -1,4 +1,5 @@
-// Both mice of a contest in the physical world as the page draws them, and what the true one reads and touches.
+// The true and the estimated mouse of a contest in the physical world as the page draws them, with the readings and
+// the wall contacts of the true one.
 #pragma once
 
 #include "labmouse/lab/records/drive_record_file.hpp"

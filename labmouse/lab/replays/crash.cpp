@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-/// In the segment of the route that it did not finish.
+/// The place of the crash of a speed run, in the segment of its route that it did not finish.
 std::optional<DrivePathPoint> crash_on_route(const DriveRecordFile& file, const DriveRun& run) {
   const double driven = static_cast<double>(run.end - run.begin) * pace_of(file, run);
   const auto& segments = run.route.segments;

@@ -74,7 +74,7 @@ class DriveFrames {
  private:
   SearchPlace start() const { return {{contest_.maze->start(), contest_.maze->start_heading()}, true}; }
 
-  /// A new run begins in the frame before it, unless the mouse has to be carried.
+  /// A new run begins in the current frame if the mouse is at its start; otherwise a step carries the mouse there.
   void begin_run(const SearchPlace& place, MazeTime time) {
     place_ = place;
     const bool crashed = runs_.size() > 1 && runs_[runs_.size() - 2].crash;
@@ -108,7 +108,7 @@ class DriveFrames {
       const DriveProfile profile(*contest_.model, run.route, i);
       const bool last = i + 1 == run.route.segments.size();
       const MazeTime planned = run.begin + at_pace(segment.end, pace);
-      // A mouse that crashes is shown no further than it came.
+      // The last step of a mouse that crashes ends at the place and time of the end of the run.
       const bool breaks_off = contest_.physical && planned > run.end;
       const MazeTime end = contest_.physical && (last || breaks_off) ? run.end : planned;
       if (last || (contest_.physical && run.gate_in && *run.gate_in <= end)) count(number);
@@ -125,7 +125,8 @@ class DriveFrames {
     }
   }
 
-  /// The step in which the run crashed ends then and there. No record has the move of a search that a crash broke off.
+  /// Ends the last step of a crashed run at the cell of the crash. In a search run, this adds a step: records do not
+  /// have the move that the crash interrupted.
   void crash(std::size_t number) {
     const DriveRun& run = contest_.record.runs[number];
     const auto crash = runs_.back().crash = crash_of(contest_, number, place_);
@@ -146,7 +147,7 @@ class DriveFrames {
     if (entered.empty() || entered.back() != index) entered.push_back(index);
   }
 
-  /// The nearest place of a frame.
+  /// The place on the grid of FramePlace that is nearest to the spot.
   FramePlace frame_at(const DriveSpot& spot) const {
     const auto halves = [&](double way) {
       return static_cast<int>(std::lround(2.0 * way / contest_.model->tables.cell));
@@ -169,7 +170,7 @@ class DriveFrames {
     return cells;
   }
 
-  /// From the next frame on that run counts, where it does.
+  /// Lets a run count for the score from the next frame on, if the rules count it.
   void count(std::size_t run) {
     for (const DriveRunScore& score : scores_.runs)
       if (score.run == run) best_ = std::min(best_.value_or(score.value), score.value);
@@ -212,7 +213,7 @@ class DriveFrames {
     play_["known"] = known;
   }
 
-  /// Walls that it takes for what they are not, each from when to when.
+  /// Walls classified wrongly, each with the frames in which this began and ended.
   void add_mistaken() {
     Json mistaken = Json::array();
     std::map<std::size_t, std::size_t> last;  // entry of a wall

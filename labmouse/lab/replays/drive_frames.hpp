@@ -17,7 +17,8 @@ struct DriveRunFrames {
   std::optional<DrivePathPoint> crash;
 };
 
-/// Adds the lists of frames, steps and walls, and `goal_frame` and `reset_frame`. What it found of each run.
+/// Adds the lists of frames, steps and walls, and `goal_frame` and `reset_frame`. Returns the first frame and the
+/// crash of each run.
 std::vector<DriveRunFrames> add_drive_frames(const DriveRecordFile& contest, Json& play);
 
 /// A segment in words: "ahead 2.5", "diagonal 3", "left 45", "right V90"; lengths in cells, of a diagonal in half

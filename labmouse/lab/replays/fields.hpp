@@ -1,4 +1,4 @@
-// What several answers have in common.
+// JSON that several answers to the page have in common.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@ namespace labmouse {
 
 /// What the world of a contest is like, for those who show it: `Traits` in apps/web/page/src/core/types.ts.
 struct PlayTraits {
-  bool in_steps = true;  ///< its clock counts them
+  bool in_steps = true;  ///< whether its clock counts steps
   std::string_view unit = {};
   int digits = 3;
   std::string_view bound;

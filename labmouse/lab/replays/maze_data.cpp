@@ -29,7 +29,8 @@ std::vector<unsigned> read_walls(JsonFields& fields, Size size) {
   return walls;
 }
 
-/// Opens what both neighbours call open; what only one of them does is wrong, and so is an open border.
+/// Opens the walls that both of their cells state as open. A wall that only one of them states as open is an error, and
+/// so is an open border.
 void open_walls(const std::vector<unsigned>& walls, MazeDraft& draft, JsonFields& fields) {
   const Size size = draft.size();
   const auto is_open = [&](Cell cell, Heading side) {

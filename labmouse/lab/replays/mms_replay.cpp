@@ -3,7 +3,7 @@
 namespace labmouse {
 namespace {
 
-/// What the record says of the end of its run, and of what playing it again does not show.
+/// Takes from the record the end of the run, and all that a replay does not give.
 void take_end(const MmsRecordFile& file, MmsRun& run) {
   run.outcome = MmsOutcome::interrupted;
   run.end = "the record breaks off";
@@ -35,7 +35,7 @@ MmsReplay replay_of(const MmsRecordFile& file) {
     played.run.clock = host.clock();
   });
   take_end(file, played.run);
-  // Earlier versions wrote down those at the end of a run that never ended.
+  // For a run that never ended, earlier versions recorded the statistics at its end and not at its best run.
   if (played.run.outcome == MmsOutcome::never_ended && file.left_out == 0) played.run.statistics = at_best_run;
   return played;
 }

@@ -10,8 +10,8 @@
 namespace labmouse {
 
 struct MmsReplay {
-  /// As `labmouse mms` had it: how it ended from the record, place and drawing from playing it. `interrupted` where the
-  /// record breaks off.
+  /// The run as `labmouse mms` gave it: its end from the record, place and drawing from the replay. `interrupted` where
+  /// the record breaks off.
   MmsRun run;
   MmsWalk walk{HalfPose()};
   std::string disagreement;  ///< where the record could not have happened in its maze; empty where it could

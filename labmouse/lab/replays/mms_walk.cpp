@@ -23,7 +23,7 @@ void MmsWalk::add(const MmsEvent& event) {
   if (event.pose == last_) return;
   HalfPlace place = last_.place;
   const int dx = event.pose.place.x - place.x, dy = event.pose.place.y - place.y;
-  // What is no straight line is the way of a hand, from anywhere to the start.
+  // A move that is not straight is a reset: the mouse was carried to the start by hand.
   if (event.line != "ackReset" && (dx == 0 || dy == 0 || std::abs(dx) == std::abs(dy)))
     for (int steps = std::max(std::abs(dx), std::abs(dy)); steps > 0; --steps) {
       const HalfPlace next = {place.x + sign(dx), place.y + sign(dy)};

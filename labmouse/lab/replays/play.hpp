@@ -7,7 +7,8 @@
 
 namespace labmouse {
 
-/// Of a record that has a maze and agrees with it. Costs of candidates become steps, grounds become words.
+/// Of a record that has a maze and agrees with it. Costs of candidates are converted to steps, and
+/// reasons of decisions to text.
 Json play_json(const RecordFile& file);
 
 /// Of a record of mms that agrees with its maze.

@@ -1,5 +1,5 @@
-// A record of mms as a play. What time passes in is a step; what is only drawn holds from the frame that it was drawn
-// in.
+// A record of mms as a play. Commands that take time are steps; drawings are shown from the frame in which they were
+// made.
 #include <fmt/format.h>
 
 #include <functional>
@@ -52,7 +52,7 @@ class MmsFrames {
   }
 
   void add(const RecordedMmsEvent& event, const MmsHost& host) {
-    // It was obeyed, so it is a command.
+    // The record has only lines that mms obeyed, so this is a command.
     const MmsCommand command = *read_mms_line(event.line).command;
     const bool takes_time =
         command.verb == MmsVerb::move || command.verb == MmsVerb::turn || command.verb == MmsVerb::ack_reset;
@@ -202,7 +202,7 @@ Json play_json(const MmsRecordFile& file) {
     frames.add(file.events[event], host);
     statistics = host.statistics();
   });
-  // What was left out counted as well.
+  // The statistics in the record include events that it left out.
   if (file.end) statistics = file.end->statistics;
   play["finished"] = statistics.finished;
   play["score"] = decimal(statistics.score);

@@ -48,7 +48,7 @@ DriveRun best_run(const DriveRecordFile& contest) {
   return run;
 }
 
-/// The points of a path as lists, one number of each kind a point.
+/// The points of a path as lists: one for each quantity, with a number for each point.
 class PathLists {
  public:
   void add(const std::vector<DrivePathPoint>& points) {
@@ -116,7 +116,7 @@ std::vector<DrivePathPoint> driven_path(const DriveRecordFile& contest, std::siz
   DrivePathPoint& last = points.back();
   last.acceleration = (crash->speed - last.speed) / ((crash->time - last.time) / 1e6);
   points.push_back(*crash);
-  // No whole turns between the two.
+  // The headings of the last two points must not differ by whole turns.
   points.back().heading += 8.0 * std::round((points[points.size() - 2].heading - crash->heading) / 8.0);
   return points;
 }
@@ -177,7 +177,7 @@ Json header_json(const DriveRecordFile& contest, const DriveRun& best) {
           {"ended", contest.ended}};
 }
 
-/// The share of cells that were come into, of those that can be.
+/// The share of the reachable cells that the mouse entered.
 double share_visited(const DriveRecordFile& contest, const Json& play, const Json& distances) {
   std::set<int> cells = {contest.maze->size().index(contest.maze->start())};
   for (const Json& entered : play["entered"])

@@ -53,7 +53,7 @@ class Replay {
   virtual std::string text() const = 0;
   /// The record in the form that reports carry.
   virtual Json packed() const = 0;
-  /// Where other mice can have the contest, too; nothing where they cannot.
+  /// The world in which other mice can run the same contest; nothing if they cannot.
   virtual std::optional<RecordedWorld> world() const = 0;
   /// Frame by frame: `Play` in apps/web/page/src/core/types.ts.
   virtual Json play() const = 0;
@@ -75,8 +75,8 @@ class Replay {
   /// The contest after so many steps, or the whole one after 0.
   virtual RecordDrawing drawing(const LayerSet& chosen, int step) const = 0;
 
-  /// Runs the contest again to learn the reasons of a mouse that is the one of the record, where it then does the
-  /// same.
+  /// Runs the contest again with the mouse of the record to get the reasons of its decisions. They are kept only if all
+  /// steps are the same.
   virtual void add_reasons(const Contestant& mouse) = 0;
 };
 
@@ -86,17 +86,17 @@ struct OpenedRecord {
   std::unique_ptr<Replay> replay;
   std::vector<Problem> problems;
   std::string disagreement;
-  bool lacks_maze = false;  ///< the record is one, but it has no maze, and none was given
+  bool lacks_maze = false;  ///< the text is a record, but it has no maze, and none was given
 };
 
 /// Records of one kind; several worlds may have it.
 struct RecordKind {
-  std::string_view header;  ///< what `labmouse` is in its first line
+  std::string_view header;  ///< value of the key `labmouse` in its first line
   std::string_view name;    ///< "a record in steps"
   std::string_view packed;  ///< the member of Replay::packed() that no other kind has
   /// Plays the record in `maze` instead of its own where that is not null.
   OpenedRecord (*open)(std::string_view text, const NamedMaze* maze);
-  /// One that a report carries, of a contest in that maze.
+  /// Opens the packed record from a report, of a contest in that maze.
   OpenedRecord (*unpack)(const ReadJson& packed, const NamedMaze& maze);
 };
 

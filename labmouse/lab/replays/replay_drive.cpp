@@ -70,7 +70,7 @@ class DriveReplay final : public Replay {
   Json packed() const override {
     Json json = {{"mouse", file_.mouse}, {"maze", file_.maze_name}, {"seed", file_.seed}, {"drive", text_}};
     if (!has_trace(file_)) return json;
-    // Driving it again brings the trace back.
+    // The trace is left out: it can be had again by running the contest again.
     DriveRecordFile file = file_;
     file.physical->notes.trace.clear();
     file.physical->conditions.trace_every = 0;

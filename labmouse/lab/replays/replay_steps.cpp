@@ -72,7 +72,7 @@ class StepsReplay final : public Replay {
   RecordFile file_;
 };
 
-/// Plays it in its maze. Where fields were left out on purpose they count as given.
+/// Replays a record in its maze. Fields that a packed record leaves out on purpose count as if they were given.
 OpenedRecord played_steps(RecordFile file, bool packed) {
   ReplayResult result = replay(file, *file.maze);
   if (!result.disagreement.empty()) return {nullptr, {}, std::move(result.disagreement)};

@@ -29,7 +29,7 @@ std::string reason_in_brackets(const RunRecord& run) {
 constexpr std::array all_kinds = {&ActionErrors::blocked, &ActionErrors::void_rotations, &ActionErrors::cut_movements,
                                   &ActionErrors::idle_resets};
 
-/// What a contest says of each kind, behind the number of its steps.
+/// The words for each kind of action error, after the number of steps.
 std::array<std::string, all_kinds.size()> words_for(bool one, const Rules& rules) {
   const char* was = one ? "was" : "were";
   return {fmt::format("{} blocked by a wall", was), "had a void turn (not -90, 0 or 90)",
@@ -59,7 +59,7 @@ std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowl
                      step.blocked ? "  blocked" : "");
 }
 
-/// Of a contest that never came to its speed run, the way of the search run: it may show why.
+/// Adds the path of the search run if the contest never came to its speed run: it may show why.
 LayerSet summary_layers(const RunRecord& run) {
   LayerSet layers = contest_layers();
   if (run.steps.empty() || run.steps.back().run == Run::search_run) layers.insert(Layer::search_run);
@@ -178,7 +178,7 @@ std::string action_error_lines(const RecordFile& file) {
 void animate(const RecordFile& file, const TextDrawer& draw, const std::function<void(const std::string&)>& show) {
   Knowledge knowledge(file.maze->size());
   for (const StepRecord& step : file.run.steps) {
-    // A record need not make sense: what contradicts is drawn as it was known before.
+    // A record can have a reading that contradicts earlier ones; then the earlier knowledge is drawn.
     [[maybe_unused]] const bool learned = knowledge.learn(step.pose, step.sighting);
     show(frame_of(file, step, knowledge, draw));
   }

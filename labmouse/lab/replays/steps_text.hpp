@@ -22,8 +22,8 @@ std::string search_run_line(const RecordFile& file);
 /// where the mouse stood.
 std::string result_line(const RecordFile& file);
 
-/// How much of a record that lacks fields a replay compares with the maze, in one line without its end; empty where the
-/// record gives all.
+/// For a record that lacks fields, which part of it a replay checks against the maze, in one line without its end;
+/// empty if the record has all fields.
 std::string checked_line(const RecordFile& file);
 
 /// What the mouse had to say: where it gave up, what went wrong; then the last lines of what it wrote. Empty for most.

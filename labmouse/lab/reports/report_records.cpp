@@ -108,7 +108,7 @@ class Shelf {
     if (full() || found.packed.size() > room_) return leave_out(1);
     room_ -= found.packed.size();
     list_ += (list_.empty() ? "" : ",") + found.packed;
-    // A maze with other start and goals is used only where no other record has it.
+    // A maze whose start and goals the world has set is used only where there is none of that name yet.
     if (!found.own_places && found.maze) records_.mazes.try_emplace(*place.maze, *found.maze);
   }
 

@@ -14,7 +14,8 @@ enum class RobotParts : unsigned char { limits, with_body };
 /// Its name and its parameters, with the keys of robot files such as "straight.speed".
 Json robot_json(const Robot& robot, RobotParts parts = RobotParts::limits);
 
-/// "fixed" where the robot has one speed at all nodes, else "classes".
+/// "fixed" where the robot has published times and one speed at the ends of all segments (FixedTimes); else "classes",
+/// where speeds follow from limits.
 inline const char* model_name(const Robot& robot) { return robot.fixed ? "fixed" : "classes"; }
 
 /// Reads a robot and makes its model. On failure `fields` holds the error, and so does the model.

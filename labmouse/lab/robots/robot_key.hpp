@@ -5,8 +5,9 @@
 
 namespace labmouse {
 
-/// A key of a robot file. `With` says which robots have it: those whose curves follow from limits (curves) or have
-/// given times (turns); whose search has a speed or given times; or that have a body.
+/// A key of a robot file. `with` gives the files that may have it. `curves`: those in which turns follow from limits;
+/// `turns`: those with the times of turns. `search_speed` and `search_times`: those with the speed or with the times of
+/// a search. `body`: those that describe the hardware.
 struct RobotKey {
   enum class With : unsigned char { always, curves, turns, search_speed, search_times, body };
   enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no, end };

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double degree = 3.141592653589793 / 180.0;
 
-/// A mouse needs hundredths of a second to reach its full yaw rate. A number above these limits (rad/s², rad/s³) that
-/// needs less than 4 ms is likely to be in degrees. No known mouse turns so hard, but many would have such a number in
-/// degrees.
+/// A mouse needs hundredths of a second to reach its full yaw rate. A yaw acceleration or jerk above these limits
+/// (rad/s², rad/s³) is likely to be in degrees if it reaches the full yaw rate or acceleration in less than 4 ms. No
+/// known mouse turns so hard, but many would have such a number in degrees.
 constexpr double likely_seconds = 0.004, likely_acceleration = 1000.0, likely_jerk = 50'000.0;
 /// About six turns a second, rad/s.
 constexpr double likely_speed = 40.0;

@@ -27,7 +27,7 @@ struct RegionOrder {
   int jobs = 0;             ///< threads; 0: as many as there are processors
 };
 
-/// The resolution of the command line and the page; for two numbers with fewer values in each row.
+/// The order with the resolution that the command line and the page use. With two numbers, each row has fewer values.
 RegionOrder order_of(VariedNumber across, std::optional<VariedNumber> along);
 
 /// A route that is the fastest somewhere. Routes differ by the passages that they cross; the turns may change within a
@@ -57,7 +57,7 @@ struct RouteRegion {
   std::optional<RunnerUp> runner_up;                 ///< at the middle of the region, among all routes found
 };
 
-/// The regions at one value of the second number, from the first value of the varied number to the last.
+/// The regions at one value of `along`, by rising values of `across`.
 struct RegionRow {
   double at = 0.0;
   std::vector<RouteRegion> regions;

@@ -24,7 +24,8 @@ struct RouteReport {
   /// Time of the fastest route with S90, the small turns of a search, as its only turns.
   DriveTime small_turns = no_time;
   int fewest_cells = 0;  ///< smallest number of cells that any route enters
-  /// Time of the fastest route through passages of routes with the fewest cells; nothing where it enters more cells.
+  /// Time of the fastest route that enters only `fewest_cells` cells. It is planned through the passages of all such
+  /// routes; nothing where the planned route still enters more cells.
   std::optional<DriveTime> fewest_cells_time;
 
   /// The share of another route's time that this route saves; nothing where `other` is 0 or no_time.

@@ -17,9 +17,10 @@ namespace {
 
 using Scores = std::map<std::string, MazeScores>;
 
-constexpr double absurd = 1e6;  // no contest scores that much: whoever wrote this was no race
+constexpr double absurd = 1e6;  // above any score of a contest: such a file is not the JSON of a race
 
-/// The number at the place of a score; nothing where it is null or none; `good` is false where it is no score at all.
+/// The score of a result; nothing if it is null. Sets `good` to false if there is no field of the score or its value is
+/// invalid.
 std::optional<double> score_in(const ReadJson& result, const ScorePlace& place, bool& good) {
   const std::string key(place.key), inner(place.inner);
   good = result.is_object() && result.contains(key);
@@ -64,7 +65,7 @@ bool has_conditions_of(const ReadJson& group, const World& world) {
   });
 }
 
-/// The race in that world, of several the one under the same conditions; null where there is none.
+/// The race in that world under the same conditions; otherwise the first one in that world; null if there is none.
 const ReadJson* part_of(const ReadJson& json, const World& world) {
   const ReadJson* some = nullptr;
   for (const ReadJson& group : json["groups"]) {
@@ -114,7 +115,7 @@ std::string name_of(const Race& race, const Match& match) {
 
 /// "-0.205 [-1.733, +1.337] over 43 mazes (16 better, 3 equal, 24 worse)", with the numbers times a factor.
 std::string difference_text(const PairedDifference& found, double factor, int digits) {
-  const Interval ends = scaled(found.interval, factor);  // + 0.0 makes -0.0 of no difference 0
+  const Interval ends = scaled(found.interval, factor);  // + 0.0 turns -0.0 into 0
   const std::string interval =
       found.count > 1 ? fmt::format(" [{:+.{}f}, {:+.{}f}]", ends.low + 0.0, digits, ends.high + 0.0, digits) : "";
   return fmt::format("{:+.{}f}{} over {} ({} better, {} equal, {} worse)", factor * found.mean + 0.0, digits, interval,

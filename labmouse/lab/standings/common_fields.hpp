@@ -42,7 +42,7 @@ Value name(const Race& race, std::size_t maze);
 Value width(const Race& race, std::size_t maze);
 Value height(const Race& race, std::size_t maze);
 Value bound(const Race& race, std::size_t maze);
-/// The fastest possible run, and the same where the world counts it in whole units.
+/// The fastest possible run, as a number; and as a whole number, for worlds in which it is one.
 Value best_run(const Race& race, std::size_t maze);
 Value whole_best_run(const Race& race, std::size_t maze);
 
@@ -58,7 +58,7 @@ std::string finished(const Race& race, const Standing& standing);
 std::string mean_all(const Race& race, const Standing& standing);
 std::string mean_finished(const Race& race, const Standing& standing);
 std::string mean_ratio(const Race& race, const Standing& standing);
-/// "38.1-39.4" with so many digits, "-" where one maze says nothing of others.
+/// "38.1-39.4" with so many digits, "-" without a mean or with fewer than two mazes.
 std::string interval(const Standing& standing, int digits);
 
 }  // namespace labmouse::columns

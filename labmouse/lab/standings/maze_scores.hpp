@@ -16,7 +16,7 @@ struct MazeScores {
   double sum = 0.0;           ///< of all scores, failed contests at the limit score of their world
   double finished_sum = 0.0;  ///< of the scores alone
 
-  /// A contest with that score, or none, which counts so much.
+  /// Adds a contest with that score, if any; `counted` is the score, or the limit score of a failed contest.
   void add(std::optional<double> score, double counted);
   /// Nothing where there is no contest.
   std::optional<double> mean() const;

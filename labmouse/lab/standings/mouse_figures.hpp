@@ -14,7 +14,8 @@ namespace labmouse {
 /// The mean, or nothing where there is nothing to take it of.
 std::optional<double> mean_if_any(std::span<const double> values);
 
-/// The mean of a figure over the contests with a score, or over all that count; of those that have it.
+/// The mean of a figure over the contests with a score, or over all that count. Contests without the figure are left
+/// out.
 std::optional<double> mean_finished(const Race& race, const Standing& standing, std::string_view figure);
 std::optional<double> mean_of_all(const Race& race, const Standing& standing, std::string_view figure);
 

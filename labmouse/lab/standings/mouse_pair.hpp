@@ -27,16 +27,16 @@ struct FinishRates {
 struct MousePair {
   std::vector<std::size_t> mazes;   ///< those that count, by position
   std::vector<double> differences;  ///< of the mean scores in each, failed contests at the limit score
-  PairedDifference scores;          ///< what they show
+  PairedDifference scores;          ///< statistics of `differences`
   bool has_rates = false;
-  FinishRates rates;  ///< where there are some
+  FinishRates rates;  ///< only if `has_rates`
 };
 
 /// @param has_rates Whether failed contests have no score in this world.
 MousePair pair_of(std::span<const MazeScores> mouse, std::span<const MazeScores> against, bool has_rates,
                   std::uint64_t seed);
 
-/// What is judged of all pairs, in one list: of each the scores and, where there are some, the rates of failure.
+/// All differences that get a verdict, in one list: for each pair the scores and, if it has them, the failure rates.
 std::vector<PairedDifference> judged(std::span<const MousePair> pairs);
 
 /// The verdicts of a pair.

@@ -50,8 +50,8 @@ void set_origin(const Contestant& mouse, Json& json) {
   if (mouse.keeps_folder) json["keeps_folder"] = true;
 }
 
-/// The usual columns of the leaderboard without those that readers make of other fields. The others may be times, which
-/// differ from race to race.
+/// The columns of the leaderboard that JSON has as text: without those that readers can compute from other fields, and
+/// without rare ones, which can be times that differ from race to race.
 std::vector<const Column*> own_columns(const Race& race) {
   std::vector<const Column*> own;
   for (const Column& column : race.world().fields().columns)
@@ -64,14 +64,14 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Both lines of its heading as one; a word that is parted between them is whole again.
+/// Both lines of its heading as one; a word hyphenated between them is joined.
 std::string title_of(const Column& column) {
   if (column.first.ends_with('-'))
     return std::string(column.first.substr(0, column.first.size() - 1)) + std::string(column.second);
   return trimmed(fmt::format("{} {}", column.first, column.second));
 }
 
-/// What a reader has to know of the world to show its race, who may never have heard of it.
+/// What a program that does not know this world needs to show its race.
 void describe_world(const Race& race, Json& json) {
   const World& world = race.world();
   const ScorePlace place = world.score_place();

@@ -11,8 +11,8 @@
 
 namespace labmouse {
 
-/// The races of one command, in a group each. `skipped` are the files that were no mazes. The text is handed over part
-/// by part, because that of a million contests is longer than all that is known of them.
+/// The races of one command, in a group each. `skipped` are the files that were no mazes. The text is passed to `sink`
+/// in parts: for a million contests it would take more memory than the contests themselves.
 void write_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped, const TextSink& sink);
 
 /// The same as one text, or as JSON: for a few contests.
@@ -20,7 +20,7 @@ std::string json_of(std::span<const Race> races, const std::vector<SkippedFile>&
 std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped);
 Json race_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped);
 
-/// The text of a JSON file. Names come from the file system and may be no UTF-8: what is none is replaced.
+/// The text of a JSON file. Names come from the file system; bytes that are not UTF-8 are replaced.
 std::string text_of(const Json& json);
 
 /// One line a contest, with a header.

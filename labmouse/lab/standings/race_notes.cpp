@@ -31,7 +31,7 @@ std::string failures_of(const Race& race, std::size_t mouse) {
   return text;
 }
 
-/// How the first failed contest of a mouse that had something to say ended, and its last words. In a maze in which
+/// For the first failed contest of a mouse that has last words: its outcome, and these words. In a maze in which
 /// nobody can score no contest is a failure.
 std::string last_words_of(const Race& race, std::size_t mouse) {
   for (const ContestResult& contest : race.results) {

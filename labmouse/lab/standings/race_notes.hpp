@@ -13,7 +13,7 @@ std::string notes_of(const Race& race);
 
 /// What the score is, and what a failed contest counts, in a line.
 std::string score_note(const World& world);
-/// The same where mice are compared: there a failed contest always counts.
+/// The same for comparisons of mice, in which a failed contest always counts the limit score.
 std::string limit_note(const World& world);
 
 }  // namespace labmouse

@@ -14,10 +14,11 @@ struct Standing {
   int mazes = 0;          ///< in which a contest enters the mean over all
   int runs = 0;           ///< contests
   int finished = 0;       ///< those with a score
-  /// Over all contests that the world counts, failed ones as it counts them, and its interval over mazes.
+  /// Mean of what contests count in this world (failed ones may count nothing), and its interval over mazes.
   std::optional<double> mean_all;
   Interval interval;
-  /// The same with failed contests at the limit, where the world counts them as nothing: as comparisons count them.
+  /// The same with failed contests at the limit score, as in comparisons. Equal to `mean_all` if the world itself
+  /// counts failed contests.
   std::optional<double> mean_at_limit;
   Interval interval_at_limit;
   /// Of the share of contests with a score, over mazes.

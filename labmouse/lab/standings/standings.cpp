@@ -23,7 +23,7 @@ std::vector<MazeSum> sums_of(const std::vector<MazeScores>& scores, Of of) {
 void set_intervals(const Race& race, Standing& standing) {
   const std::vector<MazeScores> scores = maze_scores(race, standing.mouse);
   const auto at_limit = sums_of(scores, [](const MazeScores& maze) { return MazeSum{maze.sum, 1.0 * maze.contests}; });
-  const double least = race.world().score_place().least + 0.0;  // of -0.0, 0
+  const double least = race.world().score_place().least + 0.0;  // + 0.0 turns -0.0 into 0
   const auto interval = [&](const std::vector<MazeSum>& sums, const std::optional<double>& mean) {
     if (!mean) return Interval();
     const Interval found = interval_of(sums, race.order.seed);

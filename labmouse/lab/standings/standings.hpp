@@ -9,8 +9,8 @@
 
 namespace labmouse {
 
-/// The standings, best mean over all first. Where a failure counts nothing, whoever scores in more contests comes
-/// before that. Equal ones stand by the figure that the world breaks ties with, and then by name.
+/// The standings, best mean over all first. If failed contests count nothing, mice are first ordered by their
+/// number of finished contests. Ties are broken by the world's tie breaker, then by name.
 std::vector<Standing> standings_of(const Race& race);
 
 /// A mouse's mean in each maze (by position) of what its contests count, where it has one.

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array figures = {&StepsFigures::blocked_steps, &StepsFigures::void_rotations,
                                 &StepsFigures::cut_movements, &StepsFigures::idle_resets};
 
-/// What a race says of each kind, behind its number: of one and of several.
+/// The words for each kind of action error, after the number of steps: singular and plural.
 constexpr std::array<std::array<std::string_view, 2>, figures.size()> short_words = {
     {{"blocked by a wall", "blocked by walls"},
      {"void rotation", "void rotations"},

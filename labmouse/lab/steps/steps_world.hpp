@@ -16,7 +16,7 @@ namespace labmouse {
 inline constexpr std::array steps_rows = {
     row<&Rules::budget>({"budget", "N", "Step limit of a contest, for both runs together", "1000", 1, longest_record})};
 
-/// Contests under these rules. Of what it holds, Held::run is a RunRecord.
+/// Contests under these rules. Their ContestOutput::run is set.
 std::shared_ptr<const World> steps_world(const Rules& rules = {});
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// The behaviour signature of this build, computed at build time.
+// The behaviour signature of this build (hashes of what its mice do in fixed contests), computed at build time.
 #pragma once
 
 #include <string_view>

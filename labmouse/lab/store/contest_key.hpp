@@ -12,12 +12,12 @@ std::string key_of(const World& world);
 /// The conditions as a JSON object, which restore_world() reads.
 std::string conditions_text(const World& world);
 
-/// The key of a mouse. A built-in mouse has all parameters that matter in this world, its learned prior, and the
-/// behaviour signature of this build; an external mouse has its external_identity. Empty for a mouse that cannot be
-/// compared later.
+/// The key of a mouse. For a built-in mouse, it contains all parameters that matter in this world, the learned prior,
+/// and the behaviour signature of this build. For an external mouse, it is its external_identity(). Empty for a mouse
+/// that cannot be identified later.
 std::string key_of(const World& world, const Contestant& mouse);
 
-/// The key of a maze: its link without a name, with walls, start and goals.
+/// The key of a maze: the text of link_of() for it without a name, which has its walls, start, heading and goals.
 std::string key_of(const Maze& maze);
 
 }  // namespace labmouse

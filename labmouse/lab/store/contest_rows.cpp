@@ -16,7 +16,7 @@
 namespace labmouse {
 namespace {
 
-/// The fields of its JSON that have no column of their own and are no timings.
+/// The fields of a contest's JSON that have no column of their own and are not timings.
 std::string fields_text(const Race& race, const ContestResult& result) {
   Json json = Json::object();
   for (const ContestField& field : race.world().fields().contest) {

@@ -1,4 +1,4 @@
-// The figures of a contest as text, without loss, for any world.
+// The figures of a contest (the values that its world reports besides the score) as text, without loss, for any world.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 namespace labmouse {
 
 /// A JSON list. Numbers have as many digits as needed, real ones with a point or an exponent. Other values: [] for
-/// none, {"json": "..."} for JSON as its world wrote it, {"real": "nan"} and {"bytes": "..."} for values that JSON
+/// none, {"json": "..."} for a figure that is JSON itself, {"real": "nan"} and {"bytes": "..."} for values that JSON
 /// cannot express.
 std::string figures_text(std::span<const Value> figures);
 

@@ -153,7 +153,7 @@ void Store::recall(Race& race, const std::function<bool(const ContestResult&)>& 
     while (find.next()) {
       const int run = contest.run;
       if (fill_in(find, race.world(), contest)) ++recalled_;
-      // The stored run may be of a maze with another name; keep the run of this race.
+      // `run` is the number of the contest. The stored one may be of a race with another name of the maze.
       contest.run = run;
     }
   }

@@ -18,11 +18,12 @@ enum class TargetCheck { now, done_before };
 Merge merge_stores(const std::vector<std::string>& paths, const std::string& target,
                    TargetCheck check = TargetCheck::now);
 
-/// Deletes the contests that match the filter, and rows that no contest uses any more.
+/// The number of deleted contests, or an error.
 struct Forgotten {
   std::int64_t contests = 0;
   std::string error;
 };
+/// Deletes the contests that match the filter, and rows that no contest uses any more.
 Forgotten forget(const std::string& path, const StoreFilter& filter);
 
 }  // namespace labmouse

@@ -23,7 +23,7 @@ std::string condition_of(const StoreFilter& filter);
 /// A race for each world and each of its conditions, or an error.
 struct StoredRaces {
   std::vector<Race> races;
-  /// Warnings about what the races lack beyond the filter, one line each.
+  /// Warnings about worlds, mice and contests that match the filter but are missing in the races, one line each.
   std::vector<std::string> remarks;
   std::string error;
 };
@@ -41,7 +41,7 @@ struct StoredMouse {
   std::string world, conditions, mouse;
   std::string apart;  ///< how its conditions differ from others of that world; empty where there are no others
   std::int64_t mazes = 0, contests = 0, finished = 0;
-  std::optional<double> mean;        ///< mean of `counted` in mazes with a bound
+  std::optional<double> mean;  ///< mean score in mazes with a bound, with the score that the world counts for a failure
   std::int64_t first = 0, last = 0;  ///< seconds since 1970
 };
 struct StoredMice {
@@ -50,10 +50,10 @@ struct StoredMice {
 };
 StoredMice stored_mice(const std::string& path, const StoreFilter& filter);
 
+enum class ExportFormat { json_lines, csv };
 /// Exports each contest with all its columns, as JSON Lines or as CSV with a header, ordered by world, mouse, maze and
 /// seed. Calls `take` with one part of the text after the other and stops where it returns false. With `most` above 0,
 /// exports only the last ones, in the order in which they were stored. Returns what went wrong, or nothing.
-enum class ExportFormat { json_lines, csv };
 std::string export_store(const std::string& path, const StoreFilter& filter, ExportFormat format, std::int64_t most,
                          const std::function<bool(const std::string& lines)>& take);
 

@@ -40,7 +40,7 @@ class Permissions {
   std::map<std::string, bool> answers_;
 };
 
-/// Puts a mouse in the place of its description in the store.
+/// Replaces `mouse`, a description from the store, by the mouse itself, if that is here, unchanged and may be run.
 Presence revive(const World& world, Contestant& mouse, const VerificationOrder& order, Permissions& permissions) {
   const std::string spec = spec_of(mouse);
   if (is_external_spec(spec) && !permissions.may_run(spec)) return Presence::not_to_be_run;

@@ -101,7 +101,7 @@ std::string value_at(const ParameterRange& range, double share) {
 
 double share_of(const ParameterRange& range, double value) {
   const double above = std::clamp(value, range.low, range.high) - range.low, width = range.high - range.low;
-  // The middle of that number's share, so that a search has to take a step to leave it.
+  // The middle of that number's share, so that a small change of the share does not change the number.
   return range.parameter.type == ParameterType::whole ? (above + 0.5) / (width + 1.0) : above / width;
 }
 

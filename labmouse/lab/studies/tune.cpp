@@ -112,8 +112,8 @@ class Tuner {
     tune_.stopped = race.stopped || (hooks_.stop != nullptr && hooks_.stop->load() && left() > candidates.size());
   }
 
-  /// Updates the expected number of contests: those done, these, and for each later candidate as many as the mouse as
-  /// given has.
+  /// Updates the expected number of all contests: those before, those of these mice, and an estimate for `to_come`
+  /// later candidates. The estimate takes the number of the mouse as given for each of them.
   void expect(const std::vector<Contestant>& mice, std::size_t to_come) {
     const std::size_t now = contests_of(mice, mazes_.size(), tune_.order.race);
     if (generation_ == 0) of_one_ = now;

@@ -17,17 +17,17 @@
 
 namespace labmouse {
 
-/// The quantity to minimise: the mean over the mazes with a route of
+/// The quantity to minimise, as a mean over the mazes with a route.
 enum class Objective : std::uint8_t {
-  score,  ///< the score, where a failed contest counts as the world's limit score
-  ratio,  ///< that score divided by the maze's bound
+  score,  ///< mean of the scores, where a failed contest counts as the world's limit score
+  ratio,  ///< mean of these scores, each divided by the maze's bound
 };
 
 /// The settings of a search.
 struct TuneOrder {
   RaceOrder race;
-  int evaluations = 0;  ///< largest number of evaluated candidates, with the mouse as given; at least 1
-  int population = 0;   ///< candidates in each generation; 0: the default of the method
+  int evaluations = 0;  ///< largest number of evaluated candidates, including the mouse as given; at least 1
+  int population = 0;   ///< candidates in each generation; 0: the default of CMA-ES
   double step = 0.2;    ///< initial step size, as a share of each range
   Objective objective = Objective::score;
 };
@@ -38,7 +38,7 @@ struct Evaluation {
   double step = 0.0;                ///< step size of its generation; 0 for the mouse as given
   std::string mouse;                ///< its SPEC
   std::vector<std::string> values;  ///< of the tuned parameters, as in the SPEC
-  double value = 0.0;               ///< the objective; infinite where no contest counts
+  double value = 0.0;               ///< the objective; infinite where no maze has a value in `by_maze`
   int failures = 0;                 ///< contests that did not finish, in mazes with a route
   /// The values whose mean is the objective, by the position of the maze; nothing where no contest counts.
   std::vector<std::optional<double>> by_maze;

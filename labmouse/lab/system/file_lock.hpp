@@ -1,4 +1,5 @@
-// A lock file: it is locked while a program works beside it, and unlocked when the program ends for any reason.
+// A lock file protects a folder or file. It is locked while a program writes there, and unlocked when the program ends
+// for any reason.
 #pragma once
 
 #include <string>

@@ -14,9 +14,9 @@ struct NamedText {
   std::string error;
 };
 
-/// Finds a text: a built-in one by its name, or a file (a name with a slash or that ending, or `-`). `kind` is the word
-/// for such a text in errors, such as "robot". In the browser, which has no files, a name may be followed by a line
-/// feed and the text itself.
+/// Finds a text: a built-in one by its name, or a file (a name with a slash, one that ends in `ending`, or `-`). `kind`
+/// is the word for such a text in errors, such as "robot". In the browser, which has no files, a name may be followed
+/// by a line feed and the text itself.
 template <class Builtin>
 NamedText find_text(std::string_view kind, const Builtin& builtins, const std::string& name,
                     std::string_view ending = ".toml");

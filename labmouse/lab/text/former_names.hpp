@@ -92,9 +92,9 @@ inline std::string today_spec(std::string_view spec) {
   return std::string(spec);
 }
 
-/// JSON with renamed keys at every depth, and renamed values of `keys_of_names`.
+/// JSON with renamed keys at every depth, and renamed values of `keys_of_names`. `key` and `value` map a name to that
+/// of another version, such as today_key() and today_value().
 /// @tparam AnyJson Json or ReadJson.
-/// Functions that map a name to another version's name, such as today_key() and today_value().
 template <class AnyJson>
 AnyJson with_names(AnyJson json, std::string_view (*key)(std::string_view),
                    std::string_view (*value)(std::string_view)) {

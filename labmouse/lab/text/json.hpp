@@ -21,8 +21,8 @@ inline constexpr int most_json_depth = 32;  // a race's JSON is 7 deep
 /// become 0). An empty view at the end of the text where there is none.
 std::string_view bad_json_number(std::string_view text);
 
-/// Parses a text of unknown origin. The result is discarded where it is no JSON, nested too deeply, or has a number
-/// that a double cannot hold; json_problem() tells which.
+/// Parses a text of unknown origin. is_discarded() of the result is true where the text is no JSON, is nested too
+/// deeply, or has a number that a double cannot hold; json_problem() tells which.
 ReadJson read_json(std::string_view text);
 /// The same, keeping the order of fields.
 Json read_ordered_json(std::string_view text);

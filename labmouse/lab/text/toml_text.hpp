@@ -11,8 +11,8 @@
 
 // Works around undefined behaviour of toml++ 3.3 for invalid text, which fuzz_robot found. With NDEBUG its assertions
 // are assumptions of the compiler, and a header such as `[ ` violates them. Without them, later checks reject such
-// text. It also marks as unreachable the answer for non-ASCII letters that are no blanks, such as that of mm²; here it
-// is `false`.
+// text. toml++ also marks as unreachable the case of a non-ASCII letter that is no blank, such as ² in mm². Here this
+// case returns `false`.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_cast<void>(0)

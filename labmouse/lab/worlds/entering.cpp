@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// The mouse without its parameters: one that is built in with its defaults, and any other as it is.
+/// A built-in mouse with the defaults of its parameters; any other mouse unchanged.
 Contestant bare(const Contestant& mouse) {
   const BuiltinMouse* entry = entry_of(mouse);
   if (entry == nullptr) return mouse;
@@ -86,7 +86,7 @@ EntriesResult enter_each(const std::vector<Contestant>& mice, const WorldEntry& 
   for (const WorldSettings& chosen : each_of(entry, settings)) {
     EntriesResult one = enter_one(mice, entry, chosen);
     if (!one.error.empty()) return one;
-    // What is said of a mouse or a robot is the same of each.
+    // Remarks on mice and robot are the same for all values, so those of the first are enough.
     if (result.entries.empty()) std::tie(result.left_out, result.remarks) = std::tie(one.left_out, one.remarks);
     std::move(one.entries.begin(), one.entries.end(), std::back_inserter(result.entries));
   }
@@ -108,7 +108,7 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
     const std::size_t place = place_of(mouse);
     if (place == by_world.size())
       return {{}, fmt::format("error: mouse '{}' cannot race in any world", mouse.name), {}};
-    // A parameter must not choose the world without a word.
+    // A parameter must not change the world of a mouse without notice.
     if (const std::size_t usual = place > 0 ? place_of(bare(mouse)) : place; usual != place)
       return {{},
               fmt::format("error: {}; leave it out, or add --world {}",
@@ -157,7 +157,7 @@ EntriesResult sole_entry(std::vector<Entry> entries) {
 
 std::vector<Contestant> residents_of(const World& world) {
   std::vector<Contestant> mice = all_contestants();
-  // Those that only drive differ from others where things go wrong.
+  // Mice that cannot race in steps differ from the others only in worlds with errors.
   std::erase_if(mice, [&](const Contestant& mouse) {
     return !world.refuse(mouse).empty() || (!mouse.walks() && !world.is_stochastic());
   });

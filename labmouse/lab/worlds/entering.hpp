@@ -32,14 +32,14 @@ bool has(const WorldEntry& entry, std::string_view setting);
 /// Why one of these settings counts in none of the worlds that the mice race in; empty where each counts in one.
 std::string unused_setting(const std::vector<Entry>& entries, const WorldSettings& given);
 
-/// The one of these with mice, where there is no more than one; otherwise why they cannot race together.
+/// The only entry with mice; an error if several entries have mice.
 EntriesResult sole_entry(std::vector<Entry> entries);
 
 /// The built-in mice that the world takes.
 std::vector<Contestant> residents_of(const World& world);
 
-/// Takes the mazes away in which the world holds no contests, and adds them to those that were skipped. Returns why one
-/// that was named directly is among them, with its name; or nothing.
+/// Removes the mazes in which the world runs no contests, and adds them to the skipped ones. If the user named one of
+/// them directly, returns its name and why it was removed; otherwise an empty string.
 std::string leave_out(const World& world, const std::vector<std::string>& named, MazeCollection& mazes);
 
 }  // namespace labmouse

@@ -18,7 +18,7 @@ bool is_blocks(std::string_view content) { return are_blocks(text_rows_of(conten
 
 ReadResult read_blocks(std::string_view content) { return read_text_rows(text_rows_of(content), "rows of characters"); }
 
-/// Whether there is a block between a post or cell and the next one, counted in blocks from the south-west.
+/// Whether the block at that place, counted in blocks from the south-west, is a wall or a post.
 bool is_wall(const Maze& maze, int column, int row) {
   if (column % 2 == 0 && row % 2 == 0) return true;
   const Cell cell{(column - 1) / 2, (row - 1) / 2};

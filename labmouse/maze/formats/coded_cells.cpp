@@ -133,7 +133,7 @@ class Reading {
     if (!fits(way)) return;
     ReadResult read = maze_of(way.size(), statements(way));
     if (std::find(mazes_.begin(), mazes_.end(), *read.maze) != mazes_.end()) return;
-    // Lists of zeros stand in many files.
+    // Many files have lists of zeros, which are not mazes.
     if (read.maze->open_walls().count() == 0 && !is_usual(way)) return;
     mazes_.push_back(*read.maze);
     const Merit merit = merit_of(way, *read.maze);
@@ -143,7 +143,8 @@ class Reading {
     merit_ = merit;
   }
 
-  /// The other mazes that fit and have the usual start, or for which as much speaks; none beside the format's own way.
+  /// The number of other mazes that fit and have the usual start or the same merit as the best; 0 if the best way is
+  /// the format's usual one.
   std::ptrdiff_t rivals() const {
     if (merit_.usual) return 0;
     return std::count_if(merits_.begin(), merits_.end(),
@@ -151,7 +152,7 @@ class Reading {
            1;
   }
 
-  /// What speaks for a way, the most important first.
+  /// Criteria by which ways are preferred, the most important first.
   struct Merit {
     bool usual = false;      ///< it is that of the format
     bool starts = false;     ///< the start is open to the north only, in one of the layouts that are in use

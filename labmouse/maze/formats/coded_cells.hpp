@@ -39,9 +39,10 @@ struct CodedCells {
   int width = 0;
 };
 
-/// The maze of the table. Of several ways that fit: the usual one of the format; one in a layout that is in use that
-/// gives the usual start, which is open to the north only; one with north, east, south and west in this order. A note
-/// says how many other mazes with the usual start there are. Where nothing fits, the problems of the usual way.
+/// The maze of the table. If several ways fit, it prefers in this order: the usual way of the format; a way in a layout
+/// that programs use, with the usual start, which is open to the north only; a way in such a layout with the bits
+/// north, east, south and west. A note says how many other mazes with the usual start there are. If no way fits, the
+/// result has the problems of the usual way.
 ReadResult maze_of(const CodedCells& cells);
 
 }  // namespace labmouse::formats

@@ -38,7 +38,7 @@ struct Table {
   bool has_places = false;  ///< row, column and four sides
 };
 
-/// Nothing where a line behind the first, which may hold names, has no numbers or more than the others.
+/// Reads lines of equally many numbers; the first line may hold names instead. Nothing if another line differs.
 std::optional<Table> table_of(std::string_view content) {
   Table table;
   for (const Line& line : lines_of(content, most_lines + 1)) {

@@ -42,7 +42,8 @@ std::string_view bytes_in(std::string_view line) {
   }
 }
 
-/// The bytes; nothing where there is something else, too many of them, or a line of hexdump that holds only an address.
+/// The bytes, up to a line that holds only an address, with which hexdump ends; nothing if there is something else or
+/// too many of them.
 std::optional<std::vector<CodedCells::Entry>> bytes_of(std::string_view content) {
   std::vector<CodedCells::Entry> bytes;
   for (const Line& line : lines_of(content, most_bytes_of_dump + 1)) {

@@ -110,7 +110,7 @@ std::optional<CellCode> cell_of(const ListItem& item) {
 
 bool is_cell(const ListItem& item) { return cell_of(item).has_value(); }
 
-/// Takes away what only wraps: an object with the list in it, a list with a single list.
+/// The list inside wrappers: an object that contains it, or a list with it as the only item.
 ListItem unwrapped(ListItem list) {
   for (;;) {
     const auto longest =
@@ -213,7 +213,7 @@ NumberTable table_of(const ListItem& list, Layout usual) {
   return table;
 }
 
-/// Rows of cells; a row of letters is one from the west to the east.
+/// Rows of cells; if cells are letters, rows are from the north, and each is from the west to the east.
 ReadResult read_rows(const ListItem& list, std::string_view format, Layout usual) {
   const std::size_t width = list.items.front().items.size();
   if (width == 0) return nothing_known(list);

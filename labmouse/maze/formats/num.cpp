@@ -94,7 +94,7 @@ void find_missing(Table& table) {
 }
 
 ReadResult read_num(std::string_view content) {
-  // One line more than the most cells is detected later: some cell occurs twice.
+  // Too many lines are not reported here: with one line more than there can be cells, some cell occurs twice.
   const auto lines = lines_of(content, most_lines_of_num + 1);
   if (lines.empty()) return failure(0, 0, "the file is empty");
   Table table;

@@ -24,7 +24,7 @@ bool is_size_of_blocks(Size size) {
          size.width <= 2 * max_side + 1 && size.height <= 2 * max_side + 1;
 }
 
-/// Whether the blocks at the posts of the border are all the same and those in the middle of cells are not.
+/// Whether all blocks of the border are the same and those in the middle of cells are not.
 bool are_blocks(const Blocks& blocks) {
   if (!is_size_of_blocks(blocks.size)) return false;
   const unsigned wall = blocks.at(0, 0).value;

@@ -25,7 +25,8 @@ bool is_hexadecimal(std::string_view text);
 /// Whether the rows are equally long, hold hexadecimal digits only, and are no blocks.
 bool are_hex_digits(std::span<const TextRow> rows);
 
-/// Whether the rows are equally long and of two characters, one of which makes the border and no cell.
+/// Whether the rows are equally long and consist of two characters: one is the whole border, and in no middle of a
+/// cell.
 bool are_blocks(std::span<const TextRow> rows);
 
 /// A hexadecimal digit for each cell; or blocks: (2W+1)x(2H+1) characters, of which the one of the border is a wall.
