@@ -1,10 +1,10 @@
 // The readings of infrared beams and of a ToF sensor, from walls and posts.
 //
-// Method: a beam meets one line of the grid after the other. On each its spot has a normal footprint along the line.
-// The share of it on walls and posts is returned; the rest goes on to the next line.
+// Method: a beam meets one line of the grid after the other. On each its spot of light has a Gaussian profile along the
+// line. The share of it on walls and posts is returned; the rest goes on to the next line.
 //
-// Source of the law and its numbers: reflector and wall logs of a half-size mouse (kerikun11/micromouse-kerise-v4),
-// docs/explanation/physical-model.md.
+// Source of the exponential law (see Infrared in hardware.hpp) and its numbers: reflector and wall logs of a half-size
+// mouse (kerikun11/micromouse-kerise-v4), docs/explanation/physical-model.md.
 #pragma once
 
 #include <array>

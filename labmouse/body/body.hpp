@@ -23,13 +23,14 @@ enum class Touch : std::uint8_t {
 
 class Body {
  public:
-  /// Maze and hardware must outlive it. The seed is the only source of randomness, for numbers of a contest and of a
-  /// tick.
+  /// Maze and hardware must outlive it. All random numbers follow from the seed: those drawn once a contest, and those
+  /// of each tick.
   Body(const Maze& maze, double cell, const Hardware& hardware, const NoiseLevel& level, std::uint64_t seed);
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
-  /// Puts it there at rest, with the error of a hand; angle in rad to the left of east. Calibrates the gyro.
+  /// Puts it there at rest, with a random placement error (Noise::placement); angle in rad to the left of east.
+  /// Calibrates the gyro.
   void put(const Position& position, double angle);
   /// The same in the middle of a cell.
   void put(Cell cell, Heading heading);

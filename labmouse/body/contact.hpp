@@ -11,7 +11,8 @@
 
 namespace labmouse {
 
-/// A contact: the heading of the way out, the depth in mm, and the wall, or none for a lone post.
+/// A contact: the heading in which the mouse gets out of it, its depth in mm, and the wall; no wall if a post is
+/// touched.
 struct Contact {
   Heading out = Heading::north;
   double depth = 0.0;

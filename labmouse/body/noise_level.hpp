@@ -11,7 +11,8 @@ namespace labmouse {
 struct NoiseLevel {
   double all = 1.0;
   std::array<double, noise_groups> groups = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-  /// Factor of the numbers drawn once a contest for the mouse itself: the variation between mice and days.
+  /// Factor of the deviations of those numbers that are drawn once a contest for the mouse itself: the variation
+  /// between mice and days.
   double variation = 1.0;
 
   double of(NoiseGroup group) const { return all * groups[static_cast<std::size_t>(group)]; }

@@ -39,7 +39,7 @@ class Senses {
   std::array<Dice, 2> acceleration_dice_;
   std::array<Dice, beam_count> infrared_dice_;
   Dice range_dice_;
-  double infrared_fresh_;           ///< share of new noise in a beam's error, beside that of the tick before
+  double infrared_fresh_;           ///< factor of the new noise in a beam's error, an AR(1) process
   std::array<double, 2> travel_{};  ///< mm, of each wheel as its encoder measures it
   double bias_ = 0.0;               ///< rad/s
   std::array<double, beam_count> infrared_noise_{};

@@ -60,8 +60,9 @@ class NormalNumber {
  private:
   static constexpr std::size_t cells = 1024;
 
-  /// Quantiles of |x|: i of the equally likely cells lie below entry i. Runge-Kutta over dx = sqrt(pi / 2) w dp, where
-  /// w is exp(x² / 2) and dw = x w dx. The last entry makes the standard deviation 1.
+  /// Quantiles of |x|: entry i is the quantile of i / cells, so that all cells between two entries are equally likely.
+  /// Runge-Kutta over dx = sqrt(pi / 2) w dp, where w is exp(x² / 2) and dw = x w dx. The last entry makes the standard
+  /// deviation 1.
   static constexpr auto table = [] {
     constexpr double root = 1.25331413731550025121, part = 1.0 / cells / 4;
     struct Point {
@@ -83,7 +84,8 @@ class NormalNumber {
       sizes[i] = at.x;
       squares += sizes[i - 1] * sizes[i - 1] + sizes[i - 1] * sizes[i] + sizes[i] * sizes[i];
     }
-    // Solves x² + x y + y² = left for y by bisection: all cells together must have 3 each.
+    // Solves x² + x y + y² = left for the last entry y by bisection: the mean square over all cells must be 1, so that
+    // `squares` comes to 3 for each cell.
     const double left = 3.0 * cells - squares, x = sizes[cells - 1];
     double low = x, high = 2.0 * x;
     for (int i = 0; i < 60; ++i) {

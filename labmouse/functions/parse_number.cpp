@@ -14,7 +14,8 @@ bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 /// The number 0.DIGITS * 10^point. It has room for all digits that the midpoint of two neighbouring doubles may have.
 class Decimal {
  public:
-  /// Appends a digit. Of digits beyond the capacity, the last digit only records whether one is not 0.
+  /// Appends a digit. A digit beyond the capacity, if it is not 0, only sets the lowest bit of the last one: then the
+  /// number is not taken for a midpoint.
   void add(int digit) {
     if (count_ < most)
       digits_[count_++] = static_cast<std::uint8_t>(digit);
@@ -52,7 +53,7 @@ class Decimal {
 
   /// Multiplies by 2^times; times is at most 59.
   void twice(unsigned times) {
-    constexpr std::size_t longest = 20;  // most digits that 2^59 adds
+    constexpr std::size_t longest = 20;  // room for the 18 digits that 2^59 adds at most
     std::array<std::uint8_t, most + longest> product = {};
     std::size_t first = product.size();
     std::uint64_t carry = 0;

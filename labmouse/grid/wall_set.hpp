@@ -7,7 +7,8 @@
 namespace labmouse {
 
 /// A set of inner walls (those between two cells of a maze), each kept once under its one name.
-/// Border walls are never members: they are always closed, and every mouse knows that.
+/// Border walls are never members: they are always closed and every mouse knows them, so a set of open, known or
+/// unknown walls needs none of them.
 class WallSet {
  public:
   constexpr WallSet() = default;

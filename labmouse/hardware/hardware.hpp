@@ -80,7 +80,7 @@ struct Infrared {
 
 /// A ToF distance sensor that looks straight ahead.
 struct Ranger {
-  double ahead = 0.0;    ///< mm before the axle
+  double ahead = 0.0;    ///< mm ahead of the axle
   double reach = 0.0;    ///< mm; nothing is seen beyond
   double period = 11.0;  ///< ms between two readings, whole
 
@@ -109,7 +109,7 @@ struct Noise {
   double gyro_bias = 0.0;      ///< rad/s, after each calibration at rest
   double infrared_gain = 0.0;  ///< share, of each sensor
   double reflectance = 0.0;    ///< share, of each side of each wall
-  double floor_steps = 0.0;    ///< share of the boundaries between cells that have one
+  double floor_steps = 0.0;    ///< share of the boundaries between cells that have a step of the floor
   double floor_turn = 0.0;     ///< rad by which such a step turns the mouse
   double floor_shift = 0.0;    ///< mm by which it moves it aside
   // At each moment.
@@ -124,7 +124,7 @@ struct Noise {
   double infrared_memory = 0.0;  ///< correlation of an error with that of the tick before, 0 to 1
   double ranger_rest = 0.0;      ///< mm, at rest
   double ranger = 0.0;           ///< mm, while moving
-  double shaking = 0.0;          ///< rad/s of yaw, from shaking_speed on, in proportion below
+  double shaking = 0.0;          ///< rad/s of yaw at shaking_speed and above; below, in proportion to the speed
   double shaking_speed = 1.0;    ///< mm/s
   double shaking_pitch = 0.0;    ///< rad/s, angular frequency of its resonance
   double shaking_loss = 0.0;     ///< damping ratio of the resonance
@@ -146,8 +146,8 @@ struct Hardware {
   friend bool operator==(const Hardware&, const Hardware&) = default;
 };
 
-/// Noise where the numbers drawn once a contest for the mouse itself vary more or less, by a factor. The scales of
-/// encoders do not change: their variation was measured.
+/// The noise with the variation between mice scaled by a factor: the deviations of the numbers that are drawn once a
+/// contest for the mouse itself. The scales of encoders are left as they are: their variation was measured.
 constexpr Noise varied_by(Noise noise, double factor) {
   for (double* share : {&noise.motor_gain, &noise.stiffness, &noise.grip, &noise.gyro_scale, &noise.infrared_gain})
     *share *= factor;

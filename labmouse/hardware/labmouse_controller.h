@@ -41,13 +41,13 @@ struct labmouse_sense {
 enum labmouse_word {
   LABMOUSE_DRIVE,  /* nothing */
   LABMOUSE_FAST,   /* the next run is a speed run */
-  LABMOUSE_GOAL,   /* end this run once it has been in a goal: the way home follows */
+  LABMOUSE_GOAL,   /* ends this run, if it has been in a goal; what follows is the way home, not a part of the run */
   LABMOUSE_CARRY,  /* carry the mouse to the start; the duties are ignored */
   LABMOUSE_FORFEIT /* end the contest; the duties are ignored */
 };
 
 /* The controller's output until the next tick: duties from -LABMOUSE_FULL to LABMOUSE_FULL, and a labmouse_word; any
-   other number counts as LABMOUSE_FORFEIT. */
+   other word counts as LABMOUSE_FORFEIT. */
 struct labmouse_drive {
   int32_t left, right, word;
 };

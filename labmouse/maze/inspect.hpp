@@ -10,7 +10,7 @@ namespace labmouse {
 /// The result of inspect(). Dead ends, junctions and loops are counted among the reachable cells.
 struct Inspection {
   CellSet reachable;
-  /// Cells with exactly one open side; a start in its corner is one.
+  /// Cells with exactly one open side; this includes the start, if it has three walls.
   int dead_ends = 0;
   /// Cells with three or four open sides.
   int junctions = 0;

@@ -12,7 +12,8 @@ namespace labmouse {
 class DriveFields;
 struct DriveModel;
 
-/// What a mouse knows of the world in seconds: its robot, and the rules that matter for its plans.
+/// What a mouse knows of a world in seconds, one whose scores are times: its robot, and the rules that matter for its
+/// plans.
 struct DriveBriefing {
   const DriveModel* model = nullptr;  ///< null in the other worlds; must outlive the mouse
   std::int64_t time_limit = 0;        ///< microseconds in the maze

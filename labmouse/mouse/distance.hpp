@@ -34,7 +34,7 @@ class DistanceField {
   /// Which kernel is used: the widest that the processor supports, or the portable one (for comparison).
   enum class Path : std::uint8_t { widest, portable };
 
-  /// Takes all memory that it will need: with strides(), 0.4 KiB at 16×16, 1.5 KiB at 32×32 and 7 KiB at 64×64.
+  /// Takes all memory that it will need: with strides(), 0.4 KiB at 16×16, 1.8 KiB at 32×32 and 8 KiB at 64×64.
   DistanceField(Size size, const Motion& motion, Path path = Path::widest);
 
   /// Computes the field over the given passages (all inside the size) from the given cells.

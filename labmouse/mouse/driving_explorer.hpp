@@ -1,5 +1,6 @@
-// The common base of labmouse's own strategies in seconds. It tracks the place of the mouse and the time, learns from
-// readings or takes over a map, and goes home in time. The strategy decides where to search.
+// The common base of labmouse's own strategies for the worlds in seconds (see driving_strategy.hpp). It tracks the
+// place of the mouse and the time, learns from readings or takes over a map, and goes home in time. The strategy
+// decides where to search.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,8 @@ namespace labmouse {
 class DriveFields;
 class SearchClock;
 
-/// Base class of strategies in seconds, which implement explore(). It goes home when another step would leave too
-/// little time for that, and has no more to do after a speed run.
+/// Base class of strategies for the worlds in seconds, which implement explore(). It goes home when another step would
+/// leave too little time for that, and has no more to do after a speed run.
 class DrivingExplorer : public DrivingStrategy {
  public:
   /// For a briefing in seconds.

@@ -1,4 +1,4 @@
-// The interface of a mouse in the worlds in seconds, where a controller drives it.
+// The interface of a mouse in the worlds in seconds, whose scores are times, and where a controller drives the mouse.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// The common base of labmouse's own strategies in steps. It tracks the pose, learns from readings, and takes the
-// shortest known route in the speed run. The strategy decides where to explore and when to stop.
+// The common base of labmouse's own strategies for the world of steps (see motion.hpp). It tracks the pose, learns from
+// readings, and takes the shortest known route in the speed run. The strategy decides where to explore and when to
+// stop.
 #pragma once
 
 #include "labmouse/mouse/briefing.hpp"
@@ -8,7 +9,7 @@
 
 namespace labmouse {
 
-/// Base class of strategies in steps, which implement explore().
+/// Base class of strategies for the world of steps, which implement explore().
 class Explorer : public Strategy {
  public:
   explicit Explorer(const Briefing& briefing);

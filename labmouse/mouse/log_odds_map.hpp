@@ -3,8 +3,9 @@
 // Each wall has the logarithm of its odds to be closed, in eighths of a nat, and readings add to it. Knowledge is a
 // view of these odds: the first reading of a wall decides, and the wall changes its state once later readings bring the
 // odds to the opposite threshold. As long as no wall changes, the view only grows, which strategies rely on. A change
-// begins a new version of the view, at which they plan anew. The kind `learned` starts each wall at prior odds, counted
-// in other mazes by what is known of the eight walls around it at its first reading; in small mazes, at even odds.
+// begins a new version of the view, at which they plan anew. The kind `learned` starts each wall at prior odds in place
+// of even ones. They were counted in other mazes, by the states (unknown, open or closed) of the eight walls around it
+// at its first reading. Small mazes have no prior.
 //
 //      open ◄───────┬───────────────┬───────► closed
 //    -64           -16      0      +16           +64
@@ -28,7 +29,7 @@ namespace labmouse {
 enum class MapKind : std::uint8_t {
   first,     ///< it ignores them: the first reading stays for ever, as in most mice
   log_odds,  ///< it adds up the evidence
-  learned,   ///< the same with prior odds from other mazes; the mouse also checks where it is
+  learned,   ///< the same with prior odds from other mazes; too many contradictions mean a lost position
 };
 
 inline constexpr std::array all_map_kinds = {MapKind::first, MapKind::log_odds, MapKind::learned};
@@ -69,8 +70,8 @@ class LogOddsMap {
   void weaken(Wall wall, int evidence);
   /// Makes an inner wall unknown.
   void forget(Wall wall);
-  /// Finds the path between the cells whose closed walls have the least total odds, and makes these walls unknown.
-  /// False if there is no path, or no closed wall on it.
+  /// Finds the path between the cells with the least sum of odds + `most` (at least 1) over its closed walls, and makes
+  /// these walls unknown: few walls, and uncertain ones. False if there is no path, or no closed wall on it.
   bool weaken_path(Cell from, const CellSet& to);
 
   /// Log-odds in eighths of a nat, above 0 if the wall is more likely closed; `most` for the border.

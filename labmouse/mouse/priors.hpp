@@ -16,12 +16,12 @@ extern const WallPrior loop_free_prior;
 /// goal are always near, and it misleads.
 const WallPrior* contest_prior_for(Size size);
 
-/// A reluctance is -ln P(open) in 1/32.
+/// A reluctance is -ln P(open) in units of 1/32 nat.
 inline constexpr int reluctance_a_nat = 32;
 /// Larger values would claim more certainty than the counts support.
 inline constexpr int most_reluctance = 112;
 
-/// -ln P(closed) in 1/32 for a reluctance from 1 to most_reluctance.
+/// -ln P(closed) in units of 1/32 nat, for a reluctance from 1 to most_reluctance.
 int complement(int reluctance);
 
 }  // namespace labmouse

@@ -44,7 +44,8 @@ struct Reasons {
   /// The position of the chosen one; -1 where none was worth its price, and the strategy stops.
   int chosen = -1;
   int known = 0;  ///< cost of the shortest known run from start to goal; 0 where there is none yet
-  /// Weight of the way from the start to a wall in its `through`; 0 if a strategy counts only the way ahead.
+  /// Weight, in each `through`, of the cost from the start to the wall; 0 if a strategy counts only the cost from the
+  /// wall to the goal.
   double way_here = 1;
   double hope = 0;   ///< after the goal: cost of the run through the wall that is nearest to being worth a look
   double price = 0;  ///< the cost of that look, as the strategy weighs it against `hope`

@@ -41,7 +41,7 @@ class DriveRuns {
   /// Finds the runs by what is known now; returns whether it made a new plan. It does so only if a newly seen wall cuts
   /// the hoped-for route: walls only raise times, so a route that is not cut stays the fastest.
   bool plan(const Knowledge& knowledge) { return plan(knowledge.possible(), knowledge.open()); }
-  /// The same over passages that a strategy hopes for. If it hopes for more later, they are used from the next new plan
+  /// The same over passages that a strategy hopes for. Passages that it adds later are used only from the next new plan
   /// on.
   bool plan(const WallSet& hoped, const WallSet& open);
 

@@ -11,8 +11,8 @@ namespace labmouse {
 /// Number of values of rim_context.
 inline constexpr int rim_contexts = 24;
 
-/// The reluctance to cross an unseen wall, -ln(1 - P(closed)) in 1/32, 0 to 255. Integers from a table, so that
-/// decisions do not depend on a mathematical library. `labmouse learn` makes them.
+/// The reluctance to cross an unseen wall, -ln(1 - P(closed)) in units of 1/32 nat, 0 to 255. Integers from a table, so
+/// that decisions do not depend on a mathematical library. `labmouse learn` makes them.
 struct WallPrior {
   /// Of any wall, by its context.
   std::array<std::uint8_t, wall_contexts> walls;

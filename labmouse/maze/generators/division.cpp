@@ -1,7 +1,7 @@
 // Recursive division: part a room by a wall with one gap, then each half, until every room is one cell wide. Long
 // straight walls and bottlenecks.
 //
-// Source: folklore of the 1990s; described by Buck, "Mazes for Programmers" (2015), chapter 11.
+// Source: folklore of the 1990s; described by Buck, "Mazes for Programmers" (2015).
 #include "labmouse/maze/generators/loops.hpp"
 
 namespace labmouse {

@@ -16,7 +16,7 @@ class Parts {
     for (int index = 0; index < size.area(); ++index) parent_.push_back(index);
   }
 
-  /// Makes one part of those of the two cells; false when they were in the same part already.
+  /// Joins the parts of the two cells; false if they were in the same part already.
   bool join(Cell a, Cell b) {
     const int root_a = root(size_.index(a));
     const int root_b = root(size_.index(b));

@@ -1,7 +1,7 @@
 // Wall growth: a maze made from its walls instead of its corridors.
 //
-// Method: walls grow from posts that have a wall to free posts, never to another one that has a wall. So every post
-// ends with a wall, and no wall closes a ring: all cells stay connected. Each island of walls that is not connected to
+// Method: walls grow from posts that have a wall to free posts, never to another one that has a wall. In the end every
+// post has a wall, and no walls form a ring: all cells stay connected. Each island of walls that is not connected to
 // the border adds a loop to the maze. Walls grow along the grain of their patch of the maze, rows, columns or stairs,
 // so that neighbouring walls run side by side: long straights and zigzags.
 // Limits: sides of at most 63 cells.

@@ -1,4 +1,4 @@
-// All fields that a strategy in seconds plans with.
+// All fields (the least time or cost of each place) that a strategy plans with in the worlds in seconds.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace labmouse {
 
-/// The fields of a strategy in seconds: one for routes of runs, one for ways of a search, and one for approximate costs
-/// of runs. All parts of a strategy use them in turn. Fill a field and read it before another is filled, which may
-/// overwrite it. They lie in one block of memory, whose size follows from the maze and the robot; nothing else is ever
-/// allocated.
+/// The fields of a strategy: one for routes of runs, one for ways of a search, and one for approximate costs of runs.
+/// All parts of a strategy use them in turn. Fill a field and read it before another is filled, which may overwrite it.
+/// They lie in one block of the caller's memory, whose size follows from the maze and the robot, or in memory of their
+/// own. Nothing is allocated after their construction.
 class DriveFields {
  public:
   /// In memory that must outlive them: bytes_for(size, model), beginning at a multiple of FastestRoutes::alignment.
@@ -28,7 +28,8 @@ class DriveFields {
 
   FastestRoutes& routes() { return routes_; }
   SearchField& ways() { return ways_; }
-  /// The field for ways home. In their own memory it is another one than ways(), so that both have little to repair.
+  /// The field for ways home: ways() itself, or in their own memory a second one, so that few times change from one
+  /// fill of a field to the next.
   SearchField& home() { return home_ ? *home_ : ways_; }
   /// Not for mazes of more than RunCosts::largest_area.
   RunCosts& runs() { return *runs_; }

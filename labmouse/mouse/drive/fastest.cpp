@@ -159,8 +159,8 @@ class FastestRoutes::Search {
     return point.x % 2 != 0 && point.y % 2 != 0 && goals_.contains({(point.x - 1) / 2, (point.y - 1) / 2});
   }
 
-  /// Calls visit(units, lane, time of the straight, time behind it) for each straight that a route may begin with: up
-  /// to a turn that begins in that lane, or up to a goal, with the lane no_lane.
+  /// Calls visit(units, lane, time of the straight, time after it) for each straight that a route may begin with: up to
+  /// a turn that begins in that lane, or up to a goal, with the lane no_lane.
   template <class Visit>
   void each_start(Pose start, Visit visit) const {
     const int node = number({start.cell, start.heading, Place::centre});
@@ -171,7 +171,7 @@ class FastestRoutes::Search {
     }
   }
 
-  /// Visits the first straight; returns whether the route goes on behind it.
+  /// Visits the first straight; returns whether the route goes on after it.
   template <class Visit>
   bool begin(Pose start, Walk<Visit>& walk) const {
     int chosen = -1;
@@ -235,7 +235,7 @@ class FastestRoutes::Search {
     walk.here = {there, end, driven.to};
   }
 
-  /// Visits the straight that begins here, perhaps of no length; returns whether the route goes on behind it.
+  /// Visits the straight that begins here, perhaps of no length; returns whether the route goes on after it.
   template <class Visit>
   bool straight(Walk<Visit>& walk) const {
     const bool diagonal = walk.here.node.diagonal();

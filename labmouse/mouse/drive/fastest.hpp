@@ -70,10 +70,10 @@ class FastestRoutes {
   /// Writes a fastest route, of several the first in a fixed order. It has no segments and no_time if there is none; in
   /// a goal it has no segments and time 0.
   void route_from(Pose start, DriveRoute& route) const;
-  /// The walls that this route needs to be open, as walls_needed_by says, without writing it down.
+  /// The walls that this route needs to be open, as walls_needed_by() finds them, without building the route.
   WallSet walls_from(Pose start) const;
 
-  /// The time from a node where a straight (of any length, or none) begins behind a turn that ended in that lane, or
+  /// The time from a node where a straight (of any length, or none) begins after a turn that ended in that lane, or
   /// no_time. Undefined if no turn can end there in that lane. For comparison with other searches.
   DriveTime rolling(const DriveNode& node, std::size_t lane) const;
 
@@ -91,7 +91,8 @@ class FastestRoutes {
 
 /// The walls that a route passes.
 WallSet walls_of(const DriveRoute& route);
-/// The same, and the walls behind its end that must be open for it to stop. It can be driven if all of them are open.
+/// The same, and the walls beyond its end that must be open for the mouse to stop. It can be driven if all of them are
+/// open.
 WallSet walls_needed_by(const DriveRoute& route, const DriveTables& tables);
 
 }  // namespace labmouse

@@ -20,7 +20,7 @@ namespace {
 constexpr int stretch = 2 * width;
 
 /// Times by units. gain[k] is the least of t(k + j) - t(j): how much longer, at least and at any place further on, it
-/// takes to drive on through k units than to start anew behind them.
+/// takes to drive on through k units than to start anew after them.
 struct Straight {
   DriveTime times[StraightTimes::longest + 1 + stretch]{};
   DriveTime gain[StraightTimes::longest + 1]{};

@@ -17,9 +17,9 @@ namespace labmouse::drive {
 enum NodeKind : unsigned { edge_node, centre_node, diagonal_node };
 inline constexpr unsigned node_kinds = 3;
 
-/// Each kind of node has three slots for each speed of turns, one behind the other in memory. Centres have four turns
-/// and also use the first slots of the edge behind them, which has only one turn and leaves them free. The times of
-/// unused slots are no_time.
+/// Each kind of node has three slots for each speed of turns, one behind the other in memory. Centres have four turns,
+/// so their row reaches into the first slots of the next node in memory. That is an edge, which has only one turn and
+/// leaves these slots free. The times of unused slots are no_time.
 inline constexpr unsigned slots_a_speed = 3;
 inline constexpr std::array<unsigned, node_kinds> first_slot_a_speed = {1, 0, 0}, end_slot_a_speed = {3, 4, 3};
 
@@ -56,14 +56,15 @@ class LaneTables {
   /// The times of straights to a turn that begins in a slot: a row for each number of units, by the slot that they come
   /// from. Rows of straights along the axes are all as long as those of centres.
   const DriveTime* straights(unsigned kind, unsigned slot) const { return at(straights_, kind, slot, lengths); }
-  /// The same for straights into the middle of a goal, with `room` open cells behind it to stop in.
+  /// The same for straights into the middle of a goal, with `room` open cells beyond it to stop in.
   const DriveTime* finish(int room) const {
     return &finish_[static_cast<std::size_t>(std::min(room, rooms_ - 1)) * lengths * row(centre_node)];
   }
 
-  /// By how much another turn, 0, 2, 4, 8 ... units ahead in the search, may have a later time than a turn in this
-  /// slot, and still be as good for all places `reach` units or more beyond it: rows of the other turn's slots. At 0
-  /// units it must be better by one, so that two turns never exclude each other.
+  /// A test of dominance. Another turn begins 0, 2, 4, 8 ... units ahead in the search. If its time is later than that
+  /// of a turn in this slot by no more than its entry here, it is as good for all places `reach` units or more beyond
+  /// it. A row for each distance, by the slots of the other turn. Entries at 0 units are less by one, so that two turns
+  /// never exclude each other.
   const DriveTime* slacks(unsigned kind, unsigned slot) const { return at(slacks_, kind, slot, checks); }
   static constexpr int checks = 6;
   int reach() const { return reach_; }

@@ -140,7 +140,7 @@ unsigned Lattice<Word>::turns_at(int node) const {
   return bits;
 }
 
-/// The node behind the turn of a bit. It is wrong if the turn would leave the maze, but then it is never used.
+/// The node where the turn of a bit ends. It is wrong if the turn would leave the maze, but then it is never used.
 template <class Word>
 int Lattice<Word>::leap(int node, unsigned bit) {
   const int before = direction(node);

@@ -39,7 +39,7 @@ enum class Bit : std::uint8_t {
 };
 inline constexpr unsigned diagonal_v90 = 0, diagonal_out45 = 1, diagonal_out135 = 2;
 
-/// The turn behind a bit.
+/// The turn that a bit stands for.
 constexpr Turn turn_of(unsigned bit, bool diagonal, bool edge) {
   constexpr std::array<Turn, 3> diagonals = {Turn::v90, Turn::out45, Turn::out135};
   constexpr std::array<Turn, 4> centres = {Turn::f90, Turn::f45, Turn::f135, Turn::f180};

@@ -50,8 +50,8 @@ template <class Word>
 class LeadSearch final : public Search {
  public:
   using L = Lattice<Word>;
-  /// Five labels for an edge and the middle of a cell along the axes, three for a node of a diagonal, and a vector that
-  /// may be read behind the last.
+  /// Along the axes five labels for each pair of an edge and the middle of a cell; three for a node of a diagonal; and
+  /// a vector that may be read beyond the last label.
   static constexpr std::size_t labels = (4 * L::plane / 2) * 5 + 4 * L::plane * 3 + width;
 
   LeadSearch(Size size, const LeadTables& tables, const Leaps& leaps, DriveTime* labels_of_nodes)
@@ -120,7 +120,7 @@ class LeadSearch final : public Search {
     return first + place / 2 * 5 + place % 2 - first_slot_a_speed[edge_node] * (1 - place % 2);
   }
 
-  /// The time to the middle of the nearest goal ahead, or of one behind it; no_time where there is none.
+  /// The least time to the middle of a goal straight ahead; no_time where there is none.
   DriveTime finish(int node, std::size_t lane) const {
     DriveTime best = no_time;
     const int run = lattice_.run(node);

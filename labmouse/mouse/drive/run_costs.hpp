@@ -23,7 +23,7 @@
 
 namespace labmouse {
 
-/// What unseen walls cost a run. Their prices are -ln P(open) in 1/32.
+/// What unseen walls cost a run. Their prices are -ln P(open) in units of 1/32 nat.
 struct RunTolls {
   int per_nat = 0;                  ///< milliseconds for a price of 32
   int base = 0;                     ///< milliseconds for each wall that has a price

@@ -9,7 +9,7 @@ namespace labmouse {
 /// fastest routes in contest mazes to R² = 0.997 (260 mazes, robot `classic`, November 2026).
 struct RunPrices {
   int straight = 1;
-  int turn = 1;      ///< a quarter turn behind a straight
+  int turn = 1;      ///< a quarter turn after a straight
   int opposite = 1;  ///< directly after a turn to the other side, as on a diagonal
   int again = 1;     ///< directly after a turn to the same side
 };

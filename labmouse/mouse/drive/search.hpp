@@ -13,7 +13,7 @@
 namespace labmouse::drive {
 
 /// A search over the lattice. A label is a time to the goals: of a turn that begins at a node in a lane, or of a
-/// straight that begins there behind a turn that ended in a lane. Directions are those of driving.
+/// straight that begins there after a turn that ended in a lane. Directions are those of driving.
 class Search {
  public:
   virtual ~Search() = default;

@@ -22,7 +22,7 @@ SearchClock::SearchClock(const Briefing& briefing)
       fields_(*briefing.drive.fields) {}
 
 bool SearchClock::is_too_late_after(const Action& step, const Knowledge& knowledge, const SearchPlace& place) {
-  // Stops at home and faces its start.
+  // At the start it stops and turns to its start heading, by at most half a turn.
   const std::int64_t arrival = slowed(search_.half_cell + 2 * search_.quarter);
   const std::int64_t then = time_ + time_of(step, knowledge, place);
   // An upper limit: home the way that it came, and a run on the same way at the search speed.

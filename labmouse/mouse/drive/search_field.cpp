@@ -19,7 +19,8 @@ bool overlap(const CellSet& cells, const CellSet& others) {
   return !both.empty();
 }
 
-/// How far the number of an edge is from that of the next one ahead, by heading; modulo the largest number.
+/// What to add to the number of an edge for that of the next edge ahead, by heading. Negative differences wrap around,
+/// as unsigned numbers do.
 std::array<std::size_t, 4> edges_ahead(Size size) {
   const auto row = static_cast<std::size_t>(4 * size.width);
   return {row, 4, std::size_t{0} - row, std::size_t{0} - 4};

@@ -2,9 +2,9 @@
 //
 // Method: Dijkstra with a heap, backwards from the cells, over the edges by which cells are entered, one for each
 // heading. A field in its own memory is repaired if little has changed since it was filled (Koenig, Likhachev and Furcy
-// 2004, without a heuristic): an edge whose time is no longer that of its best move is queued for the earlier of these
-// two times. When it is taken, it gets the time of the move; but if the move has become later than the edge's own time,
-// it loses its time and is queued for that of the move.
+// 2004, without a heuristic): an edge whose time is no longer that by its best move is inconsistent, and queued for the
+// earlier of these two times. When it is taken and the move is earlier, it gets the time of the move. If the move is
+// later, its time is reset to no_time, and it is queued again for the time of the move.
 #pragma once
 
 #include <array>

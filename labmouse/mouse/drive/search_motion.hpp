@@ -1,4 +1,4 @@
-// How a mouse searches in the world of seconds: cell by cell, over edges.
+// How a mouse searches in the worlds in seconds: cell by cell, over edges (the boundaries between cells).
 //
 // Between two moves it is at the edge by which it enters a cell, heading into it, and has just read the walls of that
 // cell; or at rest in the middle of a cell, as it is in the beginning. An Action::step(rotation, cells) of it is

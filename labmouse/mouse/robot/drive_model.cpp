@@ -119,13 +119,15 @@ std::vector<Turn> turns_of(const Robot& robot) {
   return turns;
 }
 
-/// The largest speed, in steps of speed_step, at which it can enter the small turn behind the first wall from rest.
+/// The largest speed, in steps of speed_step, that it can reach from rest before the small turn that follows the first
+/// wall.
 double speed_by_first_wall(const Robot& robot, const TurnShape& small_turn) {
   const double way = robot.run_up + robot.cell / 2.0 + small_turn.lead_in;
   return std::floor(std::sqrt(2.0 * robot.acceleration * way) / speed_step) * speed_step;
 }
 
-/// The largest speed, in steps of speed_step, from which it can stop in the middle of the goal behind the small turn.
+/// The largest speed, in steps of speed_step, from which it can stop in the middle of the goal right after the small
+/// turn.
 double speed_to_stop_from(const Robot& robot, const TurnShape& small_turn) {
   const double way = robot.cell / 2.0 + small_turn.lead_out;
   return std::floor(std::sqrt(2.0 * robot.braking * way) / speed_step) * speed_step;
@@ -159,8 +161,8 @@ double speed_between(double low, double high, const std::vector<FittedTurn>& fit
 }
 
 /// The lower speeds that turns share, in order, the common one first: as many as a turn may have besides its own. The
-/// widest gap below the fastest turn is split until there are enough. What other choices cost is in
-/// docs/reference/files.md.
+/// widest gap below the fastest turn is split until there are enough. docs/research/timings.md has what fewer or more
+/// speeds cost.
 std::vector<double> levels_of(const std::vector<FittedTurn>& fitted, double common, int speeds) {
   std::vector<double> bounds = {common, common};
   for (const FittedTurn& turn : fitted) bounds.back() = std::max(bounds.back(), turn.speed);

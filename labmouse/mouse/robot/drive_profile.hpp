@@ -28,7 +28,7 @@ class DriveProfile {
   double length() const { return length_; }
   DriveTime duration() const { return duration_; }
   /// Distance in mm from the segment's first node to its beginning, in the direction of driving: below 0 for a straight
-  /// that begins before its node, above 0 for a turn that begins behind it.
+  /// that begins before its node, above 0 for a turn that begins after it.
   double beginning() const { return shape_ != nullptr ? offset_ : -offset_; }
   /// The shape of a turn; null of a straight.
   const TurnShape* shape() const { return shape_; }

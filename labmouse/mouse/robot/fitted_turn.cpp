@@ -38,8 +38,8 @@ double speed_around_post(const Robot& robot) {
   return high;
 }
 
-/// Sets both leads: as given, or half a cell as around the post in the middle. They are less if the curve would come
-/// too near to the wall ahead.
+/// Sets both leads of a 180: as given, or half a cell, so that the curve begins and ends beside the post that it goes
+/// around. They are less if the curve would come too near to the wall ahead.
 void set_leads_around_post(TurnShape& shape, const Robot& robot) {
   if (const double given = robot.layout(Turn::f180).given; given > 0.0) {
     shape.lead_in = shape.lead_out = given;

@@ -21,7 +21,7 @@
 
 namespace labmouse {
 
-/// The longest side of a maze in the world of seconds, in cells: that of the half-size contest.
+/// The longest side of a maze in the worlds in seconds, in cells: that of the half-size contest.
 inline constexpr int max_drive_side = 32;
 
 enum class Place : std::uint8_t { centre, edge, left, right };
@@ -77,8 +77,8 @@ constexpr DriveNode reversed(const DriveNode& node) {
     default:
       break;
   }
-  // Backwards, a diagonal first crosses its wall from behind, and then the side by which it had come into the first
-  // cell. That side is on the left if the forward node is on the left.
+  // Backwards, a diagonal first crosses the same wall from the other side, and then the side by which the forward
+  // diagonal had entered the first cell. That side is on the left if the forward node is a left one.
   const bool left = node.place == Place::left;
   return {neighbour(node.cell, node.heading), opposite(node.heading), left ? Place::left : Place::right};
 }

@@ -24,7 +24,7 @@ struct SearchDrive {
   std::array<DriveTime, max_drive_side + 1> onward{};
 
   bool dashes() const { return onward.back() != 0; }
-  /// The time straight on over so many edges, where the walls of all cells behind the first are known.
+  /// The time straight on over so many edges, where the walls of all cells after the first edge are known.
   DriveTime dash(int cells) const {
     return cells < 2 || !dashes() ? cells * cell : 2 * onward[static_cast<std::size_t>(cells)];
   }
@@ -55,8 +55,8 @@ struct TurnLayout {
   friend bool operator==(const TurnLayout&, const TurnLayout&) = default;
 };
 
-/// Where a run may end. `goal`: at rest in the middle of the goal cell, or of one of the open cells straight behind it,
-/// so that it must be able to stop from its speed in the goal. `beyond`: at any speed, as if there were no wall behind
+/// Where a run may end. `goal`: at rest in the middle of the goal cell, or of one of the open cells straight beyond it,
+/// so that it must be able to stop from its speed in the goal. `beyond`: at any speed, as if there were no wall beyond
 /// the goal.
 enum class Stop : std::uint8_t { goal, beyond };
 
@@ -89,8 +89,8 @@ struct Robot {
   SearchDrive search;                ///< if its `cell` is 0, it is computed from the numbers above
   std::optional<FixedTimes> fixed;   ///< if given, the limits of curves above are not used
   std::optional<Hardware> hardware;  ///< what it is built of, where that is known
-  /// By Turn: of those onto a diagonal, which hold for those back from it, too. S90 is always driven, since it is
-  /// enough for every maze.
+  /// By Turn. A turn back from a diagonal has the layout of the turn onto it. S90 is always driven, since it is enough
+  /// for every maze.
   std::array<TurnLayout, all_turns.size()> layouts{};
 
   const TurnLayout& layout(Turn turn) const {

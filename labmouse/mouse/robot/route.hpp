@@ -41,7 +41,7 @@ class RouteEnd {
   void pass(const DriveSegment& segment);
   /// The node at the end.
   const DriveNode& node() const { return last_.to; }
-  /// Number of open cells behind the end that the mouse needs to stop in; 0 if no segment has passed. The route must be
+  /// Number of open cells beyond the end that the mouse needs to stop in; 0 if no segment has passed. The route must be
   /// one that can be driven.
   int room(const DriveTables& tables) const;
 
@@ -52,7 +52,7 @@ class RouteEnd {
   static constexpr int none = -1;
 };
 
-/// Number of open cells behind its end that a route needs to stop in. It must be one that can be driven.
+/// Number of open cells beyond its end that a route needs to stop in. It must be one that can be driven.
 int stopping_room(const DriveRoute& route, const DriveTables& tables);
 
 }  // namespace labmouse

@@ -1,9 +1,9 @@
 // The times of a robot's turns and straights, in whole microseconds: all that a planner needs.
 //
-// A turn begins where its curve does, which may lie behind the node. The straight before it is longer by that much, the
-// lead; and the same at its end. A turn may come in several speeds. Turns that agree in speed and lead share a *lane*:
-// the time of a straight follows from its length and the lanes at its two ends. There is one table for straights along
-// the axes and one for diagonals.
+// A turn begins where its curve does, which may be some mm after the node, in the direction of driving. The straight
+// before it is longer by that length, the lead. Likewise the curve may end before the last node. A turn may come in
+// several speeds. Turns that agree in speed and lead share a *lane*: the time of a straight follows from its length and
+// the lanes at its two ends. There is one table for straights along the axes and one for diagonals.
 #pragma once
 
 #include <algorithm>
@@ -62,8 +62,8 @@ struct DriveTables {
   /// Times from rest at the start: over half cells from the middle of its cell to a lane, at [units * lanes + to].
   std::vector<DriveTime> start;
   /// Times to the end: over half cells from a lane to the middle of a goal cell, at
-  /// [(room * lengths + units) * lanes + from]. `room` is the number of open cells behind that one to stop in; more
-  /// than rooms() - 1 count as that. There is one room only if a run may end at any speed.
+  /// [(room * lengths + units) * lanes + from]. `room` is the number of open cells beyond that one to stop in; more
+  /// than rooms() - 1 count as that. There is only one value of `room` if a run may end at any speed.
   std::vector<DriveTime> finish;
   /// From the start to the end without a turn, at [room * lengths + units].
   std::vector<DriveTime> whole;

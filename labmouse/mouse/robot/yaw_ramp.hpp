@@ -27,7 +27,7 @@ struct YawRamp {
 };
 
 YawRamp ramp_to(double yaw_rate, const CurveLimits& limits);
-/// The ramp that, with its mirror image behind it, turns by an angle (rad), without an arc between them.
+/// The ramp that, followed by its mirror image, turns by an angle (rad), without an arc between them.
 YawRamp ramp_of_half(double angle, const CurveLimits& limits);
 
 /// The path of a ramp: from a straight to the largest curvature.
