@@ -169,7 +169,7 @@ void add_failure_rates(Command& app, int& exit) {
           "--check", options->check,
           "Instead run the same contests in the failure model with these rates, and exit with 1 if the share of "
           "finished ones differs")
-      ->type_name("HAZARDS");
+      ->type_name("RATES");
   command->add_option("--within", options->within, "With --check: points of 100 by which shares may differ")
       ->check(in_range(0.0, 100.0))
       ->capture_default_str();
