@@ -121,8 +121,8 @@ void add_convert(Command& app, int& exit) {
   command->footer("Example: labmouse convert contest-01 maze.maz");
   command->callback([options, &exit] {
     const NamedMaze maze = find_maze(options->in, {});
-    if (!maze.reading.empty()) tell(fmt::format("{}: read as {}\n", shown(maze.name), maze.reading));
     write(maze.maze, options->out, options->format);
+    if (!maze.reading.empty()) tell(fmt::format("{}: read as {}\n", shown(maze.name), maze.reading));
     exit = exit_good;
   });
 }

@@ -198,7 +198,7 @@ void bind_learning(nb::module_& module) {
   module.attr("RESET") = reset_choice;
   module.attr("ROW_COLUMNS") = row_columns;
   module.attr("BELIEF_PLANES") = belief_planes;
-  nb::class_<LearnBatch>(module, "ContestBatch", "Contests in the world of steps that are stepped together.")
+  nb::class_<LearnBatch>(module, "ContestBatch", "Contests that are stepped together.")
       .def(
           "__init__",
           [](LearnBatch* self, int count, const std::vector<NamedMaze>& mazes, bool in_turn, int budget) {

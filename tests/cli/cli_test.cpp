@@ -687,7 +687,7 @@ TEST_F(AUser, ConvertsWhatOthersWriteAndIsToldHowItWasRead) {
   file("array.h", "const int m[2][2] = {{14, 9}, {14, 3}};\n");
   const Ended converted = labmouse({"convert", "array.h", "-"});
   EXPECT_EQ(converted.code, 0);
-  EXPECT_EQ(converted.out, "o---o---o\n| G | G |\no   o   o\n| G | G |\no---o---o\n");
+  EXPECT_EQ(converted.out, "o---o---o\n| G   G |\no   o   o\n| G | G |\no---o---o\n");
   EXPECT_THAT(converted.err, Says("array.h", "2x2", "columns from the west", "1 north"));
   EXPECT_THAT(labmouse({"inspect", "array.h"}).out, Says("columns from the west"));
   file("gap.txt", "o---o---o\n|        \no---o---o\n");

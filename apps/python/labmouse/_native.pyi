@@ -419,7 +419,7 @@ ROW_COLUMNS: int = 16
 BELIEF_PLANES: int = 16
 
 class ContestBatch:
-    """Contests in the world of steps that are stepped together."""
+    """Contests that are stepped together."""
 
     @overload
     def __init__(self, count: int, mazes: Sequence[Maze], in_turn: bool = False, budget: int = 1000) -> None: ...

@@ -125,7 +125,7 @@ TEST(PageCalls, TellWhatTheCoreBrings) {
   EXPECT_EQ(types, (std::set<std::string>{"whole", "real", "flag", "choice", "list", "prior"}));
   EXPECT_GE(about["mazes"].size(), 5U);
   EXPECT_THAT(about["mazes"], ::testing::Contains(json{{"name", "capstone-1"}, {"width", 12}, {"height", 12}}));
-  EXPECT_EQ(about["formats"].size(), 4U);
+  EXPECT_EQ(about["formats"].size(), 11U);
   EXPECT_EQ(about["generators"].size(), 7U);
   EXPECT_EQ(about["rules"], json::parse(R"({"budget":1000,"search_factor":30,"stride":3,"failure_score":100.0})"));
   EXPECT_EQ(about["most_side"], 64);

@@ -161,7 +161,7 @@ TEST(PageWrites, BytesOfTheBinaryFormat) {
 }
 
 TEST(PageWrites, NothingThatAFormatCannotHold) {
-  EXPECT_THAT(error_of("write_maze", of_maze(test::hook(), {{"format", "maz"}})), Says("maz ", "squares"));
+  EXPECT_THAT(error_of("write_maze", of_maze(test::hook(), {{"format", "maz"}})), Says("maz ", "goal"));
   EXPECT_THAT(error_of("write_maze", of_maze(test::hook(), {{"format", "png"}})), Says("unknown format", "'png'"));
 }
 
