@@ -5,7 +5,7 @@ foreach(name IN ITEMS
     bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound
     mazes/maze_files mazes/maze_link mice/contestant mice/mice_json mice/mouse_names mice/prior_file mice/prior_learning mice/specs
     numbers/maze_interval numbers/sign_flips numbers/statistics numbers/student numbers/verdict numbers/wilson pictures/drive_path pictures/path_data pictures/drive_picture pictures/trace_path pictures/mms_picture pictures/picture_layers
-    races/race races/race_paths races/value races/value_json races/world_entry records/drive_json records/drive_notation
+    races/race races/race_paths races/value races/value_json races/world_setting records/drive_json records/drive_notation
     records/drive_record_fields records/drive_record_reader records/drive_record_replay records/drive_record_text
     records/drive_record_writer records/drive_route_check records/drive_story records/explanation records/mms_record
     records/mms_record_reader records/mms_record_replay records/packed_record records/physical_lines records/physical_replay records/record_maze records/record_parts

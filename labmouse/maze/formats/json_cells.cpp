@@ -2,7 +2,6 @@
 //
 //     [["NW", "NE"],
 //      ["ESW", "ESW"]]
-#include <fmt/format.h>
 
 #include "labmouse/maze/formats/cell_table.hpp"
 #include "labmouse/maze/formats/format.hpp"
