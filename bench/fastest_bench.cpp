@@ -1,7 +1,7 @@
 // Time to plan a fastest route in seconds: reading the walls, computing the times, writing the route.
 // median_us, p95_us, max_us and worst_maze_us: in turn over different mazes, as in a search run whose walls change
-// (branch predictors learn a maze that is repeated). warm_us: one maze many times. field_us: with the whole field, in
-// turn. plain_us: the plain search.
+// (branch predictors learn a maze that is repeated). warm_us: one maze many times. field_us: in turn, with the times
+// from all places and not only those that the route from the start needs. plain_us: the plain search.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

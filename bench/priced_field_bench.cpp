@@ -1,5 +1,6 @@
-// Time of one cost field over wall prices: the ring of buckets (ours) and a plain priority queue. Walls have the prices
-// of an early decision: known near the start, guessed elsewhere.
+// Time to compute the least costs of routes from all cells, where unseen walls have prices (priced_field.hpp): with a
+// ring of buckets (ours) and with a plain priority queue. As early in a search run, walls near the start are known, and
+// all others have a guessed price.
 #include <benchmark/benchmark.h>
 
 #include <queue>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the speed of the Python package: prints the table of docs/reference/python.md.
+"""Measures the speed of the Python package: prints the tables of docs/research/timings.md, "Python".
 
 usage: PYTHONPATH=build/release/python build/python-tools/bin/python bench/python.py
 

@@ -43,7 +43,7 @@ BriefingFields fields_of(const PythonBriefing& told) {
           {briefing.in_seconds(), briefing.drive.time_limit}};
 }
 
-/// The briefing in another process. The robot is a placeholder: mice in Python see only whether there is one.
+/// Makes a briefing from its pickled state. Its robot is a placeholder: mice in Python see only whether there is one.
 PythonBriefing briefing_of(const BriefingFields& fields) {
   static const DriveModel some_robot;
   const auto& [place, limits, seconds] = fields;

@@ -16,7 +16,8 @@ namespace labmouse::python {
 
 /// Mice, mazes and world as the user gave them, not yet checked.
 struct Choice {
-  /// (name, SPEC) of each mouse. With a name, the SPEC must stand for exactly one mouse; an empty name keeps its own.
+  /// (name, SPEC) of each entry. With a name, the SPEC must stand for exactly one mouse; with an empty name, its mice
+  /// keep the names that the SPEC gives them.
   std::vector<std::pair<std::string, std::string>> specs;
   std::vector<OwnMouse> own;
   std::vector<NamedMaze> mazes;  ///< empty: the built-in ones

@@ -20,7 +20,8 @@ using namespace nb::literals;
 namespace labmouse::python {
 namespace {
 
-/// A numpy array in C order with exactly this dtype: nanobind must not convert it, since a copy would be written to.
+/// A numpy array in C order with exactly this dtype. nanobind must not convert it: the batch would then write to a copy
+/// that the caller does not see.
 template <class T>
 using Array = nb::ndarray<T, nb::c_contig, nb::device::cpu>;
 using Choices = nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;

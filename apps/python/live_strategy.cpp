@@ -141,7 +141,8 @@ class ThreadStrategy final : public DrivingStrategy {
     Desk desk;
     std::atomic<unsigned long> thread{0};
     std::atomic<bool> stopped{false}, is_left{false};
-    // Only for the thread. The mouse holds the GIL, and `idle` releases it between calls.
+    // Only the thread uses `mouse` and `idle`. The mouse holds the GIL, and `idle` releases it between calls. The
+    // contest reads the other members after a call.
     std::unique_ptr<DrivingStrategy> mouse;
     std::unique_ptr<nb::gil_scoped_release> idle;
     bool started = true;

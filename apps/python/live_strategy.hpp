@@ -11,8 +11,8 @@
 namespace labmouse::python {
 
 /// Makes the mouse of one contest. It decides in another process if the maker's `elsewhere` is not None, and otherwise
-/// in a thread of its own. Once `stop` (may be null) is true, calls do not wait for a thread any longer; a process is
-/// killed by its owner. Call without the GIL.
+/// in a thread of its own. Once `stop` (may be null) is true, a call interrupts the thread and, if the mouse still does
+/// not answer, abandons it; a process is killed by labmouse._workers.Workers. Call without the GIL.
 std::unique_ptr<DrivingStrategy> make_live_strategy(const std::shared_ptr<const MouseMaker>& maker,
                                                     const Briefing& briefing, const std::atomic<bool>* stop);
 

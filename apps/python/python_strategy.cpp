@@ -26,7 +26,8 @@ using namespace nb::literals;
 namespace labmouse::python {
 namespace {
 
-/// Largest rotation or movement of an answer. The contest judges wrong values, but a record must be able to hold them.
+/// Largest absolute rotation or movement that counts as an answer. The contest checks answers by its rules; this limit
+/// only keeps numbers small enough for a record.
 constexpr long farthest = 1'000'000;
 
 /// The integer of an object; nothing if it is not one, or beyond `farthest`.
@@ -68,8 +69,8 @@ std::string repr_of(const nb::object& answer) {
 }
 
 /// Calls an object of Python with one argument; null if it raised. If the interpreter shuts down while an abandoned
-/// mouse still runs, Python up to 3.13 ends its thread by a forced unwind, which would terminate the process in a
-/// destructor. The thread sleeps until the process ends instead.
+/// mouse still runs, Python up to 3.13 ends its thread by a forced unwind. A forced unwind that reaches a noexcept
+/// function, such as a destructor, terminates the process. So the thread sleeps until the process ends instead.
 nb::object called(nb::handle callable, nb::handle argument) {
   std::array<PyObject*, 2> arguments = {nullptr, argument.ptr()};
   const auto call = [&] {
@@ -86,8 +87,9 @@ nb::object called(nb::handle callable, nb::handle argument) {
 #endif
 }
 
-/// Keeps the GIL for the whole contest: taking it for each decision costs more than the decision. Other threads still
-/// run, since Python switches threads while it runs a mouse's code.
+/// Acquires the GIL once, in its constructor: acquiring it for each decision would create a Python thread state each
+/// time, which costs more than the decision. ThreadStrategy releases the GIL between calls. During a call, Python
+/// itself switches threads while it runs a mouse's code.
 class PythonStrategy final : public DrivingStrategy {
  public:
   PythonStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,

@@ -34,7 +34,8 @@ class MouseMaker {
 };
 
 /// Makes the strategy of one contest. It holds the GIL from construction to destruction, which must happen in the same
-/// thread. Once `stop` (may be null) is true, it forfeits with the reason `interrupted`.
+/// thread; the caller may release the GIL between calls. Once `stop` (may be null) is true, it forfeits with the reason
+/// `interrupted`.
 std::unique_ptr<DrivingStrategy> make_python_strategy(const std::shared_ptr<const MouseMaker>& maker,
                                                       const Briefing& briefing, const std::atomic<bool>* stop);
 

@@ -27,7 +27,7 @@ using namespace nb::literals;
 namespace labmouse::python {
 namespace {
 
-/// A finished contest, kept as a race with one mouse and one maze.
+/// A contest that has ended or was stopped, kept as a race with one mouse and one maze.
 struct HeldContest {
   Race race;
   ContestOutput held;

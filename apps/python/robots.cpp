@@ -89,8 +89,8 @@ double turn_clearance(const std::string& name, double speed, const std::array<do
 
 using Course = std::pair<std::vector<double>, std::vector<double>>;
 
-/// Drives a robot and returns its path and heading by tick. `stronger`: share by which its right motor is stronger;
-/// `tick` makes one tick. Throws UserError for a robot without hardware.
+/// Drives a robot and returns its distance (mm) and heading (rad, to the left) by tick. `stronger`: share by which its
+/// right motor is stronger; `tick(floor, i)` simulates tick i. Throws UserError for a robot without hardware.
 template <class Tick>
 Course driven(const std::string& name, double stronger, std::size_t ticks, Tick tick) {
   const Robot robot = robot_or_error(name);

@@ -1,4 +1,4 @@
-"""Compares the learned mouse with built-in ones: the table of docs/how-to/train-with-gymnasium.md.
+"""Compares the learned mouse with built-in ones: the table of docs/research/solver-trials.md.
 
     build/bench-learning/bin/python bench/learning/mice.py
 

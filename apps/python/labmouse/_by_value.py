@@ -26,7 +26,7 @@ _LEFT_OUT = ("__getattr__", "__builtins__", "__loader__", "__spec__", "__cached_
 
 
 class _Shell:
-    """Pickles as an empty module of that name."""
+    """Pickles as an empty module with the name in `space`, the globals of a module."""
 
     def __init__(self, space: "dict[str, Any]") -> None:
         self.name = space.get("__name__", "")
@@ -36,7 +36,7 @@ class _Shell:
 
 
 class _Globals(dict):  # type: ignore[type-arg]
-    """Pickles as the globals of such a module, or of an installed one."""
+    """Stands for the globals of a module. Pickles as those of the module that _Shell makes, or of an installed one."""
 
     def __init__(self, space: "dict[str, Any]") -> None:
         super().__init__(stands_for=space.get("__name__", ""))

@@ -164,7 +164,7 @@ class Walk:
             self._installed(module.__name__)
             return
         self._add("module", module.__name__)
-        # Variables that cannot be pickled, such as open files, are not sent and so do not count as unknown.
+        # Variables that cannot be pickled, such as open files, are not sent, so they are not noted in `outside`.
         self._in_modules += 1
         for name in sorted(vars(module)):
             if not (name.startswith("__") and name.endswith("__")):
@@ -191,7 +191,7 @@ class Walk:
             self._add("named", parts)
             self._reference(type(thing))
             return
-        # The last two parts of a __reduce__ value are iterators over items.
+        # The fourth and fifth parts of a __reduce__ value are iterators over items; a sixth is callable.
         whole = [part if number < 3 or part is None or callable(part) else list(part) for number, part in enumerate(parts)]
         self._kept.append(whole)
         self._several("object", [type(thing), *whole])
@@ -233,7 +233,7 @@ class Walk:
                 self._named_file(part, file)
 
     def _named_file(self, text: str, beside: "str | None") -> None:
-        """Adds the content of a file, if a string constant is the path of one, from here or beside the code's file."""
+        """Adds the content of a file if a string constant is its path from the working folder or the code's folder."""
         if not text or len(text) > _LONGEST_NAME or "\0" in text or "." not in text and "/" not in text:
             return
         for folder in ("", os.path.dirname(beside or "")):

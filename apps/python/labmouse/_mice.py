@@ -98,7 +98,7 @@ def seed_chance(seed: int) -> None:
 
 @contextlib.contextmanager
 def kept_chance() -> "Iterator[None]":
-    """A context that restores the state of these generators at its end."""
+    """A context that restores the state of the generators of seed_chance at its end."""
     before = random.getstate()
     numpy = sys.modules.get("numpy")
     numbers = numpy.random.get_state() if numpy is not None else None

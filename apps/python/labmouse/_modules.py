@@ -59,8 +59,10 @@ def _has(module: ModuleType, thing: object) -> bool:
 
 
 def installed_with(space: "dict[str, Any]") -> "ModuleType | None":
-    """The module of these globals if it is not the user's own, otherwise None. Functions that decorators of installed
-    modules make are sent by value, but have such globals."""
+    """The module of these globals if it is not the user's own, otherwise None.
+
+    A function that a decorator of an installed module made has such globals, although it is sent by value.
+    """
     module = sys.modules.get(space.get("__name__", ""))
     return module if module is not None and vars(module) is space and not is_own(module) else None
 

@@ -203,8 +203,8 @@ def race(
     overwrite: whether to replace the files of an earlier race in `out`; otherwise they are an error.
     progress: whether to show a progress bar; None to show it on a terminal and in notebooks.
     store: file that keeps all contests; a contest that it has is not run again. Several programs may use it at once.
-    label: stands for the files of external mice, and for what mice in Python read from elsewhere, in the store. Give
-        another label when these change.
+    label: a version for the store. With a label, it does not compare the files of external mice, and accepts mice in
+        Python that depend on things outside of their code. Give another label when these files or things change.
 
     Raises Error for a wrong argument. Ctrl-C stops the race and raises Interrupted, a KeyboardInterrupt whose `partial`
     is the Race so far.

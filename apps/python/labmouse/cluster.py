@@ -41,11 +41,12 @@ _Kind = tuple[str, int]
 #: For each kind: the number of contests, and their total time in s.
 _Spent = dict[_Kind, tuple[int, float]]
 
-#: Duration of a task: long compared with the scheduler's overhead, short compared with the loss of a dead worker.
+#: Duration of a task: long compared with the scheduler's overhead, but short, since a worker that dies loses its task.
 _SECONDS_A_TASK = 1.0
 #: Duration of the last tasks. They are shorter, so that all workers end at about the same time.
 _SECONDS_A_LAST_TASK = 0.1
-#: Limit of contests of a kind in a task: this number while none was measured, later this factor times those measured.
+#: A task has at most this many contests of a kind while none of them was measured; later, at most this many times the
+#: number of contests that were measured.
 _FIRST = 4
 #: Time in s that the client waits for a finished task, before it checks the cluster and submits tasks again.
 _SECONDS_A_WAIT = 0.1
@@ -119,7 +120,8 @@ def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[
             while not running.wait(1.0):
                 pass
             running.result()
-        # Times exclude the overhead of a task, whose share falls with the number of contests.
+        # The times of a race exclude the overhead of the task, which does not grow with the number of contests. A study
+        # does not measure its contests, so its time is that of the whole task.
         spent = running.spent() if isinstance(running, _native.RunningRace) else {_ANY: (len(picked), time.perf_counter() - begin)}
         del running, part  # closes the store
         return Path(store).read_bytes(), spent

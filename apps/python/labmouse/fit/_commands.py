@@ -1,6 +1,6 @@
 """The command lines of `python -m labmouse.fit` and `python -m labmouse.fit.compare`.
 
-Exit codes: 0 success, 1 the robot is doubtful, 2 bad usage or input.
+Exit codes: 0 success, 1 the robot file may be wrong (a warning says why), 2 bad usage or input.
 """
 
 import argparse

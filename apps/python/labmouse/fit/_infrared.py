@@ -29,7 +29,7 @@ class InfraredFit:
     gain: Estimate = Estimate()  #: counts in the middle of a cell, weighted mean of the sensors
     fall: Estimate = Estimate()  #: mm in which the reading falls by the factor e
     of_sensor: dict[str, float] = field(default_factory=dict)  #: gain in counts by the names of SENSORS
-    places: int = 0  #: number of runs of rows at a wall
+    places: int = 0  #: number of runs of rows along one wall (see _parts), summed over the sensors
     missed: float = 0.0  #: relative rms error of readings at places left out of the fit
     bends: bool = False  #: whether readings deviate from the law
     readings: "Optional[pd.DataFrame]" = None  #: the fitted data: columns sensor, farther (mm), level (counts)
@@ -41,9 +41,9 @@ def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
 
     robot: parameters by the keys of robot files; its sensor angles, highest reading and noise are used.
     Method: ln(reading) is linear in the distance, with a gain per sensor and one fall-off for all; least squares with
-    Huber's loss. All rows at a place of a wall share its reflectance. So a place counts once, and errors are those of a
-    jackknife over places. If a law with a quadratic term or an offset predicts places left out of the fit better, the
-    errors include the changes that it would make.
+    Huber's loss. All rows of a run along one wall (see _parts) share its reflectance. So a run counts once, and errors
+    are those of a jackknife over blocks of runs. If a law with a quadratic term or an offset predicts runs left out of
+    the fit better, the errors include the changes that it would make.
     """
     result = InfraredFit()
     readings = _readings(log, robot)
@@ -200,7 +200,10 @@ class _Problem:
 
 
 def _widen(problem: _Problem, usual: float, fit: _LawFit, result: InfraredFit) -> None:
-    """Increases the errors by the changes under other laws, if they fit better, and by residuals of all laws."""
+    """Increases the errors by the changes under other laws, if they fit better.
+
+    If even the best law has large residuals, the errors also grow by these.
+    """
     left = problem.rms(fit.missed)
     for more in (_BEND, _OFFSET):
         other = problem.fit(more)

@@ -47,8 +47,8 @@ def fit_log(log: Log, robot: Numbers, *, way: float = 0.0, way_error: float = 1.
 
     robot: parameters of the base robot, with hardware (`base_numbers`), for all that the log does not determine.
     way, way_error: measured distance of the whole log in mm, and its standard error; 0 if it was not measured.
-    Distances use the fitted mm per count. Errors of the motors include its error (or the base's) or, for turning by a
-    gyro, that of the gyro's scale. Raises Error.
+    Distances use the fitted mm per count or, if it was not fitted, the base robot's. Errors of the motors include the
+    error of mm per count; where a gyro measures turning, that of the gyro's scale instead. Raises Error.
     """
     count = fit_count(log, way, way_error)
     counted = {**robot, **({"sensors.count": count.count.value} if count.count.known else {})}

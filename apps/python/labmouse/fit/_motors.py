@@ -11,8 +11,9 @@ import numpy as np
 from ._estimates import Array, Blocks, Estimate, fits_better, jackknife, within
 from ._motion import TICK
 
-# The unknowns: K/T, K/T times the share of the other axis' duty, K u0/T, K/T times the correction of Axis.factor, 1/T;
-# and those of extended models: K/T times a lag, and drag by the square of the rate.
+# The unknowns, in this order: K/T; K/T times the share of the other axis' duty (MotorFit.mixed); K u0/T; K/T times the
+# correction of Axis.factor; 1/T. Extended models have one more: K/T times the lag in s, or K/T times the drag in duty
+# per squared rate.
 _DUTY, _OTHER, _FRICTION, _TAKEN, _RATE, _LAG, _DRAG = range(7)
 # Ticks: the longest and the shortest stretch, and the window over which rates are averaged, including the filter.
 _LONGEST, _SHORTEST, _COMPARED = 300, 80, 56
@@ -42,7 +43,8 @@ class MotorFit:
     time: Estimate = Estimate()  #: time constant in s; the base's, with error 0, if the log does not determine it
     dead_zone: Estimate = Estimate()  #: duty that friction takes
     taking: Estimate = Estimate()  #: duty that turning takes from driving, per rad/s
-    mixed: Estimate = Estimate()  #: share of the other axis' duty; for turning, by how much the right motor is stronger
+    #: Share of the other axis' duty that acts on this axis; for turning, by how much the right motor is stronger.
+    mixed: Estimate = Estimate()
     time_known: bool = True  #: False if the gain was fitted with the base's time constant
     stretches: int = 0  #: number of stretches of motion in one direction
     peak: float = 0.0  #: largest rate
@@ -181,8 +183,11 @@ class _Model:
 
 
 def _choose(model: _Model, axis: Axis) -> "tuple[dict[int, float], Optional[_ModelFit]]":
-    """The fixed unknowns and the fit of the first model that the log determines well. The time constant is fitted or
-    the base's, and so is `taking`."""
+    """The fixed unknowns and the fit of the first model that the log determines well; if none, those of the last model.
+
+    The time constant is fitted first; if the log does not determine it, the base robot's is used. The duty that turning
+    takes (`MotorFit.taking`) is handled in the same way.
+    """
     fixed: dict[int, float] = {}
     fit: Optional[_ModelFit] = None
     for time in ({}, {_RATE: -np.expm1(-TICK / axis.time) / TICK}):

@@ -141,7 +141,7 @@ class Learned:
         return cls(weights, name)
 
     def shuffled(self, seed: int = 1) -> "Learned":
-        """A mouse with the same weights in random order, as a baseline; the patience stays."""
+        """A mouse with the same weights in random order, as a baseline. The last one, the patience of Policy, stays."""
         k = (WEIGHTS - 1) // 2
         dice, weights = np.random.default_rng(seed), self.weights.copy()
         weights[: 2 * k] = dice.permutation(weights[: 2 * k])

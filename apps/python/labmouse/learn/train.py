@@ -47,8 +47,8 @@ def ranks(returns: Floats) -> Floats:
 
 @contextmanager
 def _ctrl_c() -> Iterator[Callable[[], bool]]:
-    """A context in which Ctrl-C only sets a flag, which its value returns: a KeyboardInterrupt during the start of a
-    process would leave that process running."""
+    """A context in which Ctrl-C only sets a flag; yields a function that returns the flag. Reason: a KeyboardInterrupt
+    during the start of a process would leave that process running."""
     pressed: List[int] = []
     before = signal.getsignal(signal.SIGINT)
     hears = before not in (signal.SIG_IGN, None) and threading.current_thread() is threading.main_thread()
