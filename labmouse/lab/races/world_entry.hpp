@@ -21,12 +21,12 @@ struct WorldResult {
   std::vector<std::string> remarks = {};  ///< on settings that are likely to be mistakes, a line each
 };
 
-/// Makes a world whose conditions are all in one table: `world_of` makes it of them.
-template <const auto& rows, auto world_of>
+/// Makes a world whose conditions are all in one table: `WorldOf` makes it of them.
+template <const auto& Rows, auto WorldOf>
 WorldResult make_by(const WorldSettings& chosen) {
-  typename std::decay_t<decltype(rows[0])>::Of conditions;
-  std::string error = choose(rows, chosen, conditions);
-  return error.empty() ? WorldResult{world_of(conditions), ""} : WorldResult{nullptr, std::move(error)};
+  typename std::decay_t<decltype(Rows[0])>::Of conditions;
+  std::string error = choose(Rows, chosen, conditions);
+  return error.empty() ? WorldResult{WorldOf(conditions), ""} : WorldResult{nullptr, std::move(error)};
 }
 
 struct RecordKind;

@@ -90,10 +90,10 @@ constexpr auto row(WorldSetting setting) {
 }
 
 /// The settings of a table, for the entry of its world.
-template <const auto& rows>
+template <const auto& Rows>
 inline constexpr auto settings_of = [] {
-  std::array<WorldSetting, rows.size()> settings;
-  for (std::size_t i = 0; i < rows.size(); ++i) settings[i] = rows[i].setting;
+  std::array<WorldSetting, Rows.size()> settings;
+  for (std::size_t i = 0; i < Rows.size(); ++i) settings[i] = Rows[i].setting;
   return settings;
 }();
 

@@ -126,7 +126,7 @@ class DrawingReader {
   static bool is_unseen(char letter) { return letter == '.' || letter == ':'; }
 
   void leave_unseen(Wall wall) {
-    if (on_border(wall, size_)) return;
+    if (!size_.contains(wall.cell) || on_border(wall, size_)) return;
     draft_.open(wall.cell, wall.side);
     unseen_.insert(wall);
   }

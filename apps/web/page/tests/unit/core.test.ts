@@ -47,7 +47,7 @@ describe.skipIf(!existsSync(file))('the core', () => {
     const about = answer('about', {});
     expect(about.mice.map((mouse) => mouse.name)).toContain('ariadne');
     expect(about.mazes.map((each) => each.name)).toContain('contest-01');
-    expect(about.formats).toHaveLength(4);
+    expect(about.formats).toHaveLength(11);
     expect(about.generators.length).toBeGreaterThan(5);
     expect(about.rules).toEqual({ budget: 1000, search_factor: 30, stride: 3, failure_score: 100 });
   });

@@ -238,8 +238,8 @@ describe('what stands beside', () => {
   it('the runs of a contest, the present one marked', () => {
     const asked: unknown[][] = [];
     const room = drawn(<Runs state={stateOf([sideOf(seconds(), 4)])} actions={actionsOf(asked)} />);
-    expect(texts(room, 'tbody th')).toEqual(['1 search', '2 fast run']);
-    expect(texts(room, 'tr[aria-current] th')).toEqual(['2 fast run']);
+    expect(texts(room, 'tbody th')).toEqual(['1 search', '2 speed run']);
+    expect(texts(room, 'tr[aria-current] th')).toEqual(['2 speed run']);
     all(room, 'tbody button')[1].click();
     expect(asked).toEqual([
       ['choose', 0],
