@@ -33,14 +33,14 @@ std::optional<std::vector<CodedCells::Entry>> numbers_of(const Line& line) {
   return numbers;
 }
 
-struct Table {
+struct NumberLines {
   std::vector<std::vector<CodedCells::Entry>> lines;
   bool has_places = false;  ///< row, column and four sides
 };
 
 /// Reads lines of equally many numbers; the first line may hold names instead. Nothing if another line differs.
-std::optional<Table> table_of(std::string_view content) {
-  Table table;
+std::optional<NumberLines> table_of(std::string_view content) {
+  NumberLines table;
   for (const Line& line : lines_of(content, most_lines + 1)) {
     auto numbers = numbers_of(line);
     if (!numbers && line.number == 1) continue;
@@ -63,7 +63,7 @@ bool is_csv(std::string_view content) {
 }
 
 /// Lines of a place and four sides.
-ReadResult read_places(const Table& table) {
+ReadResult read_places(const NumberLines& table) {
   Size size{1, 1};
   for (const auto& line : table.lines) {
     if (line[0].value >= max_side || line[1].value >= max_side)
