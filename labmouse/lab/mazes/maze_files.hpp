@@ -49,8 +49,8 @@ std::string describe(const std::string& path, const Problem& problem);
 /// name of a built-in maze if there is no such file; `-` is standard input.
 MazeCollection load_mazes(std::span<const std::string> paths);
 
-/// Reads a maze or a partial map from a file, or a built-in maze if there is no such file. Problems have no place if the
-/// file cannot be read.
+/// Reads a maze or a partial map from a file, or a built-in maze if there is no such file. Problems have no place if
+/// the file cannot be read.
 ReadResult load_map(const std::string& path);
 
 /// The maze of a name in results: of a file, or built-in if there is no such file. Empty if there is neither, or for a
