@@ -57,6 +57,7 @@ std::string describe(const WallSet& walls) {
 
 /// Compares maps, such as those that robots print, with the maze in which they were made.
 int compare_all(const InspectOptions& options) {
+  if (options.mazes.empty()) throw UsageError("error: --against compares maps with a maze; name the files of the maps");
   const NamedMaze truth = find_maze(options.against, options.places);
   bool differs = false;
   for (const std::string& path : options.mazes) {

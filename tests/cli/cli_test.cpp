@@ -714,6 +714,7 @@ TEST_F(AUser, ComparesTheMapOfARobotWithTheMaze) {
   EXPECT_EQ(labmouse({"inspect", "true.hex", "--against", "true.hex", "--check"}).code, 0);
   is_refused({"inspect", "true.hex", "--against", "capstone-1"}, "2x2", "12x12");
   is_refused({"show", "robot.log"}, "robot.log", "partial map", "--against");
+  is_refused({"inspect", "--against", "true.hex"}, "--against", "name the files");
 }
 
 TEST_F(AUser, IsToldWhatCannotBeWritten) {

@@ -122,6 +122,8 @@ TEST(FieldFormats, AreReadFromOtherLanguages) {
            R"([{"x":1,"y":1,"n":true,"e":true,"s":false,"w":false}, {"x":0,"y":1,"n":true,"e":false,"s":false,"w":true},
                {"x":0,"y":0,"n":false,"e":true,"s":true,"w":true}, {"x":1,"y":0,"n":false,"e":true,"s":true,"w":true}])",
            "[[9 3]\n [14 14]]\n",
+           "[[ 9.  3.]\n [14. 14.]]\n",
+           "[[9.0, 3.0], [14.0, 14.0]]",
            "9,3\n14,14\n",
            "9\t3\n14\t14\n",
            "y;x;N;E;S;W\n0;0;1;0;0;1\n0;1;1;1;0;0\n1;0;0;1;1;1\n1;1;0;1;1;1\n",
@@ -166,6 +168,32 @@ TEST(FieldFormats, AreRefusedWhereTheyHoldNoMaze) {
     EXPECT_FALSE(read.maze) << text << '\n' << read.reading;
     EXPECT_FALSE(read.problems.empty()) << text;
   }
+}
+
+// What a format finds wrong with what only begins as its files do.
+TEST(FieldFormats, SayWhatIsWrongWithWhatIsCut) {
+  for (const auto& [text, at, word] : std::initializer_list<std::array<std::string_view, 3>>{
+           {"9553\naaba\nc4\n", "3:1", "2 characters"},
+           {"9553\naaba\nc4x6\n", "3:3", "'x'"},
+           {"#####\n#   #\n", "1:1", "odd"},
+           {"#####\n#   #\n# #\n", "3:1", "3 characters"},
+           {"0;0;1;0;0;1\n0;1;1;1;0;0\n1;0;0;1;1;1\n1;1;0;1;1;1\n2;0;1\n", "5:1", "found 3"},
+           {"0;0;1;0;0;1\n0;1;1;1;0;0\n1;0;0;1;1;1\n1;1;0;1;1;1\nend\n", "5:1", "whole numbers"},
+           {"0;0;1;0;0;1\n0;1;1;1;0;0\n1;0;0;1;1;1\n", "0:0", "missing"},
+           {"int m[] = {14, 9,\n", "1:11", "no end"},
+           {"[[\"NW\", \"N", "1:9", "no end in its line"},
+           {"[[1.5, 9], [14, 3]]", "1:3", "'1.5'"},
+           {"[[-1, 9], [14, 3]]", "1:3", "'-1'"},
+           {"int m[2][2] = {{WALL_N, 9}, {14, 3}};", "1:17", "'WALL_N'"},
+           {"[[null, 9], [14, 3]]", "1:3", "'null'"},
+       })
+    EXPECT_THAT(test::lines_of(read_maze(text)), ElementsAre(test::SaysAt(std::string(at), std::string(word)))) << text;
+}
+
+TEST(FieldFormats, SayThatThereAreSeveralLists) {
+  const ReadResult read = read_maze("int a[] = {14, 9, 14, 3}; int b[] = {14, 9, 14, 3}; int c[] = {1, 2};");
+  EXPECT_TRUE(read.maze);
+  EXPECT_THAT(read.notes, ElementsAre(Says("2 lists", "first")));
 }
 
 TEST(FieldFormats, SayWhereTheirWallsContradictEachOther) {

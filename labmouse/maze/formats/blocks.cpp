@@ -7,6 +7,7 @@
 //     #####
 #include "labmouse/maze/formats/cell_table.hpp"
 #include "labmouse/maze/formats/format.hpp"
+#include "labmouse/maze/formats/text.hpp"
 #include "labmouse/maze/formats/text_rows.hpp"
 
 namespace labmouse {
@@ -14,7 +15,12 @@ namespace {
 
 using namespace formats;
 
-bool is_blocks(std::string_view content) { return are_blocks(text_rows_of(content)); }
+/// Also what only begins as blocks do, so that the reader can say what is wrong.
+bool is_blocks(std::string_view content) {
+  const std::string_view line = first_line(content);
+  return (line.size() >= 3 && line.find_first_not_of('#') == std::string_view::npos) ||
+         are_blocks(text_rows_of(content));
+}
 
 ReadResult read_blocks(std::string_view content) { return read_text_rows(text_rows_of(content), "rows of characters"); }
 

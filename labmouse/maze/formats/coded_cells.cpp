@@ -82,7 +82,7 @@ class Reading {
       if (best_ && size.width != size.height && best_->file.width == best_->file.height) break;
       try_all(size);
     }
-    if (!best_) return maze_of(usual(sizes.front()).size(), statements(usual(sizes.front())));
+    if (!best_) return problems_of(usual(sizes.front()));
     ReadResult result = maze_of(best_->size(), statements(*best_));
     result.reading = describe(*best_);
     if (const auto others = rivals(); others > 0)
@@ -92,6 +92,15 @@ class Reading {
   }
 
  private:
+  /// Why a way does not fit. Where nothing is right, the first reason is enough.
+  ReadResult problems_of(const Way& way) const {
+    ReadResult read = maze_of(way.size(), statements(way));
+    if (read.problems.size() < most_problems) return read;
+    const Problem& first = read.problems.front();
+    return failure(first.line, first.column,
+                   joined("no order of cells and sides makes a maze of this; as ", describe(way), ", ", first.reason));
+  }
+
   Way usual(Size size) const { return {.file = size, .layout = cells_.usual}; }
 
   std::vector<CellStatement> statements(const Way& way) const {

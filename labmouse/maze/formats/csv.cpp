@@ -4,6 +4,7 @@
 //     row;column;north;east;south;west
 //     0;0;1;0;0;1
 #include <algorithm>
+#include <span>
 
 #include "labmouse/maze/formats/cell_table.hpp"
 #include "labmouse/maze/formats/format.hpp"
@@ -38,17 +39,25 @@ struct NumberLines {
   bool has_places = false;  ///< row, column and four sides
 };
 
-/// Reads lines of equally many numbers; the first line may hold names instead. Nothing if another line differs.
-std::optional<NumberLines> table_of(std::string_view content) {
+/// Reads lines of equally many numbers; the first line may hold names instead. Other lines are problems.
+NumberLines table_of(std::span<const Line> lines, ProblemList& problems) {
   NumberLines table;
-  for (const Line& line : lines_of(content, most_lines + 1)) {
+  for (const Line& line : lines) {
     auto numbers = numbers_of(line);
     if (!numbers && line.number == 1) continue;
-    if (!numbers || numbers->empty() || (!table.lines.empty() && numbers->size() != table.lines.front().size()))
-      return std::nullopt;
-    table.lines.push_back(std::move(*numbers));
+    const std::size_t expected = table.lines.empty() || !numbers ? 0 : table.lines.front().size();
+    if (!numbers)
+      problems.add(line.number, 1, "expected whole numbers between commas, semicolons or blanks");
+    else if (numbers->empty() || (expected != 0 && numbers->size() != expected))
+      problems.add(line.number, 1, joined("expected as many numbers as in the first line, found ", numbers->size()));
+    else
+      table.lines.push_back(std::move(*numbers));
   }
-  if (table.lines.empty() || table.lines.size() >= most_lines) return std::nullopt;
+  if (table.lines.empty()) {
+    problems.add(0, 0, "expected lines of numbers");
+    return table;
+  }
+  if (table.lines.size() >= most_lines) problems.add(0, 0, "more than 4096 lines of numbers");
   table.has_places =
       table.lines.front().size() == 6 && std::all_of(table.lines.begin(), table.lines.end(), [](const auto& line) {
         return std::all_of(line.begin() + 2, line.end(), [](const CodedCells::Entry& each) { return each.value <= 1; });
@@ -56,9 +65,11 @@ std::optional<NumberLines> table_of(std::string_view content) {
   return table;
 }
 
+/// Judged by the first lines; the reader finds what is wrong below.
 bool is_csv(std::string_view content) {
-  const auto table = table_of(content);
-  return table && table->lines.size() >= 2 && table->lines.front().size() >= 2 &&
+  ProblemList problems;
+  const NumberLines table = table_of(lines_of(content, 4), problems);
+  return problems.empty() && table.lines.size() >= 2 && table.lines.front().size() >= 2 &&
          !capstone_format.recognises(content) && !num_format.recognises(content) && !dump_format.recognises(content);
 }
 
@@ -89,11 +100,12 @@ ReadResult read_places(const NumberLines& table) {
 
 ReadResult read_csv(std::string_view content) {
   if (is_blank(content)) return failure(0, 0, "the file is empty");
-  const auto table = table_of(content);
-  if (!table) return failure(0, 0, "expected lines of equally many numbers, at most 4096");
-  if (table->has_places) return read_places(*table);
-  NumberTable numbers{.width = static_cast<int>(table->lines.front().size())};
-  for (const auto& line : table->lines) numbers.entries.insert(numbers.entries.end(), line.begin(), line.end());
+  ProblemList problems;
+  const NumberLines table = table_of(lines_of(content, most_lines + 1), problems);
+  if (!problems.empty()) return problems.failure();
+  if (table.has_places) return read_places(table);
+  NumberTable numbers{.width = static_cast<int>(table.lines.front().size())};
+  for (const auto& line : table.lines) numbers.entries.insert(numbers.entries.end(), line.begin(), line.end());
   return read_number_table(numbers, "table of numbers");
 }
 

@@ -18,7 +18,7 @@ using namespace formats;
 /// Two rows at least: a single number is the first line of a capstone file.
 bool is_hex_rows(std::string_view content) {
   const std::vector<TextRow> rows = text_rows_of(content);
-  return rows.size() >= 2 && are_hex_digits(rows);
+  return rows.size() >= 2 && are_hex_digits(std::span(rows).first(2)) && !are_blocks(rows);
 }
 
 ReadResult read_hex_rows(std::string_view content) {

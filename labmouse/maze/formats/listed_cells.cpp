@@ -207,6 +207,14 @@ ReadResult read_placed(const ListItem& list, std::string_view format) {
   return cells.read(size.width);
 }
 
+/// The first word that is neither a number nor a string, or null.
+const ListItem* first_word(const ListItem& item) {
+  if (item.kind == Kind::word) return &item;
+  for (const ListItem& each : item.items)
+    if (const ListItem* word = first_word(each)) return word;
+  return nullptr;
+}
+
 NumberTable table_of(const ListItem& list, Layout usual) {
   NumberTable table{.usual = usual};
   for (const ListItem& item : list.items) table.entries.push_back({item.number, item.line, item.column});
@@ -253,9 +261,16 @@ bool is_json_text(std::string_view content) {
 
 ReadResult read_listed_cells(std::string_view content, std::string_view format, Layout usual) {
   ProblemList problems;
-  auto list = read_lists(content, problems);
+  int equal = 0;
+  auto list = read_lists(content, problems, equal);
   if (!list) return problems.failure();
-  return read_list(unwrapped(std::move(*list)), format, usual);
+  const ListItem cells = unwrapped(std::move(*list));
+  if (const ListItem* word = first_word(cells))
+    return failure(word->line, word->column, "expected a whole number or a string, found " + quoted(word->text));
+  ReadResult result = read_list(cells, format, usual);
+  if (equal > 0)
+    result.notes.push_back(joined("the file has ", equal + 1, " lists of this length; the first one is read"));
+  return result;
 }
 
 }  // namespace labmouse::formats

@@ -15,7 +15,10 @@ constexpr std::size_t most_depth = 6;
 
 bool is_word(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_'; }
 
-/// The number of a word such as 13, 0x0D, 0b1101 or 13u.
+/// Signs and points belong to numbers, so that -1 and 1.5 are not read as 1.
+bool is_in_number(char letter) { return letter == '.' || letter == '-' || letter == '+'; }
+
+/// The number of a word such as 13, 0x0D, 0b1101, 13u or 13.0.
 std::optional<unsigned> number_of_word(std::string_view word) {
   if (word == "true" || word == "True") return 1U;
   if (word == "false" || word == "False") return 0U;
@@ -23,6 +26,10 @@ std::optional<unsigned> number_of_word(std::string_view word) {
     word.remove_suffix(1);
   if (word.starts_with("0x") || word.starts_with("0X")) return parse_whole<unsigned>(word.substr(2), 16);
   if (word.starts_with("0b") || word.starts_with("0B")) return parse_whole<unsigned>(word.substr(2), 2);
+  // NumPy prints whole numbers of floating-point arrays as 1. and 1.0
+  if (const std::size_t point = word.find('.');
+      word.find_first_not_of('0', std::min(point, word.size() - 1) + 1) == std::string_view::npos)
+    word = word.substr(0, point);
   return parse_whole<unsigned>(word);
 }
 
@@ -36,6 +43,8 @@ std::size_t leaves_of(const ListItem& item) {
 class ListReader {
  public:
   ListReader(std::string_view content, ProblemList& problems) : rest_(content), problems_(problems) {}
+
+  int equal() const { return equal_; }
 
   std::optional<ListItem> read() {
     while (!rest_.empty() && problems_.empty()) next();
@@ -56,7 +65,7 @@ class ListReader {
       const std::size_t end = rest_.find("*/");
       return skip(end == std::string_view::npos ? end : end + 2);
     }
-    if (is_word(letter)) return read_word();
+    if (is_word(letter) || (!open_.empty() && is_in_number(letter))) return read_word();
     if (letter == ':' && !open_.empty() && !open_.back().items.empty()) name_next();
     skip(1);
   }
@@ -83,7 +92,7 @@ class ListReader {
 
   void read_word() {
     std::size_t length = 1;
-    while (length < rest_.size() && is_word(rest_[length])) ++length;
+    while (length < rest_.size() && (is_word(rest_[length]) || is_in_number(rest_[length]))) ++length;
     const std::string_view word = rest_.substr(0, length);
     if (!open_.empty()) {
       if (const std::optional<unsigned> number = number_of_word(word))
@@ -126,6 +135,9 @@ class ListReader {
       open_.back().items.push_back(std::move(list));
     } else if (!longest_ || leaves_of(list) > leaves_of(*longest_)) {
       longest_ = std::move(list);
+      equal_ = 0;
+    } else if (leaves_of(list) == leaves_of(*longest_)) {
+      ++equal_;
     }
   }
 
@@ -137,13 +149,17 @@ class ListReader {
   std::vector<ListItem> open_;
   std::string_view key_;
   std::optional<ListItem> longest_;
+  int equal_ = 0;  ///< further lists of the same length
   std::size_t count_ = 0;
 };
 
 }  // namespace
 
-std::optional<ListItem> read_lists(std::string_view content, ProblemList& problems) {
-  return ListReader(content, problems).read();
+std::optional<ListItem> read_lists(std::string_view content, ProblemList& problems, int& equal) {
+  ListReader reader(content, problems);
+  std::optional<ListItem> longest = reader.read();
+  equal = reader.equal();
+  return longest;
 }
 
 }  // namespace labmouse::formats

@@ -28,8 +28,9 @@ struct ListItem {
   int column = 0;
 };
 
-/// The longest list of the text with all that is in it; what stands around it (declarations, comments) is skipped.
-/// `true` and `false` are 1 and 0. Nothing where there is no list, with the reason in `problems`.
-std::optional<ListItem> read_lists(std::string_view content, ProblemList& problems);
+/// Reads the longest list of the text, the first of equals. Skips declarations and comments around it. `true` and
+/// `false` are 1 and 0. Empty if there is no list; `problems` has the reason.
+/// @param equal Gets the number of further lists of the same length.
+std::optional<ListItem> read_lists(std::string_view content, ProblemList& problems, int& equal);
 
 }  // namespace labmouse::formats

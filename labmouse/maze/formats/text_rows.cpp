@@ -88,7 +88,6 @@ bool is_hexadecimal(std::string_view text) {
 
 bool are_hex_digits(std::span<const TextRow> rows) {
   return have_one_length(rows) && rows.size() <= max_side && rows.front().text.size() <= max_side &&
-         !are_blocks(rows) &&
          std::all_of(rows.begin(), rows.end(), [](const TextRow& row) { return is_hexadecimal(row.text); });
 }
 
@@ -102,6 +101,12 @@ ReadResult read_text_rows(std::span<const TextRow> rows, std::string_view format
           row.line, row.column,
           joined("the row has ", row.text.size(), " characters, the first one has ", rows.front().text.size()));
   if (const Blocks blocks = blocks_of(rows); are_blocks(blocks)) return maze_of(blocks, format);
+  if (!is_hexadecimal(rows.front().text.substr(0, 1)))
+    return failure(
+        rows.front().line, rows.front().column,
+        joined("blocks need an odd number of rows and columns, one character for walls all along the border, and "
+               "another one in each cell; found ",
+               rows.front().text.size(), "x", rows.size(), " characters"));
   CodedCells cells{.format = format, .width = static_cast<int>(rows.front().text.size())};
   if (rows.size() > max_side || cells.width > max_side)
     return failure(rows.front().line, rows.front().column,

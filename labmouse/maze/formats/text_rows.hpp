@@ -22,7 +22,7 @@ std::vector<TextRow> text_rows_of(std::string_view content);
 /// Whether there are hexadecimal digits only.
 bool is_hexadecimal(std::string_view text);
 
-/// Whether the rows are equally long, hold hexadecimal digits only, and are no blocks.
+/// Whether the rows are equally long and hold hexadecimal digits only.
 bool are_hex_digits(std::span<const TextRow> rows);
 
 /// Whether the rows are equally long and consist of two characters: one is the whole border, and in no middle of a
