@@ -22,7 +22,8 @@ inline void check_reader(const Format& format, const std::uint8_t* bytes, std::s
   if (!result.maze) return;
   if (recognised_format(content) == &format) require(recognised.maze == result.maze);
   const WriteResult written = format.write(*result.maze);
-  require(written.content && format.read(*written.content).maze == result.maze);
+  // Rectangles of bytes are read, but not written.
+  if (written.content) require(format.read(*written.content).maze == result.maze);
 }
 
 }  // namespace labmouse::fuzz

@@ -94,7 +94,10 @@ void expect_maze_or_problems(const std::string& content) {
     const ReadResult result = format->read(content);
     RC_ASSERT(result.maze.has_value() == result.problems.empty());
     RC_ASSERT(result.problems.size() <= most_problems);
-    if (result.maze) RC_ASSERT(format->read(format->write(*result.maze).content.value()).maze == result.maze);
+    if (!result.maze) continue;
+    // A file of bytes can be a rectangle, which is not written: its size would have to be guessed.
+    const WriteResult written = format->write(*result.maze);
+    if (written.content) RC_ASSERT(format->read(*written.content).maze == result.maze);
   }
   const ReadResult result = read_maze(content);
   RC_ASSERT(result.maze.has_value() == result.problems.empty());
