@@ -63,7 +63,7 @@ PythonBriefing briefing_of(const BriefingFields& fields) {
 }  // namespace
 
 void bind_briefings(nb::module_& module) {
-  nb::class_<PythonBriefing>(module, "Briefing", "What a mouse is told before it is put into the maze.")
+  nb::class_<PythonBriefing>(module, "Briefing", "What a mouse knows before its first step.")
       .def_prop_ro(
           "width", [](const PythonBriefing& told) { return told.briefing.size.width; }, "Columns of cells.")
       .def_prop_ro(

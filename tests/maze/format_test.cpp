@@ -30,6 +30,17 @@ TEST(AllFormats, AreFoundByTheirNames) {
   EXPECT_EQ(find_format(""), nullptr);
 }
 
+TEST(AllFormats, BelongToExtensions) {
+  for (const Format* format : all_formats()) {
+    const Format* const of_file = format_of_file("a.b/maze" + std::string(format->extension));
+    EXPECT_TRUE(of_file == format || format->extension == ".txt") << format->name;
+  }
+  for (const char* name : {"maze", "maze.txt", "maze.maze", "folder.num/maze", ".num", "a/.num"})
+    EXPECT_EQ(format_of_file(name), &drawing_format) << name;
+  EXPECT_EQ(format_of_file("maze.c"), &c_format);
+  EXPECT_EQ(format_of_file("maze.xyz"), nullptr);
+}
+
 TEST(AllFormats, RecogniseWhatTheyWriteAndNothingElse) {
   const Maze maze = test::maze_by_dice({16, 16}, 1, 4);
   for (const Format* format : all_formats()) EXPECT_EQ(format_of(format->write(maze).content.value()), format->name);

@@ -111,9 +111,9 @@ def test_what_is_wrong_is_said_in_one_line(what):
 
 def test_a_file_that_is_wrong_is_said_with_its_place(tmp_path):
     broken = tmp_path / "broken.txt"
-    broken.write_text("o---o\n| S \no---o\n")
+    broken.write_text("o---o\n| S |\no-x-o\n")
     for act in (lambda: labmouse.Maze(broken), lambda: labmouse.race("flood", broken), lambda: labmouse.bound(broken)):
-        with pytest.raises(labmouse.Error, match=r"^[^\n]*broken\.txt:2:5: error: [^\n]*$"):
+        with pytest.raises(labmouse.Error, match=r"^[^\n]*broken\.txt:3:3: error: [^\n]*$"):
             act()
     for act in (lambda: learn.Learned.load(broken), lambda: labmouse.route(MAZE, robot=broken)):
         with pytest.raises(labmouse.Error, match=r"^[^\n]*broken\.txt[^\n]*: error: [^\n]*$"):

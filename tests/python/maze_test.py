@@ -67,7 +67,7 @@ def test_sides_that_no_maze_has_are_refused(shape):
 
 def test_errors_are_those_of_the_command(command, tmp_path):
     broken = tmp_path / "broken.txt"
-    broken.write_text("o---o\n| S \no---o\n")
+    broken.write_text("o---o\n| S |\no-x-o\n")
     with pytest.raises(labmouse.Error) as error:
         labmouse.Maze(broken)
     assert str(error.value) == command("show", str(broken)).strip()

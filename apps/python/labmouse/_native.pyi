@@ -146,7 +146,7 @@ def set_sighting_type(type: type) -> None:
     """Sets the class of sightings, called with (left, ahead, right)."""
 
 class Briefing:
-    """What a mouse is told before it is put into the maze."""
+    """What a mouse knows before its first step."""
 
     @property
     def width(self) -> int:

@@ -24,9 +24,9 @@ const Format* find_format(std::string_view name) {
 }
 
 const Format* format_of_file(std::string_view name) {
-  const std::size_t slash = name.find_last_of('/'), dot = name.rfind('.');
-  const bool has_extension = dot != std::string_view::npos && (slash == std::string_view::npos || dot > slash + 1);
-  const std::string_view extension = has_extension ? name.substr(dot) : "";
+  const std::string_view file = name.substr(name.find_last_of('/') + 1);  // npos + 1 is 0
+  const std::size_t dot = file.rfind('.');
+  const std::string_view extension = dot == 0 || dot == std::string_view::npos ? "" : file.substr(dot);
   if (extension.empty() || extension == ".maze") return &drawing_format;
   if (extension == ".c") return &c_format;
   for (const Format* format : all_formats())

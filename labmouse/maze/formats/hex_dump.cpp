@@ -19,6 +19,7 @@ namespace {
 using namespace formats;
 
 constexpr std::size_t most_bytes_of_dump = max_side * max_side;
+
 /// The part of a line that holds bytes.
 std::string_view bytes_in(std::string_view line) {
   if (const std::size_t colon = line.find(": ");
@@ -28,14 +29,13 @@ std::string_view bytes_in(std::string_view line) {
            end >= 7 && end != std::string_view::npos && end <= 8 && is_hexadecimal(line.substr(0, end)))
     line.remove_prefix(end);
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-  // The characters stand behind a bar, or two blanks behind the last byte.
-  if (const std::size_t bar = line.find('|'); bar != std::string_view::npos) return line.substr(0, bar);
+  // The characters are two blanks after the last byte. Groups of bytes can be two blanks apart, too.
   std::size_t from = 0;
   for (;;) {
     const std::size_t gap = line.find("  ", from);
     if (gap == std::string_view::npos) return line;
     const std::size_t next = line.find_first_not_of(blanks, gap);
-    const auto words = words_between_blanks(line.substr(std::min(next, line.size())), most_bytes_of_dump);
+    const auto words = words_between_blanks(line.substr(std::min(next, line.size())), 1);
     if (words.empty() || words.front().text.size() % 2 != 0 || !is_hexadecimal(words.front().text))
       return line.substr(0, gap);
     from = next;
