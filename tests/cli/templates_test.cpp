@@ -111,7 +111,7 @@ TEST_P(AControllerTemplate, FinishesContests) {
   EXPECT_EQ(group.at("world"), "physical");
   for (const auto& result : group.at("mice").at(0).at("results")) {
     EXPECT_TRUE(result.at("score").is_object()) << result;
-    // A search, and fast runs by what it has seen.
+    // A search, and speed runs by what it has seen.
     EXPECT_GE(result.at("done").get<int>(), 2) << result;
   }
 }

@@ -70,7 +70,7 @@ TEST(DriveBound, OfARunIsTheFastestRoute) {
 
 TEST(DriveBound, CanBeTheSearchItself) {
   EXPECT_EQ(drive_bound_of(test::ring(), rules_of(10, true), mm2021()).score, 1'074'000);
-  // Where a thousandth counts, the fast run is worth its search: 8,748 ms in the maze count 8.748.
+  // Where a thousandth counts, the speed run is worth its search: 8,748 ms in the maze count 8.748.
   const MazeTime run = *drive_bound_of(test::ring(), rules_of(0, true), mm2021()).score;
   EXPECT_EQ(drive_bound_of(test::ring(), rules_of(1000, true), mm2021()).score, run + 8'748);
 }

@@ -58,7 +58,7 @@ TEST(PhysicalContest, GoesWithoutNoiseAsInSeconds) {
       EXPECT_THAT(record.ends, Each(RunEnd::done));
       const auto best = score(record.drive, rules).value();
       ASSERT_TRUE(best);
-      // Bodies need a little longer than plans; by all-japan only the fast run counts.
+      // Bodies need a little longer than plans; by all-japan only the speed run counts.
       const auto model = test::drive_model(robot);
       const BuiltinMouse& entry = *find_mouse(mouse);
       const auto strategy = entry.drive(brief(test::ring(), rules, *model, 1), Settings(entry.parameters));
@@ -102,7 +102,7 @@ TEST(PhysicalContest, EveryCrashEndsARunAndIsCarried) {
     const auto crashed = std::count_if(record.ends.begin(), record.ends.end(), is_crash);
     const auto touched =
         std::count_if(record.touches.begin(), record.touches.end(), [](const WallTouch& touch) { return touch.crash; });
-    // One behind the goal of a fast run is no end of it.
+    // One behind the goal of a speed run is no end of it.
     EXPECT_LE(crashed, touched);
     EXPECT_GE(record.carried, touched - 1);
     EXPECT_LE(record.carried, touched + 1);
@@ -230,7 +230,7 @@ TEST(PhysicalContest, AMindThatAsksForWhatIsNotThereIsLost) {
     return drive_physically(test::ring(), find_rules("all-japan").rules, *test::drive_model("kerise"), at_noise(0.0), 1,
                             mouse);
   };
-  // Through a wall; home before a goal; and a fast run over a way that is not known.
+  // Through a wall; home before a goal; and a speed run over a way that is not known.
   for (const auto& script : {std::vector<Action>{Action::step(90, 1)}, {Action::step(0, 1), Action::reset()}}) {
     const PhysicalRecord record = outcome_of(script);
     EXPECT_EQ(record.drive.outcome, DriveOutcome::forfeit);

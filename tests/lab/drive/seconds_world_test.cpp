@@ -154,7 +154,7 @@ TEST(SecondsWorld, TellsWhoHasProvenThatNothingIsLeftToHopeFor) {
   }
 }
 
-TEST(SecondsWorld, ProvesNothingWithoutAFastRun) {
+TEST(SecondsWorld, ProvesNothingWithoutASpeedRun) {
   DriveRules once = rules_called("all-japan");
   once.most_runs = 1;
   const Race race = hold_race(mice("certify"), {{"faster", with_a_faster_way()}}, order(once));

@@ -146,7 +146,7 @@ TEST(CodeContest, CarriesAMouseThatCrashedUntilItsRunsAreOver) {
   EXPECT_EQ(held.record.drive.outcome, DriveOutcome::finished);
 }
 
-TEST(CodeContest, IsOverForAFastRunOnceItIsInTheGoal) {
+TEST(CodeContest, IsOverForASpeedRunOnceItIsInTheGoal) {
   Prompted code(
       [](int tick, const Prompted&) { return ahead(slow, tick == 0 ? ControllerWord::fast : ControllerWord::drive); });
   const Contest held = contest(code);

@@ -91,7 +91,7 @@ TEST(DriveDrawing, OfAContestShowsItsSearch) {
   EXPECT_THAT(svg, HasSubstr("stroke-speed1"));
 }
 
-TEST(DriveDrawing, TakesContestsWithoutAFastRun) {
+TEST(DriveDrawing, TakesContestsWithoutASpeedRun) {
   DriveRecordFile file = test::driven("flood");
   file.record.runs.resize(1);
   file.record.outcome = DriveOutcome::out_of_time;

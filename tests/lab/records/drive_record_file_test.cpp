@@ -223,7 +223,7 @@ std::vector<Action> to_goal(const Action& then) {
   return {on, on, right, on, right, then};
 }
 
-/// A search, the way home, and a fast run.
+/// A search, the way home, and a speed run.
 DriveRecordFile three_runs() {
   DriveRecordFile file = driven("certify");
   EXPECT_EQ(file.record.runs.size(), 3U);

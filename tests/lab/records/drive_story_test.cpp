@@ -12,7 +12,7 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Two searches that end in crashes, a third, the way home, and two fast runs; the wall north of (1, 1) turns over.
+/// Two searches that end in crashes, a third, the way home, and two speed runs; the wall north of (1, 1) turns over.
 DriveRecordFile eventful() {
   DriveRecordFile file;
   file.maze = test::ring();

@@ -42,7 +42,7 @@ function asSeen({ track, name, hue, scene }: Side): Pictured {
   return { track, name, hue, beliefs: scene.beliefs(), geometry };
 }
 
-const fastRuns = ({ track }: Side) =>
+const speedRuns = ({ track }: Side) =>
   (track.drive?.runs ?? [])
     .filter(({ kind }) => kind === 'fast')
     .map(({ begin, end }): Piece => [begin / 1e6, end / 1e6]);
@@ -73,7 +73,7 @@ export async function filmOf(
   const { width, height, paint } = createSheet(sides.map(asFilmed), { ...layers }, readPalette());
   const inSteps = sides.every((side) => side.track.play.traits.clock === 'steps');
   const cells = Math.max(...sides.map((side) => side.track.cells));
-  const plan = { width, height, paint, end, inSteps, fast: sides.flatMap(fastRuns), cells };
+  const plan = { width, height, paint, end, inSteps, fast: sides.flatMap(speedRuns), cells };
   const { gif, frames, shortened } = await makeFilm(plan, report, wanted);
   const size = `${(gif.length / 1e6).toFixed(1)} MB, ${frames} frames to ${timeText(sides[0].track, end)}`;
   const less = shortened ? `; steps are left out, to stay below ${mostBytes / 1e6} MB` : '';

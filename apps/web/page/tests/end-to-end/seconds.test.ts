@@ -26,10 +26,10 @@ const fact = async (page: Page, name: string) =>
     .textContent();
 const pixels = (page: Page) =>
   page.locator('.replay .sides canvas').evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
-const fastRun = (page: Page) =>
+const speedRun = (page: Page) =>
   page
     .locator('.replay .drive-runs')
-    .getByRole('button', { name: /fast run$/ })
+    .getByRole('button', { name: /speed run$/ })
     .last();
 
 test('a contest in seconds is played on its clock, move by move', async () => {
@@ -55,16 +55,16 @@ test('its runs are listed, and lead to their beginnings, with their curves', asy
   expect(await runs.allTextContents()).toEqual([
     expect.stringContaining('1 search'),
     expect.stringContaining('2 way home'),
-    expect.stringContaining('3 fast run'),
+    expect.stringContaining('3 speed run'),
   ]);
   expect(await runs.last().textContent()).toContain('best');
-  await fastRun(page).click();
-  await expect.poll(() => fact(page, 'run')).toBe('fast run');
+  await speedRun(page).click();
+  await expect.poll(() => fact(page, 'run')).toBe('speed run');
   expect(await runs.last().getAttribute('aria-current')).toBe('true');
   expect(await fact(page, 'time in this run')).toBe('0.000 s');
   const curves = page.locator('.replay .drive-curves');
   await curves.locator('canvas').waitFor();
-  expect(await curves.getByRole('img').getAttribute('aria-label')).toMatch(/run 3: fast run; at most [\d.]+ m\/s/);
+  expect(await curves.getByRole('img').getAttribute('aria-label')).toMatch(/run 3: speed run; at most [\d.]+ m\/s/);
   const before = await pixels(page);
   await curves.locator('.u-over').click({ position: { x: 150, y: 20 } });
   await expect.poll(() => fact(page, 'time in this run')).not.toBe('0.000 s');
@@ -163,10 +163,10 @@ test('a record of the physical world shows the true mouse and the one that it th
 
 test.runIf(proof)('nothing is in the way of anybody, in light and dark, at every width', async () => {
   const page = await driven();
-  await fastRun(page).click();
+  await speedRun(page).click();
   await scrub(page, (await end(page)) - 2);
   await page.keyboard.press('8');
-  await expect.poll(() => fact(page, 'run')).toBe('fast run');
+  await expect.poll(() => fact(page, 'run')).toBe('speed run');
   for (const colorScheme of ['light', 'dark'] as const)
     for (const width of [1280, 390]) {
       await page.emulateMedia({ colorScheme });

@@ -135,7 +135,7 @@ describe('the controls of time', () => {
   it('lead to the runs, under the names of the world', () => {
     const asked: unknown[][] = [];
     const room = controls(seconds(), asked);
-    expect(texts(room, '.mark')).toEqual(['Search', 'Goal', 'Fast run']);
+    expect(texts(room, '.mark')).toEqual(['Search', 'Goal', 'Speed run']);
     all(room, '.mark').forEach((mark) => mark.click());
     expect(asked).toEqual([
       ['jump', 'start'],
@@ -294,7 +294,7 @@ describe('what stands beside', () => {
     expect(caption(steps(), 4)).toEqual(['0.133', 'score so far', 'best possible 3.133', '4 of 8 steps, search']);
     expect(caption(mms(), 2).slice(2)).toEqual(['best possible 3.1', '4 of 4 steps, ended']);
     expect(caption(seconds(), 4)).toEqual([
-      ...['4.000', 's on the clock', 'no run so far', 'best possible 1.250', '3 of 5 moves, fast run'],
+      ...['4.000', 's on the clock', 'no run so far', 'best possible 1.250', '3 of 5 moves, speed run'],
     ]);
   });
 });

@@ -13,7 +13,7 @@ describe('a film', () => {
     expect(times).toHaveLength(101);
     expect([times[0], times[1], times.at(-1)]).toEqual([0, 10, 1000]);
   });
-  it('gives fast runs more frames, and goes on steadily', () => {
+  it('gives speed runs more frames, and goes on steadily', () => {
     const { times } = planFilm(100, false, 360, [
       [90, 95],
       [20, 30],

@@ -130,7 +130,7 @@ export function seconds(changes: Partial<Play> = {}): Play {
   return {
     ...steps(),
     world: 'seconds',
-    traits: { ...inSteps, clock: 'seconds', unit: 's', runs: ['search', 'way home', 'fast run'] },
+    traits: { ...inSteps, clock: 'seconds', unit: 's', runs: ['search', 'way home', 'speed run'] },
     loses: [],
     rules: null,
     outcome: 'finished',
