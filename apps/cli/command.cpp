@@ -129,8 +129,11 @@ void refuse_other_file(const std::string& path) {
 
 std::string describe_all(const std::vector<SkippedFile>& files) {
   std::string text;
-  for (const SkippedFile& file : files)
+  for (const SkippedFile& file : files) {
     for (const Problem& problem : file.problems) text += describe(file.path, problem) + "\n";
+    if (file.repairable)
+      text += fmt::format("{}: `labmouse convert FILE NEW --repair` closes these walls\n", shown(file.path));
+  }
   if (!text.empty()) text.pop_back();
   return text;
 }
@@ -181,9 +184,9 @@ std::vector<std::string> separated(const std::vector<std::string>& paths) {
   return all;
 }
 
-MazeCollection find_mazes(const std::vector<std::string>& names, const Places& places) {
+MazeCollection find_mazes(const std::vector<std::string>& names, const Places& places, const ReadChoice& choice) {
   const std::vector<std::string> paths = separated(names);
-  MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths);
+  MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths, choice);
   for (const SkippedFile& file : collection.errors) refuse_other_file(file.path);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));
   tell_skipped(collection.skipped);
@@ -194,8 +197,8 @@ MazeCollection find_mazes(const std::vector<std::string>& names, const Places& p
   return collection;
 }
 
-NamedMaze find_maze(const std::string& path, const Places& places) {
-  MazeCollection collection = find_mazes({path}, places);
+NamedMaze find_maze(const std::string& path, const Places& places, const ReadChoice& choice) {
+  MazeCollection collection = find_mazes({path}, places, choice);
   if (collection.mazes.size() == 1) return collection.mazes.front();
   throw UsageError(fmt::format("{}: error: this names {} mazes; name exactly one", path, collection.mazes.size()));
 }

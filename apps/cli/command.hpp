@@ -37,13 +37,13 @@ void add_places(Command& command, Places& places);
 std::vector<std::string> separated(const std::vector<std::string>& paths);
 /// Loads the mazes of the paths (all built-in ones without a path) and applies the places. Prints skipped files on
 /// standard error. Throws UsageError for a directly named path that is no maze.
-MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places);
+MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places, const ReadChoice& choice = {});
 /// Prints remarks on likely mistakes to standard error.
 void tell_remarks(const std::vector<std::string>& remarks);
 /// Prints the first files that are no mazes and counts the others; JSON output lists all.
 void tell_skipped(const std::vector<SkippedFile>& skipped);
 /// Loads the maze of a path, which must have exactly one.
-NamedMaze find_maze(const std::string& path, const Places& places);
+NamedMaze find_maze(const std::string& path, const Places& places, const ReadChoice& choice = {});
 
 /// Finds a built-in robot or that of a file; throws UsageError with all its problems.
 FoundRobot find_robot_or_refuse(const std::string& name);

@@ -28,16 +28,18 @@ std::string suggestion(std::string_view word, const Things& things) {
   return near.empty() ? "expected one of " + list_of(things) : fmt::format("did you mean '{}'?", near);
 }
 
-/// The format with that name; without a name the format of the path's extension, or the drawing.
-const Format& choose_format(const std::string& name, const std::string& path) {
-  if (name.empty()) {
-    if (is_stream(path)) return drawing_format;
-    if (const Format* format = format_of_file(path)) return *format;
-    throw UsageError(fmt::format("{}: error: the extension '{}' belongs to no maze format; add --format with one of {}",
-                                 path, std::filesystem::path(path).extension().string(), list_of(all_formats())));
-  }
+const Format& format_named(const std::string& name) {
   if (const Format* format = find_format(name)) return *format;
   throw UsageError(fmt::format("error: unknown format '{}'; {}", name, suggestion(name, all_formats())));
+}
+
+/// The format with that name; without a name the format of the path's extension, or the drawing.
+const Format& choose_format(const std::string& name, const std::string& path) {
+  if (!name.empty()) return format_named(name);
+  if (is_stream(path)) return drawing_format;
+  if (const Format* format = format_of_file(path)) return *format;
+  throw UsageError(fmt::format("{}: error: the extension '{}' belongs to no maze format; add --format with one of {}",
+                               path, std::filesystem::path(path).extension().string(), list_of(all_formats())));
 }
 
 void write(const Maze& maze, const std::string& path, const std::string& format_name) {
@@ -78,8 +80,17 @@ void make(const MakeOptions& options) {
 }
 
 struct ConvertOptions {
-  std::string in, out, format;
+  std::string in, out, format, from;
+  ReadChoice choice;
 };
+
+void convert(const ConvertOptions& options) {
+  ReadChoice choice = options.choice;
+  if (!options.from.empty()) choice.format = &format_named(options.from);
+  const NamedMaze maze = find_maze(options.in, {}, choice);
+  write(maze.maze, options.out, options.format);
+  if (!maze.reading.empty()) tell(fmt::format("{}: read as {}\n", shown(maze.name), maze.reading));
+}
 
 }  // namespace
 
@@ -118,11 +129,15 @@ void add_convert(Command& app, int& exit) {
       ->add_option("--format", options->format,
                    "Format: " + list_of(all_formats()) + "; default: by the extension of OUT, otherwise drawing")
       ->type_name("FORMAT");
+  command->add_option("--from", options->from, "Format of IN, if it is recognised as another one")->type_name("FORMAT");
+  command->add_flag("--transpose", options->choice.transposed, "Exchange x and y, if IN has columns for rows");
+  command->add_flag("--repair", options->choice.repaired,
+                    "If a few cells of IN contradict their neighbours, put walls there, and print them");
+  command->add_flag("--border-gaps", options->choice.gaps_are_places,
+                    "Start in one of the two gaps in the border of IN, the southern one; the goal is the other");
   command->footer("Example: labmouse convert contest-01 maze.maz");
   command->callback([options, &exit] {
-    const NamedMaze maze = find_maze(options->in, {});
-    write(maze.maze, options->out, options->format);
-    if (!maze.reading.empty()) tell(fmt::format("{}: read as {}\n", shown(maze.name), maze.reading));
+    convert(*options);
     exit = exit_good;
   });
 }

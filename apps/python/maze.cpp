@@ -82,12 +82,20 @@ std::string suggestion(std::string_view word, const Things& things) {
                       : fmt::format("did you mean '{}'?", near);
 }
 
+/// Raises a UserWarning for each note; throws if the user made warnings errors.
+void warn(const std::vector<MazeNote>& notes) {
+  for (const MazeNote& note : notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, fmt::format("{}: {}", note.path, note.text).c_str(), 2) < 0)
+      throw nb::python_error();
+}
+
 NamedMaze load(const std::filesystem::path& path) {
   const std::vector<std::string> paths = {path.string()};
   MazeCollection found = load_mazes(paths);
   if (!found.errors.empty()) throw error_of(found.errors);
   if (found.mazes.size() != 1)
     throw UserError(fmt::format("{}: error: this names {} mazes; name exactly one", paths.front(), found.mazes.size()));
+  warn(found.notes);
   return std::move(found.mazes.front());
 }
 
@@ -95,6 +103,7 @@ NamedMaze parse(nb::handle text, nb::handle given_name) {
   const std::string name = text_in(given_name, "name");
   ReadResult read = read_maze(text_in(text, "text"));
   if (!read.maze) throw error_of({{name, read.problems}});
+  for (const std::string& note : read.notes) warn({{name, note}});
   return {name, *std::move(read.maze)};
 }
 
@@ -103,6 +112,7 @@ std::vector<NamedMaze> find(const std::vector<std::filesystem::path>& paths) {
   for (const auto& path : paths) names.push_back(path.string());
   MazeCollection found = names.empty() ? load_builtin_mazes() : load_mazes(names);
   if (!found.errors.empty()) throw error_of(found.errors);
+  warn(found.notes);
   return std::move(found.mazes);
 }
 

@@ -694,6 +694,23 @@ TEST_F(AUser, ConvertsWhatOthersWriteAndIsToldHowItWasRead) {
   EXPECT_THAT(labmouse({"show", "gap.txt"}).err, Says("gap.txt", "east of (1,0)"));
 }
 
+TEST_F(AUser, ConvertsWhatDoesNotSayEnough) {
+  file("odd.num", "0 0 0 1 1 1\n0 1 1 1 0 1\n1 0 0 1 1 1\n1 1 1 1 0 0\n");
+  const Ended refused = labmouse({"convert", "odd.num", "even.num"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, Says("odd.num:4:1", "(1,1)", "--repair"));
+  const Ended repaired = labmouse({"convert", "odd.num", "even.num", "--repair", "--from", "num", "--transpose"});
+  EXPECT_EQ(repaired.code, 0);
+  EXPECT_THAT(repaired.err, Says("note", "(1,1)", "closed"));
+  EXPECT_EQ(labmouse({"convert", "even.num", "-", "--format", "num"}).out,
+            "0 0 1 0 1 1\n0 1 1 0 1 1\n1 0 1 1 1 0\n1 1 1 1 1 0\n");
+  is_refused({"convert", "odd.num", "even.num", "--from", "nul"}, "'nul'", "'num'");
+  file("gap.txt", "o---o---o\n|        \no---o   o\n");
+  EXPECT_EQ(labmouse({"convert", "gap.txt", "-", "--border-gaps"}).code, 2);
+  file("gaps.txt", "o---o---o\n         \no---o---o\n");
+  EXPECT_EQ(labmouse({"convert", "gaps.txt", "-", "--border-gaps", "--format", "drawing"}).code, 2);
+}
+
 TEST_F(AUser, SeparatesMazesAndGoalsByCommas) {
   file("corridor.txt", corridor);
   file("a,b.txt", corridor);

@@ -94,7 +94,7 @@ TEST(Drawing, CannotHoldTwoLettersInACell) {
 }
 
 TEST(Drawing, ClosesGapsInItsBorderWithANote) {
-  const ReadResult open = drawing_format.read(content_of(R"(
+  const ReadResult open = read_maze(content_of(R"(
 o---o   o---o
 |            
 o   o   o   o

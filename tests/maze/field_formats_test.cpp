@@ -205,6 +205,90 @@ TEST(FieldFormats, SayWhereTheirWallsContradictEachOther) {
               ElementsAre(test::SaysAt("3:3", "(1,0)", "border"), test::SaysAt("3:7", "(1,1)", "(1,0)")));
 }
 
+// The content of a format with one letter replaced; lines and columns count from 0.
+std::string with_letter(std::string content, std::size_t line, std::size_t column, char letter) {
+  std::size_t at = 0;
+  for (; line > 0; --line) at = content.find('\n', at) + 1;
+  content.at(at + column) = letter;
+  return content;
+}
+
+// A hexadecimal digit of a row with one of its bits flipped.
+std::string with_flipped_wall(const std::string& rows, Size size, Cell cell, Heading side) {
+  const auto line = static_cast<std::size_t>(size.height - 1 - cell.y), column = static_cast<std::size_t>(cell.x);
+  const char digit = rows.at(line * static_cast<std::size_t>(size.width + 1) + column);
+  const int value = digit >= 'a' ? digit - 'a' + 10 : digit - '0';
+  return with_letter(rows, line, column, "0123456789abcdef"[value ^ 1 << static_cast<int>(side)]);
+}
+
+TEST(BorderGaps, AreClosedOrTheStartAndTheGoal) {
+  const Maze maze = usual_maze({6, 5}, 3);
+  std::string hex = hex_format.write(maze).content.value(), blocks = blocks_format.write(maze).content.value();
+  hex = with_flipped_wall(hex, maze.size(), {5, 2}, Heading::east);
+  hex = with_flipped_wall(hex, maze.size(), {4, 0}, Heading::south);
+  blocks = with_letter(with_letter(blocks, 5, 12, ' '), 10, 9, ' ');
+  const ReadChoice places{.gaps_are_places = true};
+  for (const std::string& content : {hex, blocks}) {
+    const ReadResult read = read_maze(content);
+    EXPECT_EQ(read.maze, maze) << content;
+    EXPECT_THAT(read.notes, ElementsAre(Says("east of (5,2)", "south of (4,0)")));
+    const ReadResult between = read_maze(content, places);
+    ASSERT_TRUE(between.maze);
+    EXPECT_THAT(between.notes, IsEmpty());
+    EXPECT_EQ(between.maze->open_walls(), maze.open_walls());
+    EXPECT_EQ(between.maze->start(), (Cell{4, 0}));
+    EXPECT_EQ(between.maze->start_heading(), Heading::north);
+    EXPECT_EQ(between.maze->goals().count(), 1);
+    EXPECT_TRUE(between.maze->is_goal({5, 2}));
+  }
+  EXPECT_FALSE(read_maze(hex_format.write(maze).content.value(), places).maze);
+  EXPECT_FALSE(read_maze(with_flipped_wall(hex, maze.size(), {0, 0}, Heading::west)).maze);
+  EXPECT_FALSE(read_maze(with_letter(blocks, 0, 1, ' ')).maze);
+  // Three cells of a small list would fit too often.
+  EXPECT_FALSE(read_maze("93\nea\n").maze);
+}
+
+TEST(Contradictions, AreRepairedOnRequest) {
+  const Maze maze = usual_maze({8, 7}, 5);
+  const Wall wall{{0, 6}, Heading::east};  // is open
+  const std::string hex = with_flipped_wall(hex_format.write(maze).content.value(), maze.size(), {1, 6}, Heading::west);
+  const Notation notation{
+      .order = {Heading::west, Heading::south, Heading::east, Heading::north}, .columns = true, .from_north = false};
+  std::string list = list_of(maze, notation);
+  const unsigned number = number_of(maze, {0, 6}, notation);
+  const std::size_t end = list.find(']'), begin = list.rfind(' ', end) + 1;  // the last number of the first column
+  list.replace(begin, end - begin, std::to_string(number ^ 4U));
+  for (const std::string& content : {hex, list}) {
+    const ReadResult read = read_maze(content);
+    EXPECT_FALSE(read.maze) << read.reading;
+    EXPECT_THAT(test::lines_of(read), ElementsAre(Says("(0,6)", "(1,6)")));
+    const ReadResult repaired = read_maze(content, {.repaired = true});
+    ASSERT_TRUE(repaired.maze);
+    EXPECT_THAT(repaired.notes, testing::Contains(Says("(0,6)", "(1,6)", "closed")));
+    EXPECT_FALSE(repaired.maze->is_open(wall.cell, wall.side));
+    WallSet open = repaired.maze->open_walls();
+    open.insert(wall);
+    EXPECT_EQ(open, maze.open_walls());
+  }
+  EXPECT_FALSE(read_maze("12\n34\n", {.repaired = true}).maze);
+}
+
+TEST(ReadChoice, TransposesAndNamesTheFormat) {
+  const Maze maze = usual_maze({6, 5}, 7);
+  const std::string content = num_format.write(maze).content.value();
+  const ReadResult read = read_maze(content, {.format = &num_format, .transposed = true});
+  ASSERT_TRUE(read.maze);
+  EXPECT_EQ(read.maze->size(), (Size{5, 6}));
+  EXPECT_EQ(read.maze->start_heading(), Heading::north);
+  EXPECT_EQ(read.maze->goals(), centre_of({5, 6}));
+  for (int x = 0; x < 6; ++x)
+    for (int y = 0; y < 5; ++y) {
+      EXPECT_EQ(read.maze->is_open({y, x}, Heading::east), maze.is_open({x, y}, Heading::north));
+      EXPECT_EQ(read.maze->is_open({y, x}, Heading::north), maze.is_open({x, y}, Heading::east));
+    }
+  EXPECT_FALSE(read_maze(content, {.format = &hex_format}).maze);
+}
+
 TEST(PartialMaps, KnowWhichWallsWereNotSeen) {
   const ReadResult read = read_maze("o---o---o\n|  1:  0|\no   o\xC2\xB7\xC2\xB7\xC2\xB7o\n|  2|  1|\no---o---o\n");
   EXPECT_FALSE(read.maze);

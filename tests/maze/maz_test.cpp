@@ -57,8 +57,10 @@ TEST(MazProblem, NeighboursDisagree) {
 
 TEST(MazProblem, OpenBorder) {
   std::string content = closed(32);
-  set(content, 31, east | south | west);
-  EXPECT_THAT(test::problems_of(maz_format, content), ElementsAre(SaysAt("0:32", "(0,31)", "north", "border")));
+  for (const std::size_t byte : {31, 63, 95}) set(content, byte, east | south | west);
+  EXPECT_THAT(test::problems_of(maz_format, content),
+              ElementsAre(SaysAt("0:32", "(0,31)", "north", "border"), SaysAt("0:64", "(1,31)", "north", "border"),
+                          SaysAt("0:96", "(2,31)", "north", "border")));
 }
 
 TEST(Maz, MayHaveBitsOfVisitedCells) {

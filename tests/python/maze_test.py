@@ -76,6 +76,19 @@ def test_errors_are_those_of_the_command(command, tmp_path):
     assert str(error.value) == command("show", "no-such-maze").strip()
 
 
+def test_a_note_about_a_maze_is_a_warning(tmp_path):
+    text = "o---o---o\n| G   G  \no   o   o\n| G | G |\no---o---o\n"
+    (tmp_path / "open.txt").write_text(text)
+    for read in (
+        lambda: labmouse.Maze(tmp_path / "open.txt"),
+        lambda: labmouse.Maze.parse(text, "open.txt"),
+        lambda: labmouse.find_mazes([tmp_path])[0],
+    ):
+        with pytest.warns(UserWarning, match=r"open\.txt: .*\(1,1\)"):
+            assert read().goals == [(0, 0), (1, 0), (0, 1), (1, 1)]
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
 @given(st.text(max_size=200))
 @settings(max_examples=100, deadline=None)
 def test_any_text_is_a_maze_or_an_error(text):

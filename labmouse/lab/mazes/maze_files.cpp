@@ -18,18 +18,18 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Adds the maze of a file to the collection, or its problems to `failures`.
-void add_file(const std::string& path, const FileContent& file, MazeCollection& collection,
+void add_file(const std::string& path, const FileContent& file, const ReadChoice& choice, MazeCollection& collection,
               std::vector<SkippedFile>& failures) {
   if (!file.error.empty()) {
     failures.push_back({path, {{no_place, no_place, file.error}}});
     return;
   }
-  ReadResult result = read_maze(file.content);
+  ReadResult result = read_maze(file.content, choice);
   for (std::string& note : result.notes) collection.notes.push_back({path, std::move(note)});
   if (result.maze)
     collection.mazes.push_back({path, *result.maze, std::move(result.reading)});
   else
-    failures.push_back({path, std::move(result.problems)});
+    failures.push_back({path, std::move(result.problems), result.repaired.has_value()});
 }
 
 bool hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
@@ -44,29 +44,30 @@ std::vector<fs::directory_entry> entries_of(const std::string& folder, std::erro
 
 /// Adds every file below a folder. Links to folders are not followed, to avoid cycles. Unreadable files are skipped; an
 /// unreadable folder itself goes to `failures`.
-void add_folder(const std::string& folder, MazeCollection& collection, std::vector<SkippedFile>& failures) {
+void add_folder(const std::string& folder, const ReadChoice& choice, MazeCollection& collection,
+                std::vector<SkippedFile>& failures) {
   std::error_code error;
   for (const fs::directory_entry& entry : entries_of(folder, error)) {
     std::error_code unknown;
     const bool link = entry.is_symlink(unknown);
     if (link && entry.is_directory(unknown)) continue;
     if (entry.is_directory(unknown))
-      add_folder(entry.path().string(), collection, collection.skipped);
+      add_folder(entry.path().string(), choice, collection, collection.skipped);
     else
-      add_file(entry.path().string(), read_found_file(entry.path().string()), collection, collection.skipped);
+      add_file(entry.path().string(), read_found_file(entry.path().string()), choice, collection, collection.skipped);
   }
   if (error) failures.push_back({folder, {{no_place, no_place, "cannot read the folder: " + error.message()}}});
 }
 
 /// Adds what a pattern matches; returns false if it matches nothing.
-bool add_matches(const std::string& pattern, MazeCollection& collection) {
+bool add_matches(const std::string& pattern, const ReadChoice& choice, MazeCollection& collection) {
   const std::vector<std::string> paths = paths_like(pattern);
   for (const std::string& path : paths) {
     std::error_code unknown;
     if (fs::is_directory(path, unknown))
-      add_folder(path, collection, collection.skipped);
+      add_folder(path, choice, collection, collection.skipped);
     else
-      add_file(path, read_found_file(path), collection, collection.skipped);
+      add_file(path, read_found_file(path), choice, collection, collection.skipped);
   }
   return !paths.empty();
 }
@@ -88,13 +89,13 @@ std::string no_such_maze(const std::string& path) {
                       : fmt::format("no such file or built-in maze; did you mean '{}'?", near);
 }
 
-void add_path(const std::string& path, MazeCollection& collection) {
+void add_path(const std::string& path, const ReadChoice& choice, MazeCollection& collection) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) return add_folder(path, collection, collection.errors);
+  if (fs::is_directory(status)) return add_folder(path, choice, collection, collection.errors);
   if (status.type() != fs::file_type::not_found || descriptor_to_read(path))
-    return add_file(path, read_file(path), collection, collection.errors);
-  if (path.find_first_of("*?[") != std::string::npos && add_matches(path, collection)) return;
+    return add_file(path, read_file(path), choice, collection, collection.errors);
+  if (path.find_first_of("*?[") != std::string::npos && add_matches(path, choice, collection)) return;
   if (!add_builtin(path, collection)) collection.errors.push_back({path, {{no_place, no_place, no_such_maze(path)}}});
 }
 
@@ -114,9 +115,9 @@ std::string describe(const std::string& path, const Problem& problem) {
   return shown(fmt::format("{}{}: error: {}", path, place, problem.reason));
 }
 
-MazeCollection load_mazes(std::span<const std::string> paths) {
+MazeCollection load_mazes(std::span<const std::string> paths, const ReadChoice& choice) {
   MazeCollection collection;
-  for (const std::string& path : paths) add_path(path, collection);
+  for (const std::string& path : paths) add_path(path, choice, collection);
   sort_by(collection.mazes, [](const NamedMaze& maze) -> const std::string& { return maze.name; });
   for (auto* files : {&collection.skipped, &collection.errors})
     sort_by(*files, [](const SkippedFile& file) -> const std::string& { return file.path; });
@@ -139,7 +140,7 @@ std::optional<Maze> maze_named(const std::string& name) {
   MazeCollection collection;
   std::error_code error;
   if (fs::exists(name, error))
-    add_file(name, read_found_file(name), collection, collection.errors);
+    add_file(name, read_found_file(name), {}, collection, collection.errors);
   else
     add_builtin(name, collection);
   if (collection.mazes.empty()) return std::nullopt;

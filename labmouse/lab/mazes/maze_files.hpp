@@ -24,6 +24,7 @@ inline constexpr int no_place = -1;
 struct SkippedFile {
   std::string path;
   std::vector<Problem> problems;
+  bool repairable = false;  ///< as ReadResult::repaired
 };
 
 /// A note on a maze, as in ReadResult.
@@ -47,7 +48,8 @@ std::string describe(const std::string& path, const Problem& problem);
 
 /// Reads each path: a file, a folder (recursively, without hidden files), a pattern with `*`, `?` or `[...]`, or the
 /// name of a built-in maze if there is no such file; `-` is standard input.
-MazeCollection load_mazes(std::span<const std::string> paths);
+/// @param choice How to read files.
+MazeCollection load_mazes(std::span<const std::string> paths, const ReadChoice& choice = {});
 
 /// Reads a maze or a partial map from a file, or a built-in maze if there is no such file. Problems have no place if
 /// the file cannot be read.

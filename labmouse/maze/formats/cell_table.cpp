@@ -15,12 +15,13 @@ std::string contradiction(Cell cell, Heading side) {
          name_of(neighbour(cell, side)) + " is closed to the " + std::string(labmouse::name_of(opposite(side)));
 }
 
-// What is wrong with an open side; empty when nothing is.
-std::string objection(Cell cell, Heading side, Size size, const SideTable& table) {
-  const Cell other = neighbour(cell, side);
-  if (!size.contains(other)) return open_border(cell, side);
-  if (!has_side(table[static_cast<unsigned>(size.index(other))], opposite(side))) return contradiction(cell, side);
-  return {};
+// The open sides on the border.
+std::vector<BorderGap> gaps_of(Size size, std::span<const CellStatement> statements) {
+  std::vector<BorderGap> gaps;
+  for (const auto& said : statements)
+    for (const Heading side : all_headings)
+      if (has_side(said.open, side) && !size.contains(neighbour(said.cell, side))) gaps.push_back({said.cell, side});
+  return gaps;
 }
 
 }  // namespace
@@ -29,19 +30,31 @@ ReadResult maze_of(Size size, std::span<const CellStatement> statements) {
   SideTable table{};
   for (const auto& said : statements) table[static_cast<unsigned>(size.index(said.cell))] = said.open;
 
+  std::vector<BorderGap> gaps = gaps_of(size, statements);
+  const bool closes = gaps.size() <= most_gaps && size.area() >= least_cells_with_gaps;
   MazeDraft draft(size, MazeDraft::Inside::closed);
   ProblemList problems;
   for (const auto& said : statements) {
     for (const Heading side : all_headings) {
       if (!has_side(said.open, side)) continue;
-      if (std::string reason = objection(said.cell, side, size, table); !reason.empty())
-        problems.add(said.line, said.column, std::move(reason));
-      else
+      const Cell other = neighbour(said.cell, side);
+      if (!size.contains(other)) {
+        if (!closes) problems.add(said.line, said.column, open_border(said.cell, side));
+      } else if (!has_side(table[static_cast<unsigned>(size.index(other))], opposite(side))) {
+        problems.add(said.line, said.column, contradiction(said.cell, side));
+      } else {
         draft.open(said.cell, side);
+      }
     }
   }
-  if (!problems.empty()) return problems.failure();
-  return {Maze(draft), {}};
+  ReadResult result{.gaps = std::move(gaps)};
+  if (problems.empty()) {
+    result.maze = Maze(draft);
+  } else {
+    if (!problems.full() && (closes || result.gaps.empty())) result.repaired = Maze(draft);
+    result.problems = problems.all();
+  }
+  return result;
 }
 
 Sides open_sides(const Maze& maze, Cell cell) {

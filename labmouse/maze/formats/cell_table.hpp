@@ -25,8 +25,13 @@ struct CellStatement {
   int column = 0;
 };
 
-/// Builds the maze from one statement for each cell of that size. Fails with each open side that lies on the border or
-/// that is closed by the neighbour's statement, in the order of the statements.
+/// The most openings in the border that are taken for an entrance and an exit, and the fewest cells of such a maze: in
+/// other files, they show that the file is read in a wrong way.
+inline constexpr int most_gaps = 2;
+inline constexpr int least_cells_with_gaps = 16;
+
+/// Builds the maze from one statement for each cell of that size. Fails with each open side that is closed by the
+/// neighbour's statement or is one of too many on the border, in the order of the statements.
 ReadResult maze_of(Size size, std::span<const CellStatement> statements);
 
 /// The open sides of a cell.

@@ -79,7 +79,7 @@ class Reading {
     if (sizes.empty())
       return failure(0, 0, joined(cells_.entries.size(), " cells are no maze of 2x2 to ", max_side, "x", max_side));
     for (const Size size : sizes) {
-      if (best_ && size.width != size.height && best_->file.width == best_->file.height) break;
+      if (merit_.faults == 0 && size.width != size.height && best_ && best_->file.width == best_->file.height) break;
       try_all(size);
     }
     if (!best_) return problems_of(usual(sizes.front()));
@@ -92,9 +92,10 @@ class Reading {
   }
 
  private:
-  /// Why a way does not fit. Where nothing is right, the first reason is enough.
+  /// Why a way does not fit at all. Where nothing is right, the first reason is enough.
   ReadResult problems_of(const Way& way) const {
     ReadResult read = maze_of(way.size(), statements(way));
+    read.repaired.reset();
     if (read.problems.size() < most_problems) return read;
     const Problem& first = read.problems.front();
     return failure(first.line, first.column,
@@ -139,30 +140,40 @@ class Reading {
   }
 
   void consider(const Way& way) {
-    if (!fits(way)) return;
+    const int most = best_ ? -merit_.faults : most_faults(way.size());
+    const int faults = faults_of(way, most);
+    if (faults > most) return;
     ReadResult read = maze_of(way.size(), statements(way));
-    if (std::find(mazes_.begin(), mazes_.end(), *read.maze) != mazes_.end()) return;
+    const std::optional<Maze>& maze = read.maze ? read.maze : read.repaired;
+    if (!maze || std::find(mazes_.begin(), mazes_.end(), *maze) != mazes_.end()) return;
     // Many files have lists of zeros, which are not mazes.
-    if (read.maze->open_walls().count() == 0 && !is_usual(way)) return;
-    mazes_.push_back(*read.maze);
-    const Merit merit = merit_of(way, *read.maze);
+    const int openings = maze->open_walls().count();
+    if (faults > 0 ? openings < way.size().area() / 2 : openings == 0 && !is_usual(way)) return;
+    mazes_.push_back(*maze);
+    Merit merit = merit_of(way, *maze);
+    merit.faults = -faults;
     merits_.push_back(merit);
     if (best_ && !(merit > merit_)) return;
     best_ = way;
     merit_ = merit;
   }
 
+  /// Few enough that nobody takes another list for a maze.
+  static int most_faults(Size size) { return std::min(size.area() / 16, static_cast<int>(most_problems) - 1); }
+
   /// The number of other mazes that fit and have the usual start or the same merit as the best; 0 if the best way is
   /// the format's usual one.
   std::ptrdiff_t rivals() const {
     if (merit_.usual) return 0;
-    return std::count_if(merits_.begin(), merits_.end(),
-                         [&](const Merit& each) { return each.odd_start || each == merit_; }) -
+    return std::count_if(
+               merits_.begin(), merits_.end(),
+               [&](const Merit& each) { return each.faults == merit_.faults && (each.odd_start || each == merit_); }) -
            1;
   }
 
   /// Criteria by which ways are preferred, the most important first.
   struct Merit {
+    int faults = 0;          ///< openings in the border and cells that contradict each other, negative
     bool usual = false;      ///< it is that of the format
     bool starts = false;     ///< the start is open to the north only, in one of the layouts that are in use
     bool clockwise = false;  ///< the sides are north, east, south and west from the lowest bit on, in such a layout
@@ -185,18 +196,20 @@ class Reading {
     return merit;
   }
 
-  /// Whether the border is closed and both cells of each inner wall say the same of it.
-  bool fits(const Way& way) const {
+  /// The openings in the border, and the inner walls of which its cells say different things; counts to above `most`.
+  int faults_of(const Way& way, int most) const {
     const Size size = way.size();
+    int faults = 0;
     std::array<Sides, max_side * max_side> table;
     for (std::size_t i = 0; i < cells_.entries.size(); ++i) {
       const int place = static_cast<int>(i);
       const Cell cell = way.cell_of(place / way.file.width, place % way.file.width);
       const Sides open = way.open_of(cells_.entries[i].value);
-      if ((cell.x == 0 && has_side(open, Heading::west)) || (cell.y == 0 && has_side(open, Heading::south)) ||
-          (cell.x == size.width - 1 && has_side(open, Heading::east)) ||
-          (cell.y == size.height - 1 && has_side(open, Heading::north)))
-        return false;
+      faults += static_cast<int>(cell.x == 0 && has_side(open, Heading::west)) +
+                static_cast<int>(cell.y == 0 && has_side(open, Heading::south)) +
+                static_cast<int>(cell.x == size.width - 1 && has_side(open, Heading::east)) +
+                static_cast<int>(cell.y == size.height - 1 && has_side(open, Heading::north));
+      if (faults > most) return faults;
       table[static_cast<unsigned>(size.index(cell))] = open;
     }
     for (int i = 0; i < size.area(); ++i) {
@@ -205,9 +218,10 @@ class Reading {
         if (const Cell other = neighbour(cell, side); size.contains(other))
           if (has_side(table[static_cast<unsigned>(i)], side) !=
               has_side(table[static_cast<unsigned>(size.index(other))], opposite(side)))
-            return false;
+            ++faults;
+      if (faults > most) return faults;
     }
-    return true;
+    return faults;
   }
 
   std::string describe(const Way& way) const {
@@ -229,7 +243,7 @@ class Reading {
   }
 
   const CodedCells& cells_;
-  std::vector<Maze> mazes_;    ///< all that fit
+  std::vector<Maze> mazes_;    ///< all that fit as well as the best, or nearly so
   std::vector<Merit> merits_;  ///< of each of these
   std::optional<Way> best_;
   Merit merit_;

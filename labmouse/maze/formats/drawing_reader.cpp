@@ -44,7 +44,7 @@ class DrawingReader {
     }
     if (!problems_.empty()) return problems_.failure();
     ReadResult result = map_of(Maze(draft_), unseen_);
-    if (!gaps_.empty()) result.notes.push_back("the border is open " + gaps_ + "; it is taken as closed");
+    result.gaps = std::move(gaps_);
     return result;
   }
 
@@ -117,10 +117,10 @@ class DrawingReader {
 
   void open(Wall wall) {
     if (!on_border(wall, size_)) return draft_.open(wall.cell, wall.side);
-    const bool outside = !size_.contains(wall.cell);
-    const Cell cell = outside ? neighbour(wall.cell, wall.side) : wall.cell;
-    const Heading side = outside ? opposite(wall.side) : wall.side;
-    gaps_ += (gaps_.empty() ? "to the " : ", to the ") + std::string(labmouse::name_of(side)) + " of " + name_of(cell);
+    if (size_.contains(wall.cell))
+      gaps_.push_back({wall.cell, wall.side});
+    else
+      gaps_.push_back({neighbour(wall.cell, wall.side), opposite(wall.side)});
   }
 
   static bool is_unseen(char letter) { return letter == '.' || letter == ':'; }
@@ -146,7 +146,7 @@ class DrawingReader {
   MazeDraft draft_;
   bool start_found_ = false;
   WallSet unseen_;
-  std::string gaps_;  ///< in the border
+  std::vector<BorderGap> gaps_;
   ProblemList problems_;
 };
 

@@ -1,9 +1,11 @@
 #include "labmouse/maze/formats/format.hpp"
 
 #include <array>
+#include <utility>
 
 #include "labmouse/maze/formats/problem_list.hpp"
 #include "labmouse/maze/formats/text.hpp"
+#include "labmouse/maze/symmetry.hpp"
 
 namespace labmouse {
 namespace {
@@ -12,6 +14,45 @@ namespace {
 constexpr std::array formats_in_order = {&drawing_format, &capstone_format, &num_format,  &maz_format,
                                          &blocks_format,  &hex_format,      &dump_format, &csv_format,
                                          &steps_format,   &json_format,     &c_format};
+
+/// The maze with x and y changed; a default start and a default goal remain.
+Maze transposed(const Maze& maze) {
+  const Maze mirrored = transformed(maze, {.mirrored = true, .quarters = 1});
+  return maze.start() == Cell{0, 0} ? mirrored.with_start({0, 0}, maze.start_heading()) : mirrored;
+}
+
+/// The maze that starts in one gap of the border and has its goal in the other: the start is the southern one, or the
+/// western one in the same row.
+Maze between(const Maze& maze, BorderGap start, BorderGap goal) {
+  if (maze.size().index(goal.cell) < maze.size().index(start.cell)) std::swap(start, goal);
+  CellSet goals;
+  goals.insert(goal.cell);
+  return maze.with_start(start.cell, opposite(start.side)).with_goals(goals);
+}
+
+void repair(ReadResult& result) {
+  for (const Problem& problem : result.problems)
+    result.notes.push_back(problem.reason + "; the wall is taken as closed");
+  result.problems.clear();
+  result.maze = std::exchange(result.repaired, std::nullopt);
+}
+
+/// Notes the gaps, or makes them the start and the goal of a maze.
+void use_gaps(ReadResult& result, bool are_places) {
+  if (!are_places || !result.maze) {
+    std::string sides;
+    for (const auto& [cell, side] : result.gaps)
+      sides += formats::joined(sides.empty() ? "" : ", ", "to the ", labmouse::name_of(side), " of ",
+                               formats::name_of(cell));
+    if (!sides.empty()) result.notes.push_back("the border is open " + sides + "; it is taken as closed");
+  } else if (result.gaps.size() == 2) {
+    result.maze = between(*result.maze, result.gaps[0], result.gaps[1]);
+  } else {
+    result = formats::failure(
+        0, 0,
+        formats::joined("the border has ", result.gaps.size(), " gaps; for the start and the goal, it must have two"));
+  }
+}
 
 }  // namespace
 
@@ -40,18 +81,25 @@ const Format* recognised_format(std::string_view content) {
   return nullptr;
 }
 
-ReadResult read_maze(std::string_view content) {
+ReadResult read_maze(std::string_view content, const ReadChoice& choice) {
   if (formats::is_blank(content)) return formats::failure(0, 0, "the file is empty");
-  const Format* format = recognised_format(content);
+  const Format* format = choice.format != nullptr ? choice.format : recognised_format(content);
   if (format == nullptr) {
     std::string names;
     for (const Format* each : all_formats()) names += (names.empty() ? "" : ", ") + std::string(each->name);
     return formats::failure(0, 0, "not a maze in any known format: " + names);
   }
   ReadResult result = format->read(content);
+  if (choice.repaired && result.repaired) repair(result);
   const Maze* maze = result.maze ? &*result.maze : result.partial ? &result.partial->known : nullptr;
   if (maze != nullptr && result.reading.empty())
     result.reading = formats::joined(format->name, ", ", maze->size().width, "x", maze->size().height);
+  if (maze == nullptr) return result;
+  use_gaps(result, choice.gaps_are_places);
+  if (choice.transposed && result.maze) {
+    result.maze = transposed(*result.maze);
+    result.reading += ", transposed";
+  }
   return result;
 }
 

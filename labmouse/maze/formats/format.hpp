@@ -51,7 +51,15 @@ const Format* format_of_file(std::string_view name);
 /// The first format that recognises the content, or null.
 const Format* recognised_format(std::string_view content);
 
+/// How to read a file that does not say enough, or contradicts itself.
+struct ReadChoice {
+  const Format* format = nullptr;  ///< null: the first that recognises the content
+  bool transposed = false;         ///< x and y change places
+  bool repaired = false;           ///< a wall stays where a cell contradicts its neighbour
+  bool gaps_are_places = false;    ///< the two gaps in the border are the start and the goal
+};
+
 /// Recognises the format of the content and reads the maze. Never throws.
-ReadResult read_maze(std::string_view content);
+ReadResult read_maze(std::string_view content, const ReadChoice& choice = {});
 
 }  // namespace labmouse

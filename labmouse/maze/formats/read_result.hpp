@@ -28,6 +28,14 @@ struct PartialMap {
   WallSet unseen;  ///< not empty
 };
 
+/// An opening in the border of a file's maze.
+struct BorderGap {
+  Cell cell;
+  Heading side = Heading::north;
+
+  friend bool operator==(const BorderGap&, const BorderGap&) = default;
+};
+
 /// A maze, or what is wrong with its file: exactly one of the two is there.
 struct ReadResult {
   std::optional<Maze> maze = {};
@@ -38,6 +46,11 @@ struct ReadResult {
   std::vector<std::string> notes = {};
   /// What the file holds where it is a partial map; the problem is then that it is no maze.
   std::optional<PartialMap> partial = {};
+  /// Openings in the border, such as an entrance and an exit. The border of the maze is closed there.
+  std::vector<BorderGap> gaps = {};
+  /// If all that is wrong are a few cells that contradict their neighbours: the maze with a wall wherever one of the
+  /// two cells has one.
+  std::optional<Maze> repaired = {};
 };
 
 }  // namespace labmouse

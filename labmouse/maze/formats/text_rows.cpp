@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "labmouse/functions/parse_number.hpp"
+#include "labmouse/maze/formats/cell_table.hpp"
 #include "labmouse/maze/formats/problem_list.hpp"
 #include "labmouse/maze/formats/text.hpp"
 
@@ -24,21 +25,32 @@ bool is_size_of_blocks(Size size) {
          size.width <= 2 * max_side + 1 && size.height <= 2 * max_side + 1;
 }
 
-/// Whether all blocks of the border are the same and those in the middle of cells are not.
-bool are_blocks(const Blocks& blocks) {
-  if (!is_size_of_blocks(blocks.size)) return false;
+/// The openings in the border, which lie beside cells; nothing if these are no blocks: those of the border are the same
+/// but for a few openings, and those in the middle of cells are others.
+std::optional<std::vector<BorderGap>> gaps_of(const Blocks& blocks) {
+  if (!is_size_of_blocks(blocks.size)) return std::nullopt;
   const unsigned wall = blocks.at(0, 0).value;
-  for (int row = 0; row < blocks.size.height; ++row)
-    for (int column = 0; column < blocks.size.width; ++column) {
-      const bool border = row == 0 || column == 0 || row == blocks.size.height - 1 || column == blocks.size.width - 1;
+  const int east = blocks.size.width - 1, south = blocks.size.height - 1;
+  std::vector<BorderGap> gaps;
+  for (int row = 0; row <= south; ++row)
+    for (int column = 0; column <= east; ++column) {
+      const bool border = row == 0 || column == 0 || row == south || column == east;
       const bool cell = row % 2 == 1 && column % 2 == 1;
       const unsigned value = blocks.at(row, column).value;
-      if (value > 1 || (border && value != wall) || (cell && value == wall)) return false;
+      if (value > 1 || (cell && value == wall)) return std::nullopt;
+      if (!border || value == wall) continue;
+      if (row % 2 == column % 2) return std::nullopt;  // a post
+      const Heading side = row == 0         ? Heading::north
+                           : column == east ? Heading::east
+                           : row == south   ? Heading::south
+                                            : Heading::west;
+      gaps.push_back({{std::min(column / 2, east / 2 - 1), std::min((south - row) / 2, south / 2 - 1)}, side});
     }
-  return true;
+  const bool closes = gaps.size() <= most_gaps && (east / 2) * (south / 2) >= least_cells_with_gaps;
+  return gaps.empty() || closes ? std::optional(gaps) : std::nullopt;
 }
 
-ReadResult maze_of(const Blocks& blocks, std::string_view format) {
+ReadResult maze_of(const Blocks& blocks, std::vector<BorderGap> gaps, std::string_view format) {
   const Size size{blocks.size.width / 2, blocks.size.height / 2};
   const unsigned wall = blocks.at(0, 0).value;
   MazeDraft draft(size, MazeDraft::Inside::open);
@@ -50,19 +62,23 @@ ReadResult maze_of(const Blocks& blocks, std::string_view format) {
     }
   ReadResult result{.maze = Maze(draft)};
   result.reading = joined(format, ", ", size.width, "x", size.height, ", blocks");
+  result.gaps = std::move(gaps);
   return result;
 }
 
-/// Blocks of characters: the one in the corner is the wall, and there is one other.
+/// Blocks of characters: the one in the corner is the wall, and there is one other. A row may lack its trailing blanks.
 Blocks blocks_of(std::span<const TextRow> rows) {
-  Blocks blocks{.size = {static_cast<int>(rows.front().text.size()), static_cast<int>(rows.size())}};
-  if (!is_size_of_blocks(blocks.size)) return {};
+  std::size_t width = 0;
+  for (const TextRow& row : rows) width = std::max(width, row.text.size());
+  Blocks blocks{.size = {static_cast<int>(width), static_cast<int>(rows.size())}};
+  if (!is_size_of_blocks(blocks.size) || rows.front().text.empty()) return {};
   const char wall = rows.front().text.front();
   char other = wall;
   for (const TextRow& row : rows)
-    for (std::size_t i = 0; i < row.text.size(); ++i) {
-      if (row.text[i] != wall && other == wall) other = row.text[i];
-      const unsigned value = row.text[i] == wall ? 1U : row.text[i] == other ? 0U : 2U;
+    for (std::size_t i = 0; i < width; ++i) {
+      const char letter = i < row.text.size() ? row.text[i] : ' ';
+      if (letter != wall && other == wall) other = letter;
+      const unsigned value = letter == wall ? 1U : letter == other ? 0U : 2U;
       blocks.entries.push_back({value, row.line, row.column + static_cast<int>(i)});
     }
   return blocks;
@@ -91,16 +107,17 @@ bool are_hex_digits(std::span<const TextRow> rows) {
          std::all_of(rows.begin(), rows.end(), [](const TextRow& row) { return is_hexadecimal(row.text); });
 }
 
-bool are_blocks(std::span<const TextRow> rows) { return have_one_length(rows) && are_blocks(blocks_of(rows)); }
+bool are_blocks(std::span<const TextRow> rows) { return gaps_of(blocks_of(rows)).has_value(); }
 
 ReadResult read_text_rows(std::span<const TextRow> rows, std::string_view format) {
   if (rows.empty()) return failure(0, 0, "there are no rows");
+  const Blocks blocks = blocks_of(rows);
+  if (auto gaps = gaps_of(blocks)) return maze_of(blocks, std::move(*gaps), format);
   for (const TextRow& row : rows)
     if (row.text.empty() || row.text.size() != rows.front().text.size())
       return failure(
           row.line, row.column,
           joined("the row has ", row.text.size(), " characters, the first one has ", rows.front().text.size()));
-  if (const Blocks blocks = blocks_of(rows); are_blocks(blocks)) return maze_of(blocks, format);
   if (!is_hexadecimal(rows.front().text.substr(0, 1)))
     return failure(
         rows.front().line, rows.front().column,
@@ -127,7 +144,8 @@ ReadResult read_number_table(const NumberTable& table, std::string_view format) 
   for (int width = 3; width <= 2 * max_side + 1 && count > 0; width += 2) {
     const bool fits = table.width == 0 ? width * width == count : width == table.width;
     if (!fits) continue;
-    if (const Blocks blocks{{width, count / width}, table.entries}; are_blocks(blocks)) return maze_of(blocks, format);
+    const Blocks blocks{{width, count / width}, table.entries};
+    if (auto gaps = gaps_of(blocks)) return maze_of(blocks, std::move(*gaps), format);
   }
   if (count == 0 || count > max_side * max_side || table.width > max_side)
     return failure(0, 0, joined(count, " numbers are no maze of 1x1 to ", max_side, "x", max_side, " cells"));
