@@ -135,6 +135,8 @@ void add_convert(Command& app, int& exit) {
                     "If a few cells of IN contradict their neighbours, put walls there, and print them");
   command->add_flag("--border-gaps", options->choice.gaps_are_places,
                     "Start in one of the two gaps in the border of IN, the southern one; the goal is the other");
+  command->add_flag("--close-unseen", options->choice.closes_unseen,
+                    "Take the unseen walls of a partial map as closed");
   command->footer("Example: labmouse convert contest-01 maze.maz");
   command->callback([options, &exit] {
     convert(*options);

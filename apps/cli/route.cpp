@@ -60,7 +60,7 @@ int route(const RouteOptions& options) {
   const FoundRobot robot = find_robot_or_refuse(options.robot);
   tell_remarks(robot.remarks);
   const DriveModel& model = robot.model;
-  const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
+  const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places, {.closes_unseen = true}).mazes;
   if (!options.vary.empty()) return regions(options, mazes, model);
   std::vector<RouteReport> reports;
   const RouteReporter reporter(model);

@@ -76,7 +76,7 @@ int run_contest(const RunOptions& options) {
   std::vector<Contestant> mice = find_contestants({options.mouse}, options.external_mice);
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   const std::shared_ptr<const World> world = options.world.enter_one(mice);
-  const NamedMaze maze = find_maze(options.maze, options.places);
+  const NamedMaze maze = find_maze(options.maze, options.places, {.closes_unseen = true});
   for (const std::string& file : {options.maze, options.record, options.svg}) options.external_mice.hidden->add(file);
   if (const std::string reason = world->refuse(maze.maze); !reason.empty())
     throw UsageError(fmt::format("error: {} {}", shown(maze.name), reason));

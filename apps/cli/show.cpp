@@ -67,10 +67,11 @@ void show_maze(const ShowOptions& options) {
     if (needs_record(layer))
       throw UsageError(fmt::format("error: layer {} needs a record; name one with --record FILE instead of the maze",
                                    name_of(layer)));
-  const NamedMaze maze = find_maze(options.maze, options.places);
+  const NamedMaze maze = find_maze(options.maze, options.places, {.closes_unseen = true});
   const Rules rules;
   DrawingLayers layers = layers_of(maze.maze, rules, chosen);
   layers.title = title_of(maze, rules);
+  if (!maze.unseen.empty()) layers.unknown = maze.unseen;
   draw(options, maze.maze, chosen, layers);
 }
 

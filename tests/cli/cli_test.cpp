@@ -705,6 +705,15 @@ TEST_F(AUser, ConvertsWhatDoesNotSayEnough) {
   EXPECT_EQ(labmouse({"convert", "even.num", "-", "--format", "num"}).out,
             "0 0 1 0 1 1\n0 1 1 0 1 1\n1 0 1 1 1 0\n1 1 1 1 1 0\n");
   is_refused({"convert", "odd.num", "even.num", "--from", "nul"}, "'nul'", "'num'");
+  file("partial.txt", "o---o---o\n| G |   |\no   o   o\n| S :   |\no---o---o\n");
+  is_refused({"convert", "partial.txt", "whole.txt"}, "partial.txt", "partial map", "--against");
+  EXPECT_EQ(labmouse({"convert", "partial.txt", "-", "--close-unseen"}).out,
+            "o---o---o\n| G |   |\no   o   o\n| S |   |\no---o---o\n");
+  const Ended shown = labmouse({"show", "partial.txt"});
+  EXPECT_THAT(shown.out, Says(":   |"));
+  EXPECT_THAT(shown.err, Says("note", "1 unseen"));
+  EXPECT_EQ(labmouse({"run", "flood", "partial.txt"}).code, 0);
+  EXPECT_EQ(labmouse({"route", "partial.txt"}).code, 0);
   file("gap.txt", "o---o---o\n|        \no---o   o\n");
   EXPECT_EQ(labmouse({"convert", "gap.txt", "-", "--border-gaps"}).code, 2);
   file("gaps.txt", "o---o---o\n         \no---o---o\n");

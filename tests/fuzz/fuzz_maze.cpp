@@ -11,8 +11,8 @@ LABMOUSE_FUZZER(maze) {
   require(result.problems.size() <= most_problems);
   require(!result.partial || !result.partial->unseen.empty());
   for (const bool gaps_are_places : {false, true}) {
-    const ReadResult chosen =
-        read_maze(content, {.transposed = true, .repaired = true, .gaps_are_places = gaps_are_places});
+    const ReadResult chosen = read_maze(
+        content, {.transposed = true, .repaired = true, .gaps_are_places = gaps_are_places, .closes_unseen = true});
     require(chosen.maze.has_value() == chosen.problems.empty());
   }
   for (const Format* format : all_formats()) check_reader(*format, bytes, size);

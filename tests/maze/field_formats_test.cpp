@@ -270,7 +270,8 @@ TEST(Contradictions, AreRepairedOnRequest) {
     open.insert(wall);
     EXPECT_EQ(open, maze.open_walls());
   }
-  EXPECT_FALSE(read_maze("12\n34\n", {.repaired = true}).maze);
+  // Two walls of twelve cells are too many.
+  EXPECT_FALSE(read_maze("9513\naaea\ncc46\n", {.repaired = true}).maze);
 }
 
 TEST(ReadChoice, TransposesAndNamesTheFormat) {
@@ -298,6 +299,15 @@ TEST(PartialMaps, KnowWhichWallsWereNotSeen) {
   EXPECT_TRUE(read.partial->unseen.contains({{0, 1}, Heading::east}));
   EXPECT_TRUE(read.partial->unseen.contains({{1, 0}, Heading::north}));
   EXPECT_FALSE(read.partial->known.is_open({0, 0}, Heading::east));
+}
+
+TEST(PartialMaps, AreMazesWhereTheirUnseenWallsAreClosed) {
+  const ReadResult read = read_maze("o---o---o---o\n| S   G :   |\no---o---o---o\n", {.closes_unseen = true});
+  EXPECT_EQ(read.maze, test::maze_of(drawing_format, "o---o---o---o\n| S   G |   |\no---o---o---o\n"));
+  EXPECT_THAT(read.notes, ElementsAre(Says("1 unseen of 2", "closed")));
+  EXPECT_THAT(read.problems, IsEmpty());
+  ASSERT_TRUE(read.partial);
+  EXPECT_TRUE(read.partial->unseen.contains({{1, 0}, Heading::east}));
 }
 
 TEST(PartialMaps, AreReadFromLogs) {

@@ -27,7 +27,8 @@ void add_file(const std::string& path, const FileContent& file, const ReadChoice
   ReadResult result = read_maze(file.content, choice);
   for (std::string& note : result.notes) collection.notes.push_back({path, std::move(note)});
   if (result.maze)
-    collection.mazes.push_back({path, *result.maze, std::move(result.reading)});
+    collection.mazes.push_back(
+        {path, *result.maze, std::move(result.reading), result.partial ? result.partial->unseen : WallSet()});
   else
     failures.push_back({path, std::move(result.problems), result.repaired.has_value()});
 }

@@ -15,6 +15,7 @@ struct NamedMaze {
   std::string name;
   Maze maze;
   std::string reading = {};  ///< how its file was read, as in ReadResult
+  WallSet unseen = {};       ///< those of a partial map, which are closed in the maze
 };
 
 /// Line and column of a problem that has no place in the file, for example a missing file.

@@ -37,6 +37,19 @@ void repair(ReadResult& result) {
   result.maze = std::exchange(result.repaired, std::nullopt);
 }
 
+/// Makes a maze of a partial map.
+void close_unseen(ReadResult& result) {
+  const auto& [known, unseen] = *result.partial;
+  MazeDraft draft(known.size(), MazeDraft::Inside::closed);
+  known.open_walls().for_each([&](Wall wall) {
+    if (!unseen.contains(wall)) draft.open(wall.cell, wall.side);
+  });
+  result.maze = Maze(draft).with_start(known.start(), known.start_heading()).with_goals(known.goals());
+  result.problems.clear();
+  result.notes.push_back(formats::joined("a partial map: ", unseen.count(), " unseen of ",
+                                         WallSet::all(known.size()).count(), " inner walls are taken as closed"));
+}
+
 /// Notes the gaps, or makes them the start and the goal of a maze.
 void use_gaps(ReadResult& result, bool are_places) {
   if (!are_places || !result.maze) {
@@ -91,6 +104,7 @@ ReadResult read_maze(std::string_view content, const ReadChoice& choice) {
   }
   ReadResult result = format->read(content);
   if (choice.repaired && result.repaired) repair(result);
+  if (choice.closes_unseen && result.partial) close_unseen(result);
   const Maze* maze = result.maze ? &*result.maze : result.partial ? &result.partial->known : nullptr;
   if (maze != nullptr && result.reading.empty())
     result.reading = formats::joined(format->name, ", ", maze->size().width, "x", maze->size().height);

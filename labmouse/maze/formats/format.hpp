@@ -57,6 +57,7 @@ struct ReadChoice {
   bool transposed = false;         ///< x and y change places
   bool repaired = false;           ///< a wall stays where a cell contradicts its neighbour
   bool gaps_are_places = false;    ///< the two gaps in the border are the start and the goal
+  bool closes_unseen = false;      ///< a partial map is a maze in which the unseen walls are closed
 };
 
 /// Recognises the format of the content and reads the maze. Never throws.

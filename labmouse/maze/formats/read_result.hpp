@@ -44,7 +44,8 @@ struct ReadResult {
   std::string reading = {};
   /// What the user should know of the maze, a sentence each: closed gaps in the border, other possible readings.
   std::vector<std::string> notes = {};
-  /// What the file holds where it is a partial map; the problem is then that it is no maze.
+  /// What the file holds where it is a partial map; unless the user chose to close its unseen walls, the problem is
+  /// then that it is no maze.
   std::optional<PartialMap> partial = {};
   /// Openings in the border, such as an entrance and an exit. The border of the maze is closed there.
   std::vector<BorderGap> gaps = {};
