@@ -145,7 +145,8 @@ std::vector<std::string> with_mice_files(std::vector<std::string> specs, const s
   return specs;
 }
 
-MazeCollection find_mazes_of(const World& world, const Contests& contests) {
+MazeCollection find_mazes_of(Entry& entry, const Contests& contests, bool again) {
+  const World& world = *entry.world;
   const Places& places = contests.places;
   if (const auto fixed = world.fixed_places(); !fixed.empty() && (!places.start.empty() || !places.goals.empty()))
     throw UsageError(
@@ -154,10 +155,12 @@ MazeCollection find_mazes_of(const World& world, const Contests& contests) {
   const auto before = static_cast<std::ptrdiff_t>(mazes.skipped.size());
   if (const std::string refused = leave_out(world, separated(contests.mazes), mazes); !refused.empty())
     throw UsageError(refused);
-  tell_skipped({mazes.skipped.begin() + before, mazes.skipped.end()});
+  if (!again) tell_skipped({mazes.skipped.begin() + before, mazes.skipped.end()});
   if (mazes.mazes.empty())
     throw UsageError(
         fmt::format("error: no mazes to race on: none of these can be used in the world {}", world.name()));
+  const std::string remark = suit_defaults(entry, mazes.mazes);
+  if (!remark.empty() && !again) tell_remarks({remark});
   return mazes;
 }
 

@@ -54,9 +54,9 @@ void add_mice_files(Command& command, std::vector<std::string>& mice_files);
 /// Adds a SPEC for each mice file.
 std::vector<std::string> with_mice_files(std::vector<std::string> specs, const std::vector<std::string>& mice_files);
 
-/// The mazes in which that world runs contests. It skips others, but throws UsageError for one that the user named
-/// directly.
-MazeCollection find_mazes_of(const World& world, const Contests& contests);
+/// The mazes in which the world of the entry runs contests; the world gets the defaults for them. It skips others, but
+/// throws UsageError for one that the user named directly. Prints remarks, unless this is done `again` in that world.
+MazeCollection find_mazes_of(Entry& entry, const Contests& contests, bool again = false);
 
 /// Reserves the folder of --out for one race, until the result is destroyed; null without --out. Throws UsageError.
 std::unique_ptr<ResultsFolder> take_folder(const std::string& out, bool overwrite);

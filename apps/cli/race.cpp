@@ -159,14 +159,14 @@ void add(const RaceOptions& options, const std::string& text) {
 }
 
 /// The baseline of each race, in the same order. Throws UsageError where the file has no results of its world.
-std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, const std::vector<Entry>& entries) {
-  std::vector<std::optional<Baseline>> baselines(entries.size());
+std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, const std::vector<Field>& fields) {
+  std::vector<std::optional<Baseline>> baselines(fields.size());
   if (options.baseline.empty()) return baselines;
   const FileContent file = read_file(options.baseline, std::size_t{1} << 30U);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, file.error));
   refuse_other_kind(options.baseline, file.content, FileKind::results);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    ReadBaselineResult read = read_baseline(file.content, *entries[i].world);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    ReadBaselineResult read = read_baseline(file.content, *fields[i].entry.world);
     if (!read.error.empty()) throw UsageError(describe(options.baseline, {read.line, read.column, read.error}));
     baselines[i] = std::move(read.baseline);
   }
@@ -193,7 +193,8 @@ std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entr
                              std::vector<SkippedFile>& skipped) {
   std::vector<Field> fields;
   for (Entry& entry : entries) {
-    MazeCollection mazes = find_mazes_of(*entry.world, options.contests);
+    const bool again = !fields.empty() && fields.back().entry.world->name() == entry.world->name();
+    MazeCollection mazes = find_mazes_of(entry, options.contests, again);
     skipped = std::move(mazes.skipped);
     fields.push_back({std::move(entry), std::move(mazes.mazes)});
   }
@@ -228,12 +229,12 @@ int race(const RaceOptions& options) {
   std::vector<Entry> entries = options.contests.world.enter(find_contestants(
       with_mice_files(options.mice, options.mice_files), options.contests.world, options.external_mice));
   check_noises(options, entries);
-  const auto baselines = load_baselines(options, entries);
   if (options.format == "csv" && entries.size() > 1)
     throw UsageError(
         "error: --format csv can hold only one world; race the mice of each world separately, or use --format json");
   std::vector<SkippedFile> skipped;
   std::vector<Field> fields = fields_of(options, std::move(entries), skipped);
+  const auto baselines = load_baselines(options, fields);
   auto folder = take_folder(options.out, options.overwrite);
   const std::vector<Race> races = holding->hold(std::move(fields));
   std::string failed_write = holding->failed_write();

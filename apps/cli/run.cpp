@@ -75,12 +75,13 @@ int run_contest(const RunOptions& options) {
                                  options.maze, options.mouse));
   std::vector<Contestant> mice = find_contestants({options.mouse}, options.external_mice);
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
-  const std::shared_ptr<const World> world = options.world.enter_one(mice);
+  Entry entry = options.world.enter_one(std::move(mice));
   const NamedMaze maze = find_maze(options.maze, options.places, {.closes_unseen = true});
   for (const std::string& file : {options.maze, options.record, options.svg}) options.external_mice.hidden->add(file);
-  if (const std::string reason = world->refuse(maze.maze); !reason.empty())
+  if (const std::string reason = entry.world->refuse(maze.maze); !reason.empty())
     throw UsageError(fmt::format("error: {} {}", shown(maze.name), reason));
-  return run_in(world, options, mice.front(), maze);
+  suit_defaults(entry, {&maze, 1});
+  return run_in(entry.world, options, entry.mice.front(), maze);
 }
 
 }  // namespace

@@ -35,11 +35,11 @@ int study(const StudyOptions& options) {
   if (options.mice.empty() && options.mice_files.empty()) throw UsageError("error: --mice or --mice-file is required");
   expect_outputs(
       {{"--csv", options.csv}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
-  std::vector<Contestant> mice = find_contestants(with_mice_files(options.mice, options.mice_files),
-                                                  options.contests.world, options.external_mice);
-  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));
-  MazeCollection mazes = find_mazes_of(*order.world, options.contests);
-  const Study result = hold(options, mice, order, std::move(mazes.mazes));
+  Entry entry = options.contests.world.enter_one(find_contestants(with_mice_files(options.mice, options.mice_files),
+                                                                  options.contests.world, options.external_mice));
+  MazeCollection mazes = find_mazes_of(entry, options.contests);
+  const RaceOrder order = options.contests.order_in(entry.world);
+  const Study result = hold(options, entry.mice, order, std::move(mazes.mazes));
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(options.format == "json" ? json_of(result, mazes.skipped) : table_of(result, colours()));
   options.contests.finish_store(options.format == "table");

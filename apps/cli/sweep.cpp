@@ -34,10 +34,10 @@ int sweep(const SweepOptions& options) {
       {{"--csv", options.csv}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
   const Variation variation = read_variation(options.vary);
   if (!variation.error.empty()) throw UsageError("error: " + variation.error);
-  std::vector<Contestant> variants =
-      mice_of(read_variants(options.mouse, variation.parameter, variation.values, options.external_mice));
-  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(variants));
-  const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
+  Entry entry = options.contests.world.enter_one(
+      mice_of(read_variants(options.mouse, variation.parameter, variation.values, options.external_mice)));
+  const MazeCollection mazes = find_mazes_of(entry, options.contests);
+  const RaceOrder order = options.contests.order_in(entry.world);
   const Sweep result = hold(options, variation, mazes.mazes, order);
   print(table_of(result, colours()));
   options.contests.finish_store(true);

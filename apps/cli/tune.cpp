@@ -63,9 +63,9 @@ int tune(const TuneOptions& options) {
   expect_outputs(
       {{"--log", options.log}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
   const std::vector<ParameterRange> ranges = find_ranges(options);
-  std::vector<Contestant> mice_at_corners = corners(options.mouse, ranges);
-  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice_at_corners));
-  const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
+  Entry entry = options.contests.world.enter_one(corners(options.mouse, ranges));
+  const MazeCollection mazes = find_mazes_of(entry, options.contests);
+  const RaceOrder order = options.contests.order_in(entry.world);
   std::string failed_write;
   const Tune result = hold(options, ranges, mazes.mazes, order, failed_write);
   if (!result.error.empty()) throw UsageError("error: " + result.error);

@@ -44,7 +44,12 @@ std::string default_of(std::string_view name) {
   std::vector<std::pair<std::string, std::string_view>> values;
   for (const WorldEntry* entry : all_worlds())
     for (const WorldSetting& setting : entry->settings)
-      if (setting.name == name) values.emplace_back(setting.default_value, entry->name);
+      if (setting.name == name)
+        values.emplace_back(
+            setting.half_size_default.empty()
+                ? std::string(setting.default_value)
+                : fmt::format("{}, in half-size mazes {}", setting.default_value, setting.half_size_default),
+            entry->name);
   return by_world(values);
 }
 
@@ -124,11 +129,9 @@ std::vector<Entry> WorldChoice::enter(std::vector<Contestant> mice) const {
   return entries;
 }
 
-std::shared_ptr<const World> WorldChoice::enter_one(std::vector<Contestant>& mice) const {
+Entry WorldChoice::enter_one(std::vector<Contestant> mice) const {
   std::vector<Entry> entries = taken(sole_entry(enter(std::move(mice))));
-  if (entries.empty()) return world();
-  mice = std::move(entries.front().mice);
-  return entries.front().world;
+  return entries.empty() ? Entry{world(), {}, given()} : std::move(entries.front());
 }
 
 std::shared_ptr<const World> WorldChoice::world() const {

@@ -20,8 +20,8 @@ class WorldChoice {
   /// Returns the mice that race in each world. Throws UsageError where a mouse cannot race, or where no world with mice
   /// has a given setting.
   std::vector<Entry> enter(std::vector<Contestant> mice) const;
-  /// The same for commands with one world. Removes mice that are left out from `mice`.
-  std::shared_ptr<const World> enter_one(std::vector<Contestant>& mice) const;
+  /// The same for commands with one world; the entry may have no mice.
+  Entry enter_one(std::vector<Contestant> mice) const;
   /// The world on the command line (by default the first one) with its settings.
   std::shared_ptr<const World> world() const;
 

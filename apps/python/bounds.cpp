@@ -22,11 +22,12 @@ namespace labmouse::python {
 namespace {
 
 std::optional<double> bound_in(const NamedMaze& maze, const GivenWorld& world) {
-  const auto chosen = world_of(world.first, WorldSettings(world.second.begin(), world.second.end()));
-  if (const std::string reason = chosen->refuse(maze.maze); !reason.empty())
+  Entry chosen = world_of(world.first, WorldSettings(world.second.begin(), world.second.end()));
+  if (const std::string reason = chosen.world->refuse(maze.maze); !reason.empty())
     throw UserError(fmt::format("{}: error: {}", maze.name, reason));
+  suit_defaults(chosen, {&maze, 1});
   const nb::gil_scoped_release others;
-  return chosen->facts(maze.maze).bound;
+  return chosen.world->facts(maze.maze).bound;
 }
 
 /// The route as JSON, as a table and as a picture.

@@ -95,14 +95,14 @@ void require_names(std::vector<NamedMaze>& mazes) {
 
 }  // namespace
 
-std::shared_ptr<const World> world_of(const std::string& world, const WorldSettings& settings) {
+Entry world_of(const std::string& world, const WorldSettings& settings) {
   require_world(world);
   require_known_settings(settings);
   std::vector<std::string> remarks;
   const std::string_view name = world.empty() ? all_worlds().front()->name : std::string_view(world);
   std::vector<Entry> entries = entries_of(labmouse::enter({}, name, settings), remarks);
   if (const std::string unused = unused_setting(entries, settings); !unused.empty()) throw UserError(unused);
-  return entries.front().world;
+  return std::move(entries.front());
 }
 
 Field enter(Choice choice, const std::atomic<bool>* stop) {
@@ -111,7 +111,7 @@ Field enter(Choice choice, const std::atomic<bool>* stop) {
   Field field;
   std::vector<Contestant> mice = mice_of(choice, stop);
   if (mice.empty()) {
-    mice = residents_of(*world_of(choice.world, choice.settings));
+    mice = residents_of(*world_of(choice.world, choice.settings).world);
     if (mice.empty())
       throw UserError(fmt::format("labmouse has no built-in mice for the world {}; name your own", choice.world));
   }
@@ -131,6 +131,8 @@ Field enter(Choice choice, const std::atomic<bool>* stop) {
                                                   field.entry.world->name())
                                     : refused);
   field.mazes = std::move(mazes.mazes);
+  if (const std::string remark = suit_defaults(field.entry, field.mazes); !remark.empty())
+    field.remarks.push_back("remark: " + remark);
   field.skipped = std::move(mazes.skipped);
   return field;
 }

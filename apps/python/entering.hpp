@@ -40,6 +40,6 @@ struct Field {
 Field enter(Choice choice, const std::atomic<bool>* stop);
 
 /// The world of a choice that names no mice; throws UserError.
-std::shared_ptr<const World> world_of(const std::string& world, const WorldSettings& settings);
+Entry world_of(const std::string& world, const WorldSettings& settings);
 
 }  // namespace labmouse::python

@@ -63,6 +63,7 @@ class RunningRace {
     if (jobs < 0 || jobs > 1024) throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", jobs));
     Field field = enter(choice_of(mice, std::move(mazes), world), &work_.stopped());
     remarks_ = std::move(field.remarks);
+    settings_ = {field.entry.settings.begin(), field.entry.settings.end()};
     held_ = std::make_shared<HeldRace>();
     held_->skipped = std::move(field.skipped);
     RaceOrder order;
@@ -94,6 +95,7 @@ class RunningRace {
 
   Work& work() { return work_; }
   const std::vector<std::string>& remarks() const { return remarks_; }
+  const std::map<std::string, std::string>& settings() const { return settings_; }
   std::shared_ptr<HeldRace> result() {
     work_.finish();
     held_->from_store += store_->finish();
@@ -133,6 +135,7 @@ class RunningRace {
 
   std::shared_ptr<HeldRace> held_;
   std::vector<std::string> remarks_;
+  std::map<std::string, std::string> settings_;
   std::string out_, failed_write_;
   std::unique_ptr<ResultsFolder> folder_;
   std::optional<RaceFolder> records_;
@@ -255,6 +258,8 @@ void bind_races(nb::module_& module) {
                     const std::string&, bool, const GivenStore&>(),
            "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a, "store"_a)
       .def_prop_ro("remarks", &RunningRace::remarks)
+      .def_prop_ro("settings", &RunningRace::settings,
+                   "The settings of the world that were given, and the defaults that depend on the mazes.")
       .def_prop_ro("done", [](RunningRace& running) { return running.work().done(); })
       .def_prop_ro("all", [](RunningRace& running) { return running.work().all(); })
       .def(

@@ -50,6 +50,7 @@ class RunningStudy {
       throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", order.race.jobs));
     Field field = enter(choice_of(mice, std::move(mazes), world), &work_.stopped());
     remarks_ = std::move(field.remarks);
+    settings_ = {field.entry.settings.begin(), field.entry.settings.end()};
     held_ = std::make_shared<HeldStudy>();
     held_->skipped = std::move(field.skipped);
     order.race.world = field.entry.world;
@@ -66,6 +67,7 @@ class RunningStudy {
 
   Work& work() { return work_; }
   const std::vector<std::string>& remarks() const { return remarks_; }
+  const std::map<std::string, std::string>& settings() const { return settings_; }
   std::shared_ptr<HeldStudy> result() {
     work_.finish();
     held_->from_store += store_->finish();
@@ -77,6 +79,7 @@ class RunningStudy {
  private:
   std::shared_ptr<HeldStudy> held_;
   std::vector<std::string> remarks_;
+  std::map<std::string, std::string> settings_;
   std::optional<RaceStore> store_;
   Work work_;  // last, so that its thread ends before the members that it uses
 };
@@ -96,6 +99,8 @@ void bind_studies(nb::module_& module) {
                     const GivenStore&>(),
            "mice"_a, "mazes"_a, "world"_a, "numbers"_a, "store"_a)
       .def_prop_ro("remarks", &RunningStudy::remarks)
+      .def_prop_ro("settings", &RunningStudy::settings,
+                   "The settings of the world that were given, and the defaults that depend on the mazes.")
       .def_prop_ro("done", [](RunningStudy& running) { return running.work().done(); })
       .def_prop_ro("all", [](RunningStudy& running) { return running.work().all(); })
       .def(

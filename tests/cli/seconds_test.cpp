@@ -97,6 +97,37 @@ TEST_F(ADriver, IsToldWhichOptionsMakeNoSense) {
   is_refused({"race", "--world", "minutes"}, "--world");
 }
 
+TEST_F(ADriver, HasTheRulesOfTheMazesSize) {
+  EXPECT_EQ(labmouse({"make", "wilson", "--size", "17x4", "-o", "large.txt"}).code, 0);
+  const auto rules_of = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--mice", "flood", "--format", "json"});
+    const Ended ended = labmouse(std::move(words));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    const auto name = nlohmann::json::parse(ended.out)["groups"][0]["rules"]["name"].get<std::string>();
+    return std::pair(name, ended.err);
+  };
+  const std::vector<std::string> race = {"race", "--world", "seconds", "--mazes"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), race.begin(), race.end());
+    return more;
+  };
+  EXPECT_EQ(rules_of(with({"corner.txt"})), std::pair(std::string("all-japan"), std::string()));
+  EXPECT_EQ(rules_of(with({"large.txt"})), std::pair(std::string("all-japan-half"), std::string()));
+  EXPECT_EQ(rules_of(with({"large.txt", "--rules", "uk"})), std::pair(std::string("uk"), std::string()));
+  const auto [mixed, remark] = rules_of(with({"corner.txt", "large.txt"}));
+  EXPECT_EQ(mixed, "all-japan");
+  EXPECT_THAT(remark, Says("1 of 2", "all-japan-half", "--rules"));
+  const std::string several = labmouse({"race", "--world", "failures", "--noise", "0,1", "--runs", "1", "--mice",
+                                        "flood", "--mazes", "corner.txt", "large.txt"})
+                                  .err;
+  EXPECT_THAT(several, HasSubstr("1 of 2"));
+  EXPECT_EQ(several.find("1 of 2"), several.rfind("1 of 2"));
+  for (const char* maze : {"corner.txt", "large.txt"}) {
+    ASSERT_EQ(labmouse({"run", "flood", maze, "--world", "seconds", "--record", "run.jsonl"}).code, 0);
+    EXPECT_THAT(content("run.jsonl"), HasSubstr(std::string("\"all-japan") + (maze[0] == 'l' ? "-half\"" : "\"")));
+  }
+}
+
 TEST_F(ADriver, IsToldOfMazesThatAreTooLarge) {
   EXPECT_EQ(labmouse({"make", "wilson", "--size", "33x33", "-o", "mazes/large.txt"}).code, 0);
   file("mazes/corner.txt", content("corner.txt"));

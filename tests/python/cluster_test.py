@@ -198,6 +198,14 @@ def test_the_physical_world_is_that_of_one_machine(client, tmp_path):
     assert labmouse.race(mice, MAZES[:2], store=tmp_path / "a.db", **options).from_store == 18
 
 
+def test_a_race_in_mazes_of_both_sizes_has_one_set_of_rules(client, tmp_path):
+    mazes = ["contest-01", "contest-half-01"]
+    spread = cluster.race(client, "flood", mazes, world="seconds", store=tmp_path / "a.db")
+    assert spread.complete and spread.table.equals(labmouse.race("flood", mazes, world="seconds").table)
+    alone = cluster.race(client, "flood", mazes[1:], world="seconds", store=tmp_path / "a.db")
+    assert (spread.from_store, alone.from_store) == (0, 0)  # by other rules
+
+
 def test_a_study_and_a_sweep_are_those_of_one_machine(client, tmp_path):
     mazes = labmouse.mazes()[:6]
     alone = labmouse.study("flood,random,ariadne", mazes, folds=2, runs=3)

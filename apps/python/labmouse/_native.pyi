@@ -277,6 +277,12 @@ class RunningRace:
     def remarks(self) -> list[str]: ...
 
     @property
+    def settings(self) -> dict[str, str]:
+        """
+        The settings of the world that were given, and the defaults that depend on the mazes.
+        """
+
+    @property
     def done(self) -> int: ...
 
     @property
@@ -477,6 +483,12 @@ class RunningStudy:
 
     @property
     def remarks(self) -> list[str]: ...
+
+    @property
+    def settings(self) -> dict[str, str]:
+        """
+        The settings of the world that were given, and the defaults that depend on the mazes.
+        """
 
     @property
     def done(self) -> int: ...

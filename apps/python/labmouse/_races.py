@@ -193,7 +193,8 @@ def race(
     mazes: mazes, files, folders or patterns; None for all built-in mazes.
     world: 'steps', 'seconds', 'physical', 'failures' or 'mms'; None for the first one that takes the mice.
         `robot` and `rules` (a built-in name or a file) are settings of the worlds in seconds, `budget` (steps per
-        contest) is one of 'steps'. Other settings have the names of the command line's options.
+        contest) is one of 'steps'. Other settings have the names of the command line's options. Without `rules`, a race in
+        half-size mazes only (a side over 16) has 'all-japan-half', any other 'all-japan'.
     runs: contests per maze of a stochastic mouse, and of every mouse in 'physical' and 'failures'; None for 20, and
         for 3 in 'physical'.
     seed: for all random choices, 0 to 2**64 - 1.

@@ -86,13 +86,13 @@ class _Plan(NamedTuple):
             running = _native.RunningStudy(mice, mazes, self.world, (*self.folds, self.runs, self.seed, jobs), store)
         return _Part(running, workers)
 
-    def missing(self, mazes: "list[Maze]", store: str) -> "tuple[list[_Contest], int]":
-        """The contests that the store does not have, and the number of those that it has."""
+    def missing(self, mazes: "list[Maze]", store: str) -> "tuple[list[_Contest], int, dict[str, str]]":
+        """The contests that the store does not have, the number of those that it has, and the settings of the world."""
         with self.begin(mazes, (store, [], "keep")) as running:
             while not running.wait(0.1):
                 pass
             held = running.result()
-            return running.missing(), held.from_store
+            return running.missing(), held.from_store, running.settings
 
 
 class _Part:
@@ -133,12 +133,13 @@ class _Spread:
     def __init__(self, client: "Client", plan: _Plan, mazes: "list[Maze]", store: str, patience: float) -> None:
         self.client: Any = client
         self.patience = patience
-        self.plan = plan
         self.mazes = mazes
         self.store = store
         self.by_name = {maze.name: maze for maze in mazes}
         self.cells = {maze.name: maze.width * maze.height for maze in mazes}
-        missing, self.from_store = plan.missing(mazes, store)
+        missing, self.from_store, settings = plan.missing(mazes, store)
+        # A worker gets some of the mazes only, so it cannot know the defaults that depend on all of them.
+        self.plan = plan._replace(world=(plan.world[0], settings))
         # Sorted by maze: each task computes the bounds of its mazes again.
         self.waiting = collections.deque(sorted(missing, key=lambda contest: (contest[1], contest[0], contest[2])))
         self.all = self.from_store + len(missing)

@@ -37,6 +37,8 @@ struct WorldSetting {
   /// versions can have others.
   double least_chosen = 0.0;
   std::string_view unit = {};  ///< of such a number
+  /// The default of a race in which all mazes are half-size; empty if it is the same.
+  std::string_view half_size_default = {};
   /// Whether files of earlier versions lack it; they mean the default.
   bool later = false;
   Kind kind = Kind::text;  ///< row() takes it from the member

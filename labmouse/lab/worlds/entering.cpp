@@ -41,8 +41,14 @@ EntriesResult enter_one(std::vector<Contestant> mice, const WorldEntry& entry, c
       result.left_out.push_back(reason);
   }
   if (taken.empty() && !result.left_out.empty()) return {{}, "error: " + result.left_out.front(), {}};
-  result.entries.push_back({std::move(made.world), std::move(taken)});
+  result.entries.push_back({std::move(made.world), std::move(taken), settings});
   return result;
+}
+
+bool is_half_size(const NamedMaze& maze) {
+  constexpr int classic_side = 16;
+  const Size size = maze.maze.size();
+  return std::max(size.width, size.height) > classic_side;
 }
 
 /// "with --world physical or --world failures"
@@ -98,6 +104,24 @@ EntriesResult enter_each(const std::vector<Contestant>& mice, const WorldEntry& 
 bool has(const WorldEntry& entry, std::string_view setting) {
   return std::any_of(entry.settings.begin(), entry.settings.end(),
                      [&](const WorldSetting& each) { return each.name == setting; });
+}
+
+std::string suit_defaults(Entry& entry, std::span<const NamedMaze> mazes) {
+  const auto large = std::count_if(mazes.begin(), mazes.end(), is_half_size);
+  const bool all_large = large > 0 && large == std::ssize(mazes);
+  const WorldEntry& world = *find_world(entry.world->name());
+  std::string remark;
+  for (const WorldSetting& setting : world.settings) {
+    if (setting.half_size_default.empty() || entry.settings.contains(setting.name)) continue;
+    entry.settings[std::string(setting.name)] = all_large ? setting.half_size_default : setting.default_value;
+    if (all_large) entry.world = world.make(entry.settings).world;
+    if (large > 0 && !all_large)
+      remark = fmt::format(
+          "{} of {} mazes are half-size (a side over 16), but a race has one set of {}: {} for all; for {}, race them "
+          "alone or give --{}",
+          large, mazes.size(), setting.name, setting.default_value, setting.half_size_default, setting.name);
+  }
+  return remark;
 }
 
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings) {

@@ -1,6 +1,7 @@
 // Which mouse races in which world.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace labmouse {
 struct Entry {
   std::shared_ptr<const World> world;
   std::vector<Contestant> mice;
+  WorldSettings settings = {};  ///< that the world was made with; others have their defaults
 };
 
 /// Where the mice race, or why they cannot: exactly one of the two is there.
@@ -28,6 +30,10 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
 
 /// Whether a world has a setting of that name.
 bool has(const WorldEntry& entry, std::string_view setting);
+
+/// Makes the world again with the defaults of half-size contests if all mazes are half-size, with a side over 16. Where
+/// only some are, the world remains, because a race has one set of conditions, and the result is a remark about that.
+std::string suit_defaults(Entry& entry, std::span<const NamedMaze> mazes);
 
 /// Why one of these settings counts in none of the worlds that the mice race in; empty where each counts in one.
 std::string unused_setting(const std::vector<Entry>& entries, const WorldSettings& given);

@@ -558,6 +558,52 @@ TEST(Entering, LeavesOutMazesInWhichAWorldHoldsNoContests) {
   EXPECT_THAT(leave_out(*default_world("seconds"), {"large"}, collection), SaysAt("large", "60x60", "32x32"));
 }
 
+/// What the world with these settings is like in these mazes, and the remark.
+std::pair<Entry, std::string> suited(const WorldSettings& settings, const std::vector<Size>& sizes) {
+  std::vector<NamedMaze> mazes;
+  for (const Size& size : sizes) mazes.push_back({"maze", Maze(MazeDraft(size, MazeDraft::Inside::open))});
+  Entry entry = enter(test::mice("flood"), "failures", settings).entries.front();
+  std::string remark = suit_defaults(entry, mazes);
+  return {std::move(entry), std::move(remark)};
+}
+
+std::string condition_of(const Entry& entry, std::string_view key) {
+  for (const Condition& condition : entry.world->conditions())
+    if (condition.key == key) return text_of(condition.value);
+  return "";
+}
+
+TEST(Entering, RulesFollowTheSizeOfTheMazes) {
+  const auto rules = [](const std::vector<Size>& sizes) {
+    const auto [entry, remark] = suited({{"noise", "3"}}, sizes);
+    EXPECT_EQ(remark, "");
+    EXPECT_EQ(condition_of(entry, "noise"), "3");
+    EXPECT_THAT(names_of(entry.mice), ElementsAre("flood"));
+    return Json::parse(condition_of(entry, "rules"))["name"].get<std::string>();
+  };
+  EXPECT_EQ(rules({{16, 16}}), "all-japan");
+  EXPECT_EQ(rules({{16, 16}, {5, 3}}), "all-japan");
+  EXPECT_EQ(rules({}), "all-japan");
+  for (const Size& size : {Size{17, 8}, Size{8, 17}, Size{32, 32}}) EXPECT_EQ(rules({size}), "all-japan-half");
+  EXPECT_EQ(rules({{17, 17}, {32, 32}}), "all-japan-half");
+}
+
+TEST(Entering, ARaceInMazesOfBothSizesHasOneSetOfRules) {
+  const auto [entry, remark] = suited({}, {{16, 16}, {32, 32}, {16, 16}});
+  EXPECT_EQ(Json::parse(condition_of(entry, "rules"))["name"], "all-japan");
+  EXPECT_THAT(remark, Says("1 of 3", "all-japan", "all-japan-half", "--rules"));
+  // A part of the race has the same rules.
+  EXPECT_EQ(Json::parse(condition_of(suited(entry.settings, {{32, 32}}).first, "rules"))["name"], "all-japan");
+}
+
+TEST(Entering, RulesThatAreGivenHoldInMazesOfAllSizes) {
+  for (const std::vector<Size>& sizes : {std::vector<Size>{{32, 32}}, {{16, 16}, {32, 32}}}) {
+    const auto [entry, remark] = suited({{"rules", "uk"}}, sizes);
+    EXPECT_EQ(remark, "");
+    EXPECT_EQ(Json::parse(condition_of(entry, "rules"))["name"], "uk");
+  }
+}
+
 TEST(Entering, ResidentsAreTheBuiltinMiceThatAWorldTakes) {
   EXPECT_EQ(residents_of(*first_world()).size(), builtin_mice().size());
   EXPECT_THAT(residents_of(*default_world("seconds")), Not(IsEmpty()));
