@@ -100,7 +100,8 @@ TEST_F(ADriver, ComparesRobots) {
   is_refused(with({"--format", "csv"}), "--format csv", "--robot", "json");
   is_refused(with({"--out", "out"}), "--out", "--robot");
   is_refused(with({"--curves", "curves.svg"}), "--curves", "--noise");
-  is_refused({"race", "--world", "physical", "--noise", "0,1", "--robot", "classic,kerise", "--curves", "curves.svg"},
+  is_refused({"race", "--world", "physical", "--mice", "flood", "--mazes", "corner.txt", "--runs", "1", "--noise",
+              "0,1", "--robot", "classic,kerise", "--curves", "curves.svg"},
              "--curves", "--robot");
 }
 
