@@ -16,6 +16,7 @@
 #include "labmouse/lab/standings/junit.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
+#include "labmouse/lab/standings/robot_comparison.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -123,18 +124,20 @@ std::string save_junit(const RaceOptions& options, const std::vector<Race>& race
   return error.empty() ? "" : fmt::format("{}: error: {}", options.junit, error);
 }
 
-bool same_worlds(const std::vector<Entry>& entries) {
-  return entries.size() > 1 && entries[0].world->name() == entries[1].world->name();
-}
-
-/// Throws UsageError for --curves without several levels of noise, and for --out with several.
-void check_noises(const RaceOptions& options, const std::vector<Entry>& entries) {
-  if (!options.curves.empty() && !same_worlds(entries))
+/// Throws UsageError for options that fit only one race or only several.
+void check_races(const RaceOptions& options, const std::vector<Entry>& entries) {
+  if (!options.curves.empty() && options.contests.world.values("noise") < 2)
     throw UsageError(
         "error: --curves draws how mice do as noise grows; give several, as in `labmouse race --world "
         "failures --noise 0,1,2,3,4 --curves FILE`");
-  if (!options.out.empty() && same_worlds(entries))
-    throw UsageError("error: --out keeps the records of one race; give one --noise, or leave --out away");
+  if (!options.curves.empty() && options.contests.world.values("robot") > 1)
+    throw UsageError("error: --curves draws the races of one robot; give one --robot, or leave it out");
+  if (!options.out.empty() && has_several_values(entries))
+    throw UsageError("error: --out keeps the records of one race; give one --robot and one --noise, or leave it out");
+  if (options.format == "csv" && entries.size() > 1)
+    throw UsageError(
+        "error: --format csv can hold only one race; give one world, one --robot and one --noise, or use --format "
+        "json");
 }
 
 /// Reports races with several levels of noise together; does nothing for other races.
@@ -228,10 +231,7 @@ int race(const RaceOptions& options) {
   std::optional<Holding> holding(options);
   std::vector<Entry> entries = options.contests.world.enter(find_contestants(
       with_mice_files(options.mice, options.mice_files), options.contests.world, options.external_mice));
-  check_noises(options, entries);
-  if (options.format == "csv" && entries.size() > 1)
-    throw UsageError(
-        "error: --format csv can hold only one world; race the mice of each world separately, or use --format json");
+  check_races(options, entries);
   std::vector<SkippedFile> skipped;
   std::vector<Field> fields = fields_of(options, std::move(entries), skipped);
   const auto baselines = load_baselines(options, fields);
@@ -250,6 +250,8 @@ int race(const RaceOptions& options) {
     if (baselines[i]) add(options, compare_with_baseline(races[i], *baselines[i]));
   }
   report_curves(options, races);
+  if (const std::string robots = compare_robots(races); !robots.empty() && options.format == "table")
+    print("\n" + robots);
   options.contests.finish_store(options.format == "table");
   if (!failed_write.empty()) throw UsageError(failed_write);
   if (std::any_of(races.begin(), races.end(), [](const Race& each) { return each.stopped; })) return exit_interrupted();
@@ -325,6 +327,7 @@ void add_race(Command& app, int& exit) {
       "Example: labmouse race --mice flood:stride=1,certify --mazes capstone-1 --format json > today.json\n"
       "         labmouse race --mice flood,certify --mazes capstone-1 --baseline today.json\n"
       "         labmouse race --world seconds --robot half --rules thirtieth\n"
+      "         labmouse race --world physical --robot classic,./my-robot.toml\n"
       "         labmouse race --world failures --noise 0,1,2,3,4 --curves noise.svg");
   command->callback([options, limit, shard, &exit] {
     if (shard->count() > 0 && options->contests.store_path.empty())

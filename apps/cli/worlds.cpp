@@ -14,12 +14,16 @@
 namespace labmouse::cli {
 namespace {
 
+/// The value of --world with which mice race in several worlds.
+constexpr std::string_view each_world = "each";
+
 std::string why_no_world(const std::string& name) {
-  if (find_world(name) != nullptr) return "";
+  if (find_world(name) != nullptr || name == each_world) return "";
   std::vector<std::string_view> names;
   for (const WorldEntry* entry : all_worlds()) names.push_back(entry->name);
+  names.push_back(each_world);
   const auto near = nearest_name(name, names);
-  return fmt::format("'{}' is none of the worlds {}{}", name, fmt::join(names, ", "),
+  return fmt::format("'{}' is none of {}{}", name, fmt::join(names, ", "),
                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 
@@ -88,6 +92,7 @@ void WorldChoice::add_to(Command& command) {
   command_ = &command;
   std::string worlds = "World in which to run the contests; default: the one that suits the mice";
   for (const WorldEntry* entry : all_worlds()) worlds += fmt::format("\n{}: {}", entry->name, entry->summary);
+  worlds += fmt::format("\n{}: the one that suits each mouse, with a race for each world", each_world);
   command.add_option("--world", world_, worlds)->type_name("WORLD")->check(Check(why_no_world));
   for (const auto& [setting, entry] : all_settings()) {
     const std::string name(setting->name), option = "--" + name, meaning = meaning_of(*setting);
@@ -123,22 +128,33 @@ WorldSettings WorldChoice::given() const {
   return settings;
 }
 
-std::vector<Entry> WorldChoice::enter(std::vector<Contestant> mice) const {
-  std::vector<Entry> entries = taken(labmouse::enter(std::move(mice), world_, given()));
+std::vector<Entry> WorldChoice::enter_worlds(std::vector<Contestant> mice) const {
+  std::vector<Entry> entries = taken(labmouse::enter(std::move(mice), world_ == each_world ? "" : world_, given()));
   if (const std::string unused = unused_setting(entries, given()); !unused.empty()) throw UsageError(unused);
   return entries;
 }
 
+std::vector<Entry> WorldChoice::enter(std::vector<Contestant> mice) const {
+  std::vector<Entry> entries = enter_worlds(std::move(mice));
+  const std::string advice = fmt::format("choose --world {} for a race in each", each_world);
+  if (const std::string error = different_worlds(entries, advice); !error.empty() && world_ != each_world)
+    throw UsageError(error);
+  return entries;
+}
+
+std::size_t WorldChoice::values(const std::string& setting) const {
+  const WorldSettings settings = given();
+  const auto found = settings.find(setting);
+  if (found == settings.end()) return 0;
+  return 1 + static_cast<std::size_t>(std::count(found->second.begin(), found->second.end(), ','));
+}
+
 Entry WorldChoice::enter_one(std::vector<Contestant> mice) const {
-  std::vector<Entry> entries = taken(sole_entry(enter(std::move(mice))));
+  std::vector<Entry> entries = taken(sole_entry(enter_worlds(std::move(mice))));
   return entries.empty() ? Entry{world(), {}, given()} : std::move(entries.front());
 }
 
-std::shared_ptr<const World> WorldChoice::world() const {
-  return taken(labmouse::enter({}, world_.empty() ? all_worlds().front()->name : std::string_view(world_), given()))
-      .front()
-      .world;
-}
+std::shared_ptr<const World> WorldChoice::world() const { return enter_worlds({}).front().world; }
 
 std::string usual_runs_text() {
   std::vector<std::pair<std::string, std::string_view>> values;

@@ -17,15 +17,18 @@ class WorldChoice {
   /// Adds --world and the settings of all worlds.
   void add_to(Command& command);
 
-  /// Returns the mice that race in each world. Throws UsageError where a mouse cannot race, or where no world with mice
-  /// has a given setting.
+  /// Returns the mice that race in each world. Throws UsageError where a mouse cannot race, where no world with mice
+  /// has a given setting, or where mice suit different worlds and the user did not ask for each.
   std::vector<Entry> enter(std::vector<Contestant> mice) const;
   /// The same for commands with one world; the entry may have no mice.
   Entry enter_one(std::vector<Contestant> mice) const;
   /// The world on the command line (by default the first one) with its settings.
   std::shared_ptr<const World> world() const;
+  /// How many values the user gave a setting; 0 where it is not given.
+  std::size_t values(const std::string& setting) const;
 
  private:
+  std::vector<Entry> enter_worlds(std::vector<Contestant> mice) const;
   WorldSettings given() const;
 
   const Command* command_ = nullptr;

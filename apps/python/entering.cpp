@@ -101,6 +101,7 @@ Entry world_of(const std::string& world, const WorldSettings& settings) {
   std::vector<std::string> remarks;
   const std::string_view name = world.empty() ? all_worlds().front()->name : std::string_view(world);
   std::vector<Entry> entries = entries_of(labmouse::enter({}, name, settings), remarks);
+  entries_of(sole_entry(entries), remarks);
   if (const std::string unused = unused_setting(entries, settings); !unused.empty()) throw UserError(unused);
   return std::move(entries.front());
 }

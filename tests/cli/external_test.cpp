@@ -47,7 +47,7 @@ TEST_F(AHostOfPrograms, FailsARaceInWhichOneNeverStarted) {
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out, HasSubstr("flood"));
   EXPECT_THAT(ended.err, Says("program:python3 mute.py", "start", "exit code 2"));
-  EXPECT_EQ(race_in_the_corridor({"--mice", "flood,mms:python3 mute.py"}).code, 1);
+  EXPECT_EQ(race_in_the_corridor({"--mice", "flood,mms:python3 mute.py", "--world", "each"}).code, 1);
 }
 
 TEST_F(AHostOfPrograms, ShowsTheirLastWordsAfterARun) {

@@ -162,7 +162,10 @@ TEST_F(AnMmsUser, RacesInAWorldOfItsOwn) {
 }
 
 TEST_F(AnMmsUser, RacesBesideTheOthersInASecondTable) {
-  const Ended ended = labmouse({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt"});
+  is_refused({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt"}, "'flood'", "steps", "mms",
+             "--world each");
+  const Ended ended =
+      labmouse({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt", "--world", "each"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_LT(ended.out.find("\nflood "), ended.out.find("world of mms"));
 }
@@ -186,8 +189,9 @@ TEST_F(AnMmsUser, GivesAMazeOfTheRaceItsBound) {
 TEST_F(AnMmsUser, GetsOneWorldAsCsv) {
   const Ended ended = labmouse({"race", "--mice", to_the_goal_, "--mazes", "plank.txt", "--format", "csv"});
   EXPECT_THAT(ended.out, StartsWith("mouse,maze,outcome,end,finished,"));
-  is_refused({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt", "--format", "csv"},
-             "--format csv", "--format json");
+  is_refused(
+      {"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt", "--world", "each", "--format", "csv"},
+      "--format csv", "--format json");
 }
 
 TEST_F(AnMmsUser, IsToldWhatIsNotForMms) {
@@ -197,7 +201,9 @@ TEST_F(AnMmsUser, IsToldWhatIsNotForMms) {
 }
 
 TEST_F(AnMmsUser, GetsTheRecordsOfARace) {
-  EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt", "--out", "out"}).code,
+  EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt", "--world", "each",
+                      "--out", "out"})
+                .code,
             0);
   int records = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "out"))

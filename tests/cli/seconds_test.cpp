@@ -1,4 +1,6 @@
 // The world in seconds as a user has it: routes, races, records.
+#include <nlohmann/json.hpp>
+
 #include "tests/cli/user.hpp"
 
 namespace labmouse::test {
@@ -81,6 +83,26 @@ TEST_F(ADriver, RacesInSeconds) {
   EXPECT_THAT(race_in_seconds({"--mice", "flood", "--format", "csv"}).out, StartsWith("mouse,maze,seed,"));
   EXPECT_EQ(race_in_seconds({"--mice", "flood", "--fail-above", "100"}).code, 0);
   EXPECT_EQ(race_in_seconds({"--mice", "flood", "--fail-above", "0.001"}).code, 1);
+}
+
+TEST_F(ADriver, ComparesRobots) {
+  file("my.toml", content_of(std::string(LABMOUSE_SOURCE_DIR) + "/robots/half.toml"));
+  const std::vector<std::string> race = {"race",    "--world",    "seconds", "--mice",         "flood,certify",
+                                         "--mazes", "contest-01", "--robot", "classic,my.toml"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), race.begin(), race.end());
+    return more;
+  };
+  const Ended ended = labmouse(race);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, Says("Robot classic", "Robot my.toml", "\nRobots ", "my.toml"));
+  EXPECT_EQ(nlohmann::json::parse(labmouse(with({"--format", "json"})).out).at("groups").size(), 2U);
+  is_refused(with({"--format", "csv"}), "--format csv", "--robot", "json");
+  is_refused(with({"--out", "out"}), "--out", "--robot");
+  is_refused(with({"--curves", "curves.svg"}), "--curves", "--noise");
+  is_refused({"race", "--world", "physical", "--mice", "flood", "--mazes", "corner.txt", "--runs", "1", "--noise",
+              "0,1", "--robot", "classic,kerise", "--curves", "curves.svg"},
+             "--curves", "--robot");
 }
 
 TEST_F(ADriver, IsToldWhichOptionsMakeNoSense) {

@@ -27,8 +27,11 @@ namespace {
 constexpr WorldSetting robot_setting(std::string_view usual) {
   return {.name = "robot",
           .placeholder = "ROBOT",
-          .meaning = "Built-in robot, or a file whose name contains a slash or ends in .toml",
-          .default_value = usual};
+          .meaning =
+              "Built-in robot, or a file whose name contains a slash or ends in .toml; several, separated by commas, "
+              "give a race each",
+          .default_value = usual,
+          .listed = true};
 }
 constexpr WorldSetting rules_setting = {
     .name = "rules",

@@ -88,6 +88,8 @@ std::vector<NoiseCurve> noise_curves(std::span<const Race> races) {
     if (const auto noise = noise_of(race.world()); noise && !race.mice.empty()) by_noise.emplace_back(*noise, &race);
   if (by_noise.size() < 2) return {};
   std::stable_sort(by_noise.begin(), by_noise.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  if (std::adjacent_find(by_noise.begin(), by_noise.end(), same) != by_noise.end()) return {};
   std::vector<NoiseCurve> curves;
   for (const Contestant& mouse : by_noise.front().second->mice) curves.push_back({mouse.name, {}});
   for (const auto& [noise, race] : by_noise) {

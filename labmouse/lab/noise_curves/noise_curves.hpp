@@ -29,7 +29,7 @@ struct NoiseCurve {
 };
 
 /// A curve for each mouse, sorted by the share finished, highest first. The races must differ only in their noise, in
-/// the physical world or the failure model. Empty if fewer than two races have a noise.
+/// the physical world or the failure model. Empty if fewer than two races have a noise, or two have the same.
 std::vector<NoiseCurve> noise_curves(std::span<const Race> races);
 
 /// Text tables of the shares, the mean times and what ended the others.

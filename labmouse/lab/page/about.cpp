@@ -75,7 +75,8 @@ Json setting_json(const WorldSetting& setting) {
     json["type"] = "choice";
     json["choices"] = std::move(choices);
   }
-  if (setting.listed) json["listed"] = true;
+  // A choice takes one value, and that may be the text of a robot file, which has commas itself.
+  if (setting.listed && json["type"] != "choice") json["listed"] = true;
   return json;
 }
 

@@ -7,6 +7,7 @@
 
 #include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/text/former_names.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -15,9 +16,12 @@ namespace {
 using Kind = WorldSetting::Kind;
 
 std::string wrong_number(const WorldSetting& setting, const std::string& text) {
-  if (setting.least_chosen > setting.low)
-    return fmt::format("'{}' is neither {} nor a number from {} to {} {}", shown(text), setting.low,
-                       setting.least_chosen, setting.high, setting.unit);
+  if (setting.least_chosen > setting.low) {
+    const std::optional<double> number = parse_number(text);
+    return fmt::format("'{}' is neither {} nor a number from {} to {} {}{}", shown(text), setting.low,
+                       setting.least_chosen, setting.high, setting.unit,
+                       number ? unit_hint(*number, setting.least_chosen, setting.high, setting.unit) : "");
+  }
   return fmt::format("'{}' is not a {}number from {} to {}", shown(text), setting.kind == Kind::whole ? "whole " : "",
                      setting.low, setting.high);
 }

@@ -7,6 +7,7 @@
 
 #include "labmouse/lab/robots/hardware_keys.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/toml_text.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
 
@@ -91,8 +92,8 @@ class RobotReader {
     // A whole number too large for a double is out of any range.
     const double value = found->value<double>().value_or(std::numeric_limits<double>::infinity());
     if (!(value >= key.low && value <= key.high) || (key.kind == Kind::whole && !found->is_integer()))
-      add(found->source().begin,
-          fmt::format("'{}' is {}; it must be {}{}", key.name, written(*found), range_of(key), hint_of(key, value)));
+      add(found->source().begin, fmt::format("'{}' is {}; it must be {}{}", key.name, written(*found), range_of(key),
+                                             unit_hint(value, key.low, key.high, key.unit)));
   }
 
   static std::string words_of(const RobotKey& key) {

@@ -176,16 +176,6 @@ std::string range_of(const RobotKey& key) {
                      key.unit, key.kind == Kind::number_or_false ? ", or false" : "");
 }
 
-std::string hint_of(const RobotKey& key, double value) {
-  const std::string_view unit = key.unit;
-  constexpr double degree = 3.141592653589793 / 180.0;
-  if (unit.starts_with("rad") && value > key.high && value * degree <= key.high)
-    return fmt::format("; if the value is in degrees{}, write {:.4g}", unit.substr(3), value * degree);
-  const bool thousandths = unit.starts_with("mm") || unit == "ms";
-  if (!thousandths || !(value * 1e3 >= key.low && value * 1e3 <= key.high)) return "";
-  return fmt::format("; if the value is in {}, write {:g}", unit.substr(1), value * 1e3);
-}
-
 bool RobotForms::has(const RobotKey& key) const {
   if (key.of_diagonals && !diagonals) return false;
   switch (key.with) {

@@ -20,10 +20,6 @@ std::string_view key_in(std::string_view sentence);
 /// The range of a key in words: "50 to 20000 mm/s".
 std::string range_of(const RobotKey& key);
 
-/// A hint for the message about a value out of range. Empty unless the value would be valid if it is in metres, seconds
-/// or degrees.
-std::string hint_of(const RobotKey& key, double value);
-
 /// The form of a robot file. `turns`: it gives the times of turns, not the limits of curves. `search_times`: it gives
 /// the times of a search, not its speed. `diagonals`: the robot drives diagonals. `body`: it describes the hardware.
 struct RobotForms {

@@ -32,6 +32,15 @@ std::string_view why_no_number(std::string_view text) {
   return "";
 }
 
+std::string unit_hint(double value, double low, double high, std::string_view unit) {
+  constexpr double degree = 3.141592653589793 / 180.0;
+  if (unit.starts_with("rad") && value > high && value * degree <= high)
+    return fmt::format("; if the value is in degrees{}, write {:.4g}", unit.substr(3), value * degree);
+  const bool thousandths = unit.starts_with("mm") || unit == "ms";
+  if (!thousandths || !(value * 1e3 >= low && value * 1e3 <= high)) return "";
+  return fmt::format("; if the value is in {}, write {:g}", unit.substr(1), value * 1e3);
+}
+
 double rounded(double value, int digits) { return read_back(fmt::format("{:.{}g}", value, digits), value); }
 
 double decimal(float value) { return read_back(fmt::format("{}", value), static_cast<double>(value)); }

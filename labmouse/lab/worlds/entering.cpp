@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/text/counted.hpp"
 
 namespace labmouse {
 namespace {
@@ -86,14 +86,39 @@ std::vector<WorldSettings> each_of(const WorldEntry& entry, const WorldSettings&
   return all;
 }
 
+/// "'flood'", or "'flood' and 4 others".
+std::string named(const std::vector<Contestant>& mice) {
+  const std::string first = fmt::format("'{}'", mice.front().name);
+  return mice.size() == 1 ? first : fmt::format("{} and {}", first, counted(std::ssize(mice) - 1, "other", "others"));
+}
+
+/// The worlds that take all mice of the entries: "--world seconds or --world physical"; empty for none.
+std::string worlds_for_all(const std::vector<Entry>& entries) {
+  std::string text;
+  for (const WorldEntry* each : all_worlds()) {
+    const auto world = each->make({}).world;
+    const bool all = std::all_of(entries.begin(), entries.end(), [&](const Entry& entry) {
+      return std::all_of(entry.mice.begin(), entry.mice.end(),
+                         [&](const Contestant& mouse) { return world->refuse(mouse).empty(); });
+    });
+    if (all) text += fmt::format("{}--world {}", text.empty() ? "" : " or ", each->name);
+  }
+  return text;
+}
+
+bool in_same_world(const Entry& one, const Entry& other) { return one.world->name() == other.world->name(); }
+
 /// A race for each value of the settings that may have several.
 EntriesResult enter_each(const std::vector<Contestant>& mice, const WorldEntry& entry, const WorldSettings& settings) {
   EntriesResult result;
   for (const WorldSettings& chosen : each_of(entry, settings)) {
     EntriesResult one = enter_one(mice, entry, chosen);
     if (!one.error.empty()) return one;
-    // Remarks on mice and robot are the same for all values, so those of the first are enough.
-    if (result.entries.empty()) std::tie(result.left_out, result.remarks) = std::tie(one.left_out, one.remarks);
+    // Mice are left out for the same reasons under all values, so those of the first are enough.
+    if (result.entries.empty()) result.left_out = std::move(one.left_out);
+    for (std::string& remark : one.remarks)
+      if (std::find(result.remarks.begin(), result.remarks.end(), remark) == result.remarks.end())
+        result.remarks.push_back(std::move(remark));
     std::move(one.entries.begin(), one.entries.end(), std::back_inserter(result.entries));
   }
   return result;
@@ -143,9 +168,9 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
   EntriesResult result;
   for (std::size_t i = 0; i < by_world.size(); ++i) {
     if (by_world[i].empty()) continue;
-    EntriesResult one = enter_one(std::move(by_world[i]), *all_worlds()[i], settings);
+    EntriesResult one = enter_each(by_world[i], *all_worlds()[i], settings);
     if (!one.error.empty()) return one;
-    result.entries.push_back(std::move(one.entries.front()));
+    std::move(one.entries.begin(), one.entries.end(), std::back_inserter(result.entries));
     std::move(one.remarks.begin(), one.remarks.end(), std::back_inserter(result.remarks));
   }
   return result;
@@ -163,19 +188,27 @@ std::string unused_setting(const std::vector<Entry>& entries, const WorldSetting
   return "";
 }
 
+bool has_several_values(const std::vector<Entry>& entries) {
+  return std::adjacent_find(entries.begin(), entries.end(), in_same_world) != entries.end();
+}
+
+std::string different_worlds(const std::vector<Entry>& entries, std::string_view advice) {
+  std::string suited;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (i == 0 || !in_same_world(entries[i - 1], entries[i]))
+      suited += fmt::format("{}{} in the world {}", suited.empty() ? "" : ", ", named(entries[i].mice),
+                            entries[i].world->name());
+  if (entries.empty() || in_same_world(entries.front(), entries.back())) return "";
+  const std::string worlds = worlds_for_all(entries);
+  return fmt::format("error: these mice race in different worlds: {}; {}{}", suited,
+                     worlds.empty() ? "" : fmt::format("choose {}, in which all can race, or ", worlds), advice);
+}
+
 EntriesResult sole_entry(std::vector<Entry> entries) {
+  if (has_several_values(entries))
+    return {{}, "error: only `labmouse race` takes several values, separated by commas; give one", {}};
   std::erase_if(entries, [](const Entry& entry) { return entry.mice.empty(); });
-  if (entries.size() > 1 && entries[0].world->name() == entries[1].world->name())
-    return {{},
-            fmt::format("error: only a race in the world {} takes several values, separated by commas; give one",
-                        entries[0].world->name()),
-            {}};
-  if (entries.size() > 1)
-    return {{},
-            fmt::format("error: '{}' races in the world {}, but '{}' in the world {}; name mice of one world",
-                        entries[0].mice.front().name, entries[0].world->name(), entries[1].mice.front().name,
-                        entries[1].world->name()),
-            {}};
+  if (std::string error = different_worlds(entries, "name mice of one world"); !error.empty()) return {{}, error, {}};
   return {std::move(entries), "", {}};
 }
 

@@ -25,7 +25,8 @@ struct EntriesResult {
 };
 
 /// All mice race in the world of that name, once for each value of a setting that has several. Where it is empty, each
-/// races in the first world on the list that takes it; without mice, the first world has an entry.
+/// races in the first world on the list that takes it; without mice, the first world has entries. Entries of one world
+/// stand together.
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings);
 
 /// Whether a world has a setting of that name.
@@ -38,7 +39,14 @@ std::string suit_defaults(Entry& entry, std::span<const NamedMaze> mazes);
 /// Why one of these settings counts in none of the worlds that the mice race in; empty where each counts in one.
 std::string unused_setting(const std::vector<Entry>& entries, const WorldSettings& given);
 
-/// The only entry with mice; an error if several entries have mice.
+/// Whether a world has several entries: a setting has several values.
+bool has_several_values(const std::vector<Entry>& entries);
+
+/// An error if the entries are of different worlds: which mice race in which, which worlds would take all mice, and
+/// `advice` on what else to do. Empty if all are of one world.
+std::string different_worlds(const std::vector<Entry>& entries, std::string_view advice);
+
+/// The only entry with mice; an error if several entries have mice, or a setting has several values.
 EntriesResult sole_entry(std::vector<Entry> entries);
 
 /// The built-in mice that the world takes.

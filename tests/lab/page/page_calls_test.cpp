@@ -125,6 +125,10 @@ TEST(PageCalls, TellWhatTheCoreBrings) {
   EXPECT_EQ(types, (std::set<std::string>{"whole", "real", "flag", "choice", "list", "prior"}));
   EXPECT_GE(about["mazes"].size(), 5U);
   EXPECT_THAT(about["mazes"], ::testing::Contains(json{{"name", "capstone-1"}, {"width", 12}, {"height", 12}}));
+  // A choice takes one value: the text of a robot file has commas itself.
+  for (const json& world : about["worlds"])
+    for (const json& setting : world["settings"])
+      EXPECT_FALSE(setting["type"] == "choice" && setting.contains("listed")) << world["name"] << setting["name"];
   EXPECT_EQ(about["formats"].size(), 11U);
   EXPECT_EQ(about["generators"].size(), 7U);
   EXPECT_EQ(about["rules"], json::parse(R"({"budget":1000,"search_factor":30,"stride":3,"failure_score":100.0})"));

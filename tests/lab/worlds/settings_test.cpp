@@ -39,8 +39,11 @@ TEST(Settings, SayWhatCanBeChosen) {
   EXPECT_EQ(problem("noise", "100.5"), "error: --noise: '100.5' is not a number from 0 to 100");
   EXPECT_EQ(problem("variation", "ten"), "error: --variation: 'ten' is not a number from 0 to 10");
   EXPECT_EQ(problem("search-speed", "0"), "");
-  EXPECT_EQ(problem("search-speed", "0.3"),
-            "error: --search-speed: '0.3' is neither 0 nor a number from 10 to 20000 mm/s");
+  EXPECT_EQ(problem("search-speed", "5"),
+            "error: --search-speed: '5' is neither 0 nor a number from 10 to 20000 mm/s; if the value is in m/s, write "
+            "5000");
+  for (const char* unlikely : {"30000", "0.001", "fast"})
+    EXPECT_TRUE(problem("search-speed", unlikely).ends_with("20000 mm/s")) << unlikely;
   EXPECT_EQ(problem("map", "last"), "error: --map: 'last' is none of first, log-odds and log-odds-prior");
   Rules rules;
   EXPECT_EQ(choose(steps_rows, {{"budget", "1.5"}}, rules),

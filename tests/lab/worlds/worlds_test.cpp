@@ -536,6 +536,30 @@ TEST(Entering, PutsEachMouseIntoTheFirstWorldThatTakesIt) {
   EXPECT_THAT(enter({of_two_worlds()[1]}, "", {}).entries, SizeIs(1));
 }
 
+TEST(Entering, SaysWhichWorldsTakeAllMice) {
+  const auto error = [](const std::vector<std::string>& specs) {
+    return different_worlds(enter(read_specs(specs).contestants, "", {}).entries, "look elsewhere");
+  };
+  EXPECT_EQ(error({"flood", "certify"}), "");
+  EXPECT_EQ(error({"festina"}), "");
+  EXPECT_THAT(error({"flood", "festina", "certify"}),
+              AllOf(Says("'flood' and 1 other", "steps", "'festina'", "--world seconds or --world physical"),
+                    Not(HasSubstr("--world steps"))));
+  EXPECT_THAT(error({"manhattan", "festina"}), AllOf(Says("'manhattan'", "look elsewhere"), Not(HasSubstr("--world"))));
+}
+
+TEST(Entering, GivesARaceForEachRobot) {
+  const EntriesResult found = enter(read_specs("festina").contestants, "", {{"robot", "classic,half"}});
+  ASSERT_THAT(found.entries, SizeIs(2)) << found.error;
+  EXPECT_TRUE(has_several_values(found.entries));
+  EXPECT_NE(found.entries[0].world->facts(test::loop().maze).bound,
+            found.entries[1].world->facts(test::loop().maze).bound);
+  EXPECT_NE(sole_entry(found.entries).error, "");
+  EXPECT_FALSE(has_several_values(enter(of_two_worlds(), "", {}).entries));
+  EXPECT_THAT(enter(read_specs("festina").contestants, "seconds", {{"robot", "classic,none"}}).error,
+              HasSubstr("'none'"));
+}
+
 TEST(Entering, IsRefusedByTheWorldThatIsNamed) {
   for (const WorldEntry* entry : all_worlds())
     EXPECT_THAT(enter(of_two_worlds(), entry->name, {}).error, StartsWith("error: ")) << entry->name;

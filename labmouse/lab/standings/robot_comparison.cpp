@@ -1,0 +1,121 @@
+#include "labmouse/lab/standings/robot_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "labmouse/lab/standings/mouse_column.hpp"
+#include "labmouse/lab/standings/mouse_pair.hpp"
+#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Races that differ only in their robots.
+using Group = std::vector<const Race*>;
+
+/// The robot's name; empty in a world without robots.
+std::string robot_of(const Race& race) {
+  for (const Condition& condition : race.world().conditions())
+    if (condition.key == "robot")
+      if (const ReadJson robot = read_json(text_of(condition.value)); robot.is_object() && robot.contains("name"))
+        return shown(robot["name"].get<std::string>());
+  return "";
+}
+
+/// World and conditions besides the robot and the tables that follow from it.
+std::string other_conditions(const World& world) {
+  std::string text(world.name());
+  for (const Condition& condition : world.conditions())
+    if (condition.key != "robot" && condition.key != "tables")
+      text += fmt::format("\n{} {}", condition.key, text_of(condition.value));
+  return text;
+}
+
+std::vector<Group> groups_of(std::span<const Race> races) {
+  std::vector<std::pair<std::string, Group>> by_conditions;
+  for (const Race& race : races) {
+    if (robot_of(race).empty()) continue;
+    const std::string conditions = other_conditions(race.world());
+    auto found = std::find_if(by_conditions.begin(), by_conditions.end(),
+                              [&](const auto& one) { return one.first == conditions; });
+    if (found == by_conditions.end()) found = by_conditions.insert(found, {conditions, {}});
+    found->second.push_back(&race);
+  }
+  std::vector<Group> groups;
+  for (auto& [conditions, group] : by_conditions)
+    if (group.size() > 1) groups.push_back(std::move(group));
+  return groups;
+}
+
+/// The pairs of all mice, in the order of the first robot's leaderboard: each robot but the first with the first one.
+std::vector<MousePair> pairs_of(const Group& group, const std::vector<Standing>& order) {
+  // Only the scores are compared: with a verdict on finished contests, too, the table would be no short one.
+  constexpr bool has_rates = false;
+  std::vector<MousePair> pairs;
+  for (const Standing& standing : order)
+    for (std::size_t robot = 1; robot < group.size(); ++robot)
+      pairs.push_back(pair_of(maze_scores(*group[robot], standing.mouse), maze_scores(*group[0], standing.mouse),
+                              has_rates, group[0]->order.seed));
+  return pairs;
+}
+
+std::string result_text(const Race& race, std::size_t mouse) {
+  const std::vector<Standing> standings = standings_of(race);
+  const auto found =
+      std::find_if(standings.begin(), standings.end(), [&](const Standing& each) { return each.mouse == mouse; });
+  return fmt::format("{:>9} {:>8}", fmt::format("{}/{}", found->finished, found->runs),
+                     found->mean_at_limit ? fmt::format("{:.3f}", *found->mean_at_limit) : "-");
+}
+
+std::string difference_text(const PairedDifference& found, TestVerdict verdict) {
+  if (found.count == 0) return fmt::format(" {:>10} {:>18}", "-", "-");
+  // + 0.0 turns -0.0 into 0.
+  const std::string interval =
+      found.count > 1 ? fmt::format("{:+.3f} to {:+.3f}", found.interval.low + 0.0, found.interval.high + 0.0) : "-";
+  return fmt::format(" {:>+10.3f} {:>18}  {}", found.mean + 0.0, interval, name_of(verdict));
+}
+
+std::string table_of(const Group& group) {
+  const Race& first = *group.front();
+  const MouseColumn names(first);
+  std::vector<std::string> robots;
+  std::size_t width = 5;
+  for (const Race* race : group) width = std::max(width, robots.emplace_back(robot_of(*race)).size());
+  const std::vector<Standing> order = standings_of(first);
+  const std::vector<MousePair> pairs = pairs_of(group, order);
+  const std::vector<PairVerdicts> verdicts = verdicts_of(pairs);
+  std::string text =
+      fmt::format("Robots compared with {} in the same mazes{}\n{:<{}} {:<{}} {:>9} {:>8} {:>10} {:>18}  {}\n",
+                  robots.front(), first.world().heading(), "mouse", names.width, "robot", width, "finished", "mean",
+                  "difference", "95 % interval", "verdict");
+  std::size_t next = 0;
+  for (const Standing& standing : order)
+    for (std::size_t robot = 0; robot < group.size(); ++robot) {
+      text += fmt::format("{:<{}} {:<{}} {}", robot == 0 ? names.of[standing.mouse] : "", names.width, robots[robot],
+                          width, result_text(*group[robot], standing.mouse));
+      if (robot > 0) text += difference_text(pairs[next].scores, verdicts[next].scores);
+      next += robot > 0 ? 1 : 0;
+      text += "\n";
+    }
+  return text + verdict_notes(judged(pairs));
+}
+
+}  // namespace
+
+std::string compare_robots(std::span<const Race> races) {
+  std::string text;
+  for (const Group& group : groups_of(races)) text += (text.empty() ? "" : "\n") + table_of(group);
+  if (text.empty()) return "";
+  const World& world = races.back().world();
+  return fmt::format(
+      "{}In {}; a failed contest counts {:g}. A difference below 0 means that the robot is better than the first "
+      "one.\n",
+      text, world.unit(), world.limit_score());
+}
+
+}  // namespace labmouse
