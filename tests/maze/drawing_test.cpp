@@ -105,6 +105,18 @@ o---o---o   o
   EXPECT_THAT(open.notes, ElementsAre(Says("north of (1,1)", "east of (2,1)", "west of (0,0)", "south of (2,0)")));
 }
 
+TEST(Drawing, MayHaveCellsOfAnyWidth) {
+  const Maze plain = read(small);
+  EXPECT_EQ(read("+-+-+-+\n|G  | |\n+ +-+ +\n|    S|\n+-+-+-+\n"), plain);
+  EXPECT_EQ(read("o--o--o--o\n| G   |  |\no  o--o  o\n|      S |\no--o--o--o\n"), plain);
+  EXPECT_EQ(read("o-----o-----o-----o\n|G          | 12  |\no     o-----o     o\n|               S |\n"
+                 "o-----o-----o-----o\n"),
+            plain);
+  EXPECT_THAT(problems_of("o--o--o\n|     |\no--o- o\n"), ElementsAre(SaysAt("3:6", "(--)")));
+  EXPECT_THAT(problems_of("o--o---o\n|      |\no--o---o\n"), ElementsAre(SaysAt("1:9", "8", "3")));
+  EXPECT_THAT(problems_of("oo\n||\noo\n"), SizeIs(1));
+}
+
 TEST(Drawing, MayHaveNumbersAndArrowsInCells) {
   const Maze plain = read("o---o---o---o\n|         G |\no---o---o---o\n");
   EXPECT_EQ(read("+---+---+---+\n| >   12  @ |\n+---+---+---+\n"), plain);

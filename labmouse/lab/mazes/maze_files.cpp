@@ -141,7 +141,7 @@ std::optional<Maze> maze_named(const std::string& name) {
   MazeCollection collection;
   std::error_code error;
   if (fs::exists(name, error))
-    add_file(name, read_found_file(name), {}, collection, collection.errors);
+    add_file(name, read_found_file(name), {.closes_unseen = true}, collection, collection.errors);
   else
     add_builtin(name, collection);
   if (collection.mazes.empty()) return std::nullopt;

@@ -86,10 +86,9 @@ PageReply open_results(const std::string& name, std::string_view text) {
   return answered({{"kind", "results"}, {"results", std::move(results)}});
 }
 
-PageReply open_maze(const std::string& name, std::string_view content) {
-  ReadResult read = read_maze(content);
+PageReply open_maze(const std::string& name, ReadResult read) {
   if (!read.maze) return failed(fmt::format("{} is not a readable maze", name), std::move(read.problems));
-  return answered({{"kind", "maze"}, {"maze", maze_data(name, *read.maze)}});
+  return answered({{"kind", "maze"}, {"maze", maze_data(name, *read.maze)}, {"notes", read.notes}});
 }
 
 /// Opens a robot without checks: the editor shows its errors.
@@ -111,11 +110,12 @@ PageReply answer_open(const ReadJson& json, std::string_view bytes) {
     return failed(fmt::format("{} {}", name, foreign));
   if (is_markup(text)) return open_markup(name, text);
   if (name.ends_with(".toml")) return open_robot(name, text);
-  if (text.front() != '{' && text.front() != '[') return open_maze(name, bytes);
+  const ReadChoice choice{.closes_unseen = true};
+  if (text.front() != '{' && text.front() != '[') return open_maze(name, read_maze(bytes, choice));
   if (is_too_deep(text))
     return failed(fmt::format("{} is JSON, but its lists and objects are nested too deeply", name));
   if (is_record(text)) return open_record(name, bytes, maze);
-  if (read_maze(bytes).maze) return open_maze(name, bytes);
+  if (ReadResult read = read_maze(bytes, choice); read.maze) return open_maze(name, std::move(read));
   return open_results(name, bytes);
 }
 

@@ -1,5 +1,7 @@
 #include "labmouse/maze/formats/drawing_reader.hpp"
 
+#include <algorithm>
+
 #include "labmouse/maze/formats/problem_list.hpp"
 #include "labmouse/maze/formats/text.hpp"
 
@@ -8,15 +10,20 @@ namespace {
 
 constexpr std::size_t most_lines_of_drawing = 2 * max_side + 1;
 
-constexpr std::size_t text_width(Size size) { return 4 * static_cast<std::size_t>(size.width) + 1; }
+/// The distance of two posts in columns, at least 2; that of most drawings where there are no two.
+int spacing_of(std::string_view top_line) {
+  for (std::size_t i = 2; i < top_line.size(); ++i)
+    if (is_post(top_line[i])) return static_cast<int>(i);
+  return 4;
+}
 
 // The size of the drawing; adds a problem for an invalid width or height.
-Size size_of(const std::vector<Line>& lines, ProblemList& problems) {
-  const std::size_t width = lines.front().text.size();
-  if (width % 4 != 1 || width < 5 || width > text_width({max_side, max_side}))
-    problems.add(
-        1, lines.front().end(),
-        "the top line has " + std::to_string(width) + " characters; it must have 4 for each of 1 to 64 cells, plus 1");
+Size size_of(const std::vector<Line>& lines, int spacing, ProblemList& problems) {
+  const int width = static_cast<int>(std::min(lines.front().text.size(), std::size_t{1'000'000}));
+  if (width % spacing != 1 % spacing || width <= spacing || width > spacing * max_side + 1)
+    problems.add(1, lines.front().end(),
+                 joined("the top line has ", width, " characters; it must have ", spacing,
+                        " for each of 1 to 64 cells, plus 1"));
   if (lines.size() > most_lines_of_drawing)
     problems.add(lines.back().number, 1, "too many lines; a drawing has at most 129, for 64 rows of cells");
   else if (lines.size() % 2 != 1 || lines.size() < 3)
@@ -24,12 +31,12 @@ Size size_of(const std::vector<Line>& lines, ProblemList& problems) {
                  "the drawing has " + std::to_string(lines.size()) + (lines.size() == 1 ? " line" : " lines") +
                      "; it must have 2 for each row of cells, plus 1");
   if (!problems.empty()) return {};
-  return {static_cast<int>(width / 4), static_cast<int>(lines.size() / 2)};
+  return {width / spacing, static_cast<int>(lines.size() / 2)};
 }
 
 class DrawingReader {
  public:
-  explicit DrawingReader(Size size) : size_(size), draft_(size, MazeDraft::Inside::closed) {}
+  DrawingReader(Size size, int spacing) : size_(size), spacing_(spacing), draft_(size, MazeDraft::Inside::closed) {}
 
   ReadResult read(const std::vector<Line>& lines) {
     for (const Line& line : lines) {
@@ -39,8 +46,8 @@ class DrawingReader {
         read_walls(line, y);
       else
         read_cells(line, y);
-      if (line.text.size() > text_width(size_))
-        problems_.add(line.number, static_cast<int>(text_width(size_)) + 1, "the line is longer than the top line");
+      if (line.text.size() > text_width())
+        problems_.add(line.number, static_cast<int>(text_width()) + 1, "the line is longer than the top line");
     }
     if (!problems_.empty()) return problems_.failure();
     ReadResult result = map_of(Maze(draft_), unseen_);
@@ -49,28 +56,32 @@ class DrawingReader {
   }
 
  private:
+  std::size_t text_width() const { return static_cast<std::size_t>(spacing_ * size_.width + 1); }
+
   // The posts of a line and the walls between them: the north sides of the row y.
   void read_walls(const Line& line, int y) {
-    if (line.text.size() < text_width(size_)) {
+    if (line.text.size() < text_width()) {
       problems_.add(line.number, line.end(), "the line is shorter than the top line; a post is missing");
       return;
     }
     for (int x = 0; x <= size_.width; ++x) {
-      const int column = 4 * x + 1;
+      const int column = spacing_ * x + 1;
       if (!is_post(letter(line, column))) unexpected(line, column, "expected a post (o or +)");
       if (x < size_.width) read_wall(line, column + 1, {{x, y}, Heading::north});
     }
   }
 
-  // A wall is three equal characters: `-` closed, blank open, dot or colon not seen. The first one that differs is
-  // reported.
+  // A wall is equal characters between two posts, usually three: `-` closed, blank open, dot or colon not seen. The
+  // first one that differs is reported.
   void read_wall(const Line& line, int column, Wall wall) {
     const char first = letter(line, column);
     int wrong = column;
     if (first == '-' || first == ' ' || is_unseen(first))
-      while (wrong < column + 3 && letter(line, wrong) == first) ++wrong;
-    if (wrong < column + 3)
-      unexpected(line, wrong, "expected a wall (---) or three spaces");
+      while (wrong < column + spacing_ - 1 && letter(line, wrong) == first) ++wrong;
+    if (wrong < column + spacing_ - 1)
+      unexpected(
+          line, wrong,
+          joined("expected a wall (", std::string(static_cast<std::size_t>(spacing_) - 1, '-'), ") or as many spaces"));
     else if (first == ' ')
       open(wall);
     else if (is_unseen(first))
@@ -80,7 +91,7 @@ class DrawingReader {
   // The cells of the row y, each with the wall west of it, which is the east side of its neighbour.
   void read_cells(const Line& line, int y) {
     for (int x = 0; x <= size_.width; ++x) {
-      const int column = 4 * x + 1;
+      const int column = spacing_ * x + 1;
       const Wall wall{{x - 1, y}, Heading::east};
       if (const char side = letter(line, column); side == ' ')
         open(wall);
@@ -93,13 +104,14 @@ class DrawingReader {
   }
 
   void read_cell(const Line& line, int column, Cell cell) {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < spacing_ - 1; ++i) {
+      const bool middle = spacing_ != 4 || i == 1;
       const char mark = letter(line, column + i);
       // Programs print distances, ways and visits into cells.
       if (std::string_view(" 0123456789^v<>.").find(mark) != std::string_view::npos) continue;
-      if (i == 1 && mark == 'S')
+      if (middle && mark == 'S')
         read_start(line, column + i, cell);
-      else if ((i == 1 && mark == 'G') || mark == '*' || mark == '@')
+      else if ((middle && mark == 'G') || mark == '*' || mark == '@')
         draft_.add_goal(cell);
       else
         unexpected(line, column + i, "cell " + name_of(cell) + " may contain only S or G, in the middle");
@@ -143,6 +155,7 @@ class DrawingReader {
   }
 
   Size size_;
+  int spacing_;
   MazeDraft draft_;
   bool start_found_ = false;
   WallSet unseen_;
@@ -170,9 +183,10 @@ ReadResult read_drawing(std::string_view original) {
   const auto lines = lines_of(content, most_lines_of_drawing + 1);
   if (lines.empty()) return failure(0, 0, "the file is empty");
   ProblemList problems;
-  const Size size = size_of(lines, problems);
+  const int spacing = spacing_of(lines.front().text);
+  const Size size = size_of(lines, spacing, problems);
   if (!problems.empty()) return problems.failure();
-  return DrawingReader(size).read(lines);
+  return DrawingReader(size, spacing).read(lines);
 }
 
 }  // namespace labmouse::formats

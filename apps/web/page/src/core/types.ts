@@ -656,6 +656,8 @@ export interface PairedDifference {
 export type Opened = {
   kind: 'maze';
   maze: MazeData;
+  /** What the user should know of how it was read, a sentence each. */
+  notes: string[];
 } | {
   kind: 'record';
   play: Play;

@@ -7,6 +7,7 @@ import { filePicker } from '../ui/pick';
 import type { Page } from '../page/page';
 import { mazeText } from '../player/figures';
 import { createLooks } from '../player/looks';
+import { notesOn } from '../shell/sorting-out';
 import { createBoard, type Board } from './board';
 import { createEditor, type Editor } from './editor';
 import { createJudgement } from './judgement';
@@ -28,7 +29,8 @@ async function openInto(page: Page, load: (maze: MazeData) => void, fileName: st
       return page.tell(`${fileName} holds the results of a race; drop it on the page instead.`);
     if (opened.kind === 'robot') return page.tell(`${fileName} is a robot; drop it on the page instead.`);
     load(opened.kind === 'maze' ? opened.maze : opened.play.maze);
-    page.tell(`${fileName} is open; undo restores the previous drawing.`);
+    const notes = opened.kind === 'maze' ? notesOn(fileName, opened.notes) : [];
+    page.tell([`${fileName} is open; undo restores the previous drawing.`, ...notes].join(' '));
   } catch (error) {
     page.complain(error);
   }

@@ -29,13 +29,14 @@ async function read(file: File): Promise<OneFile> {
 }
 
 /** What was opened, in words, and what of it is to be known at once. */
-export function summary({ mazes, plays, results, robots }: SortedOut): string {
+export function summary({ mazes, notes, plays, results, robots }: SortedOut): string {
   const parts = [mazes.length && counted(mazes.length, 'maze'), plays.length && counted(plays.length, 'record')];
   if (results.length > 0) parts.push('the results of a race');
   if (robots.length > 0) parts.push(counted(robots.length, 'robot'));
   const opened = parts.filter(Boolean).join(', ');
   const cut = plays.filter(({ play }) => !play.ended);
   const rest = [
+    ...notes,
     ...cut.map(({ play }) => `${play.mouse}: ${play.outcome}.`),
     plays.length > 2 && 'The first two records are shown.',
     mazes.length > 1 && 'The last maze is shown.',

@@ -8,6 +8,8 @@ export interface OneFile {
 
 export interface SortedOut {
   mazes: MazeData[];
+  /** On how mazes were read. */
+  notes: string[];
   plays: { play: Play; record: string }[];
   results: RaceResults[];
   robots: { name: string; text: string }[];
@@ -16,9 +18,14 @@ export interface SortedOut {
 
 export type Open = (file: OneFile, maze?: MazeData) => Promise<Opened>;
 
+/** Notes on how a maze was read, as sentences. */
+export const notesOn = (name: string, notes: string[]): string[] => notes.map((note) => `${name}: ${note}.`);
+
 function add(sorted: SortedOut, file: OneFile, opened: Opened) {
-  if (opened.kind === 'maze') sorted.mazes.push(opened.maze);
-  else if (opened.kind === 'results') sorted.results.push(opened.results);
+  if (opened.kind === 'maze') {
+    sorted.mazes.push(opened.maze);
+    sorted.notes.push(...notesOn(file.name, opened.notes));
+  } else if (opened.kind === 'results') sorted.results.push(opened.results);
   else if (opened.kind === 'robot') sorted.robots.push({ name: opened.name, text: opened.text });
   else sorted.plays.push({ play: opened.play, record: new TextDecoder().decode(file.bytes) });
 }
@@ -38,7 +45,7 @@ export async function openIn(
 
 /** Opens all; a record that lacks its maze takes one that was dropped with it. */
 export async function sortOut(files: OneFile[], open: Open): Promise<SortedOut> {
-  const sorted: SortedOut = { mazes: [], plays: [], results: [], robots: [], failures: [] };
+  const sorted: SortedOut = { mazes: [], notes: [], plays: [], results: [], robots: [], failures: [] };
   const failed: SortedOut['failures'] = [];
   for (const file of files)
     await open(file).then(

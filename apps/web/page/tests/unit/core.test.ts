@@ -93,7 +93,7 @@ describe.skipIf(!existsSync(file))('the core', () => {
     for (const { name: format } of answer('about', {}).formats) {
       const said = answer('write_maze', { maze, format });
       const content = said.text === undefined ? Uint8Array.from(said.bytes!) : text(said.text);
-      expect(answer('open', { name: maze.name }, content)).toEqual({ kind: 'maze', maze });
+      expect(answer('open', { name: maze.name }, content)).toEqual({ kind: 'maze', maze, notes: [] });
     }
   });
 

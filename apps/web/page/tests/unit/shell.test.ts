@@ -37,8 +37,8 @@ describe('dropped files', () => {
   const maze = (name: string) => ({ name }) as MazeData;
   /** Files are called by what they are; a "lost" record needs the maze "home". */
   const open: Open = async (file, given): Promise<Opened> => {
-    if (file.name === 'home') return { kind: 'maze', maze: maze('home') };
-    if (file.name === 'other') return { kind: 'maze', maze: maze('other') };
+    if (file.name === 'home') return { kind: 'maze', maze: maze('home'), notes: ['it has a gap'] };
+    if (file.name === 'other') return { kind: 'maze', maze: maze('other'), notes: [] };
     if (file.name === 'results') return { kind: 'results', results: {} as RaceResults };
     if (file.name === 'record' || (file.name === 'lost' && given?.name === 'home'))
       return { kind: 'record', play: { mouse: file.name } as Play };
@@ -49,6 +49,7 @@ describe('dropped files', () => {
   it('are sorted by what the core says of them', async () => {
     const sorted = await sortOut(['record', 'home', 'bad', 'results'].map(file), open);
     expect(sorted.mazes).toEqual([maze('home')]);
+    expect(summary(sorted)).toContain('home: it has a gap.');
     expect(sorted.plays).toEqual([{ play: { mouse: 'record' }, record: 'text of record' }]);
     expect(sorted.results).toHaveLength(1);
     expect(sorted.failures.map(({ file: { name }, error }) => [name, String(error)])).toEqual([
@@ -73,7 +74,7 @@ describe('what was opened', () => {
     record: '',
   });
   const summaryOf = (...plays: ReturnType<typeof record>[]) =>
-    summary({ mazes: [], plays, results: [], robots: [], failures: [] });
+    summary({ mazes: [], notes: [], plays, results: [], robots: [], failures: [] });
   it('is told with the fact that a record breaks off, and where', () => {
     expect(summaryOf(record(true))).not.toContain('breaks off');
     expect(summaryOf(record(true), record(false))).toContain('flood: the record breaks off after step 3');
