@@ -160,7 +160,8 @@ MazeCollection find_mazes_of(Entry& entry, const Contests& contests, bool again)
     throw UsageError(
         fmt::format("error: no mazes to race on: none of these can be used in the world {}", world.name()));
   const std::string remark = suit_defaults(entry, mazes.mazes);
-  if (!remark.empty() && !again) tell_remarks({remark});
+  // Who named no mazes did not ask for those of one class.
+  if (!remark.empty() && !again && !contests.mazes.empty()) tell_remarks({remark});
   return mazes;
 }
 

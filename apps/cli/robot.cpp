@@ -7,7 +7,9 @@
 #include "command.hpp"
 #include "labmouse/lab/pictures/robot_picture.hpp"
 #include "labmouse/lab/robots/builtin_robots.hpp"
+#include "labmouse/lab/robots/robot_arrays.hpp"
 #include "labmouse/lab/robots/robot_table.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "robot_fit.hpp"
 
 namespace labmouse::cli {
@@ -16,11 +18,31 @@ namespace {
 struct RobotOptions {
   std::string robot = "classic";
   std::string svg;
+  std::string arrays;
 };
+
+std::vector<std::string> names_of_turn_names() {
+  std::vector<std::string> names;
+  for (const TurnNames& each : all_turn_names()) names.emplace_back(each.name);
+  return names;
+}
+
+std::string arrays_of(const FoundRobot& found, const std::string& name) {
+  if (found.robot.fixed)
+    throw UsageError(
+        fmt::format("{}: error: the file has times of turns, not the limits from which their curves follow; --c needs "
+                    "those",
+                    shown(found.robot.name)));
+  const auto names = all_turn_names();
+  return robot_arrays(found.robot, found.model, *std::find_if(names.begin(), names.end(), [&](const TurnNames& each) {
+                        return each.name == name;
+                      }));
+}
 
 void show(const RobotOptions& options) {
   expect_outputs({{"the robot", options.robot, Output::Kind::input}, {"--svg", options.svg}});
   const FoundRobot found = find_robot_or_refuse(options.robot);
+  if (!options.arrays.empty()) return print(arrays_of(found, options.arrays));
   if (options.svg.empty()) return print(robot_table(found.robot, found.model));
   save(options.svg, draw_robot(found.robot, found.model));
 }
@@ -62,6 +84,12 @@ void add_robot(Command& app, int& exit) {
       ->capture_default_str();
   shown->add_option("--svg", options->svg, "Save a picture of its turns instead of printing the table")
       ->type_name("FILE");
+  shown
+      ->add_option("--c", options->arrays,
+                   "Print C arrays of turns and straights for firmware, with the names of turns of plain, UKMARS or "
+                   "kerikun11")
+      ->type_name("NAMES")
+      ->check(one_of(names_of_turn_names()));
   shown->footer("Example: labmouse robot show half --svg half.svg\n         labmouse robot show ./my-mouse.toml");
   shown->callback([options, &exit] {
     show(*options);

@@ -739,7 +739,7 @@ TEST_F(AUser, ComparesTheMapOfARobotWithTheMaze) {
   EXPECT_THAT(compared.out, Says("robot.log", "true.hex", "2 right", "1 wrong", "1 unseen", "east of (0,1)"));
   EXPECT_EQ(labmouse({"inspect", "true.hex", "--against", "true.hex", "--check"}).code, 0);
   is_refused({"inspect", "true.hex", "--against", "capstone-1"}, "2x2", "12x12");
-  is_refused({"show", "robot.log"}, "robot.log", "partial map", "--against");
+  is_refused({"bound", "robot.log"}, "robot.log", "partial map", "--against");
   is_refused({"inspect", "--against", "true.hex"}, "--against", "name the files");
 }
 

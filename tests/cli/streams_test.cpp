@@ -37,6 +37,15 @@ TEST_F(AShellUser, PipesAMazeIn) {
   prints("labmouse race --mice flood --mazes - --format csv < corridor.txt | cut -d, -f1-2 | tail -n 1", "flood,-\n");
 }
 
+TEST_F(AShellUser, CompilesTheArraysOfARobot) {
+  for (const char* names : {"plain", "ukmars", "kerikun11"})
+    prints("labmouse robot show classic --c " + std::string(names) +
+               " > robot.h && cc -std=c99 -Wall -Wextra -Wno-unused-variable -Werror -fsyntax-only -x c robot.h",
+           "");
+  is_refused({"robot", "show", "mm2021", "--c", "plain"}, "mm2021", "times of turns");
+  is_refused({"robot", "show", "--c", "plane"}, "plain");
+}
+
 TEST_F(AShellUser, PipesRecordsOn) {
   file("corridor.txt", corridor);
   const std::string score = shell("labmouse run flood corridor.txt | tail -n 1").out;

@@ -39,7 +39,8 @@ void repair(ReadResult& result) {
 
 /// Makes a maze of a partial map.
 void close_unseen(ReadResult& result) {
-  const auto& [known, unseen] = *result.partial;
+  const Maze& known = result.partial->known;
+  const WallSet& unseen = result.partial->unseen;
   MazeDraft draft(known.size(), MazeDraft::Inside::closed);
   known.open_walls().for_each([&](Wall wall) {
     if (!unseen.contains(wall)) draft.open(wall.cell, wall.side);

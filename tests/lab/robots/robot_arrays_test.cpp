@@ -1,0 +1,72 @@
+#include "labmouse/lab/robots/robot_arrays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/robots/robot_table.hpp"
+
+namespace labmouse {
+namespace {
+
+// The rows of numbers by the names of the arrays.
+std::map<std::string, std::vector<std::array<double, 8>>> arrays_in(const std::string& text) {
+  std::map<std::string, std::vector<std::array<double, 8>>> arrays;
+  std::istringstream lines(text);
+  std::string name;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string before = "static const struct labmouse_turn ";
+    if (line.starts_with(before)) name = line.substr(before.size(), line.find('[') - before.size());
+    std::array<double, 8> row{};
+    if (std::sscanf(line.c_str(), " {%lff, %lff, %lff, %lff, %lff, %lff, %lff, %lff}", &row[0], &row[1], &row[2],
+                    &row[3], &row[4], &row[5], &row[6], &row[7]) == 8)
+      arrays[name].push_back(row);
+  }
+  return arrays;
+}
+
+TEST(RobotArrays, TurnByTheAnglesOfTheTurnsInTheirTimes) {
+  const std::map<std::string, double> angles = {{"SD45", 45},   {"SS90", 90}, {"SD135", 135},
+                                                {"SS180", 180}, {"DD90", 90}, {"SS90E", 90}};
+  for (const char* name : {"classic", "half"}) {
+    const FoundRobot found = find_robot(name);
+    const auto arrays = arrays_in(robot_arrays(found.robot, found.model, all_turn_names()[1]));
+    std::size_t rows = 0;
+    for (const auto& [turn, speeds] : arrays) {
+      ASSERT_TRUE(angles.contains(turn)) << turn;
+      for (const auto& [speed, lead_in, lead_out, curve, ramp, rate, acceleration, time] : speeds) {
+        // The yaw rate rises and falls steadily, so that a ramp counts half.
+        EXPECT_NEAR(rate * (curve - ramp) / speed, angles.at(turn), 0.2) << name << ' ' << turn;
+        EXPECT_NEAR(acceleration * ramp / speed, rate, 0.5);
+        EXPECT_GE(time, 0.99 * curve / speed * 1e3);
+        ++rows;
+      }
+    }
+    EXPECT_EQ(rows, shown_turns(found.model).size());
+    EXPECT_EQ(arrays.at("SS90").front()[0] > arrays.at("SS90").back()[0], true);
+  }
+}
+
+TEST(RobotArrays, HaveTheNamesOfAConvention) {
+  const FoundRobot found = find_robot("classic");
+  for (const TurnNames& names : all_turn_names())
+    for (const Turn turn : {Turn::f45, Turn::f90, Turn::f135, Turn::f180, Turn::v90, Turn::s90}) {
+      const std::string name(names.of[static_cast<unsigned>(turn)]);
+      EXPECT_TRUE(arrays_in(robot_arrays(found.robot, found.model, names)).contains(name)) << names.name << name;
+    }
+}
+
+TEST(RobotArrays, DoNotEndTheirCommentWithTheNameOfARobot) {
+  FoundRobot found = find_robot("classic");
+  found.robot.name = "a */ int b; /*";
+  const std::string text = robot_arrays(found.robot, found.model, all_turn_names()[0]);
+  EXPECT_LT(text.find("int b"), text.find("*/"));
+}
+
+}  // namespace
+}  // namespace labmouse
