@@ -1,5 +1,6 @@
 // What dropped files turned out to be. Only the core can tell.
 import type { MazeData, Opened, Play, RaceResults } from '../core/types';
+import { notesOn } from '../ui/format';
 
 export interface OneFile {
   name: string;
@@ -17,9 +18,6 @@ export interface SortedOut {
 }
 
 export type Open = (file: OneFile, maze?: MazeData) => Promise<Opened>;
-
-/** Notes on how a maze was read, as sentences. */
-export const notesOn = (name: string, notes: string[]): string[] => notes.map((note) => `${name}: ${note}.`);
 
 function add(sorted: SortedOut, file: OneFile, opened: Opened) {
   if (opened.kind === 'maze') {

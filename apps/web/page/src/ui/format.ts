@@ -21,3 +21,6 @@ export const counted = (count: number, one: string, many = `${one}s`) =>
 
 /** What went wrong, in words. */
 export const errorText = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
+/** Notes on how a file was read, as sentences. */
+export const notesOn = (name: string, notes: string[]): string[] => notes.map((note) => `${name}: ${note}.`);
