@@ -26,7 +26,18 @@ function hold(mazes: string[]) {
   const [folder, report, guest] = [temporary('race'), temporary('race.html'), temporary('painter.py')];
   writeFileSync(guest, painter);
   const mice = ['ariadne,certify,flood,wall-left,visit-counter', `mms:python3 ${guest}`];
-  native('race', ...mice.flatMap((mouse) => ['--mice', mouse]), '--mazes', ...mazes, '--runs', '2', '--out', folder);
+  native(
+    'race',
+    ...mice.flatMap((mouse) => ['--mice', mouse]),
+    '--world',
+    'each',
+    '--mazes',
+    ...mazes,
+    '--runs',
+    '2',
+    '--out',
+    folder,
+  );
   native('report', folder, '-o', report, '--page', builtPage);
   const text = readFileSync(join(folder, 'results.json'), 'utf8');
   return { report, text, results: JSON.parse(text) as RaceResults, mazes };
