@@ -8,7 +8,7 @@
 
 namespace labmouse::fuzz {
 
-LABMOUSE_FUZZER(log_odds) {
+LABMOUSE_FUZZER(log_odds_map) {
   std::array<std::uint8_t, 8> first{};
   std::memcpy(first.data(), bytes, size < first.size() ? size : first.size());
   test::WildContest contest;

@@ -49,7 +49,7 @@ void check_duties(std::string_view line) {
 
 }  // namespace
 
-LABMOUSE_FUZZER(external) {
+LABMOUSE_FUZZER(program) {
   const std::string_view text(reinterpret_cast<const char*>(bytes), size);
   const auto [lines, too_long] = lines_of(text, size + 1);
   require(lines_of(text, 1) == std::pair(lines, too_long) && lines_of(text, 7) == std::pair(lines, too_long));
