@@ -12,6 +12,7 @@
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/streams.hpp"
+#include "labmouse/lab/text/commas.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/pose.hpp"
 #include "labmouse/strategies/parameter.hpp"
@@ -19,16 +20,6 @@
 
 namespace labmouse::cli {
 namespace {
-
-std::vector<std::string> between_commas(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const auto comma = std::min(text.find(',', begin), text.size());
-    parts.push_back(text.substr(begin, comma - begin));
-    begin = comma + 1;
-  }
-  return parts;
-}
 
 /// Reads `X,Y` or, if allowed, `X,Y,HEADING`.
 Pose read_place(const std::string& text, bool with_heading) {

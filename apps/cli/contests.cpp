@@ -11,6 +11,7 @@
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/commas.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/text/time_left.hpp"
@@ -215,15 +216,13 @@ ExitCode exit_interrupted() {
 
 std::vector<double> numbers_of(const WorldSetting& setting, const std::string& text) {
   std::vector<double> numbers;
-  for (std::string_view rest = text;;) {
-    const auto comma = rest.find(',');
+  for (const std::string& part : between_commas(text)) {
     std::string problem;
-    const Value value = chosen_value(setting, std::string(rest.substr(0, comma)), problem);
+    const Value value = chosen_value(setting, part, problem);
     if (!problem.empty()) throw UsageError(fmt::format("error: --{}: {}", setting.name, problem));
     numbers.push_back(*number_of(value));
-    if (comma == std::string_view::npos) return numbers;
-    rest.remove_prefix(comma + 1);
   }
+  return numbers;
 }
 
 }  // namespace labmouse::cli

@@ -42,6 +42,8 @@ std::string arrays_of(const FoundRobot& found, const std::string& name) {
 void show(const RobotOptions& options) {
   expect_outputs({{"the robot", options.robot, Output::Kind::input}, {"--svg", options.svg}});
   const FoundRobot found = find_robot_or_refuse(options.robot);
+  if (!options.arrays.empty() && !options.svg.empty())
+    throw UsageError("error: --c prints arrays and --svg saves a picture; choose one");
   if (!options.arrays.empty()) return print(arrays_of(found, options.arrays));
   if (options.svg.empty()) return print(robot_table(found.robot, found.model));
   save(options.svg, draw_robot(found.robot, found.model));
@@ -86,8 +88,8 @@ void add_robot(Command& app, int& exit) {
       ->type_name("FILE");
   shown
       ->add_option("--c", options->arrays,
-                   "Print C arrays of turns and straights for firmware, with the names of turns of plain, UKMARS or "
-                   "kerikun11")
+                   "Print C arrays of turns and straights for firmware instead of the table; turns have plain names or "
+                   "those of ukmars or kerikun11")
       ->type_name("NAMES")
       ->check(one_of(names_of_turn_names()));
   shown->footer("Example: labmouse robot show half --svg half.svg\n         labmouse robot show ./my-mouse.toml");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "command.hpp"
+#include "labmouse/lab/text/commas.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -146,7 +147,7 @@ std::size_t WorldChoice::values(const std::string& setting) const {
   const WorldSettings settings = given();
   const auto found = settings.find(setting);
   if (found == settings.end()) return 0;
-  return 1 + static_cast<std::size_t>(std::count(found->second.begin(), found->second.end(), ','));
+  return between_commas(found->second).size();
 }
 
 Entry WorldChoice::enter_one(std::vector<Contestant> mice) const {

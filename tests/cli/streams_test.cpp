@@ -44,6 +44,7 @@ TEST_F(AShellUser, CompilesTheArraysOfARobot) {
            "");
   is_refused({"robot", "show", "mm2021", "--c", "plain"}, "mm2021", "times of turns");
   is_refused({"robot", "show", "--c", "plane"}, "plain");
+  is_refused({"robot", "show", "--c", "plain", "--svg", "robot.svg"}, "--c", "--svg");
 }
 
 TEST_F(AShellUser, PipesRecordsOn) {

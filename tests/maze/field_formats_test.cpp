@@ -304,7 +304,7 @@ TEST(PartialMaps, KnowWhichWallsWereNotSeen) {
 TEST(PartialMaps, AreMazesWhereTheirUnseenWallsAreClosed) {
   const ReadResult read = read_maze("o---o---o---o\n| S   G :   |\no---o---o---o\n", {.closes_unseen = true});
   EXPECT_EQ(read.maze, test::maze_of(drawing_format, "o---o---o---o\n| S   G |   |\no---o---o---o\n"));
-  EXPECT_THAT(read.notes, ElementsAre(Says("1 unseen of 2", "closed")));
+  EXPECT_THAT(read.notes, ElementsAre(Says("1 of 2", "closed")));
   EXPECT_THAT(read.problems, IsEmpty());
   ASSERT_TRUE(read.partial);
   EXPECT_TRUE(read.partial->unseen.contains({{1, 0}, Heading::east}));

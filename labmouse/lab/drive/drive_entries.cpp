@@ -184,7 +184,8 @@ double most_noise_of(const FailureFile& failure_rates) {
 std::string why_not_failures(const DriveModel& model, double noise, const FailureFile& failure_rates) {
   if (failure_rates.tables != hash_text(model.tables.hash))
     return fmt::format(
-        "--failure-rates: {} were counted of the robot {}, which is not that of --robot, {}; count those of yours with "
+        "error: --failure-rates: {} were counted of the robot {}, which is not that of --robot, {}; count those of "
+        "yours with "
         "`labmouse failure-rates --robot {} --save FILE`",
         shown(failure_rates.name), shown(failure_rates.robot), shown(model.robot.name), shown(model.robot.name));
   if (failure_rates.search_speed != 0.0)
@@ -193,7 +194,7 @@ std::string why_not_failures(const DriveModel& model, double noise, const Failur
         shown(failure_rates.name), failure_rates.search_speed);
   if (failure_rates.edition != physical_edition)
     return fmt::format(
-        "--failure-rates: {} were counted in edition {} of the physical world, which is edition {} now; count "
+        "error: --failure-rates: {} were counted in edition {} of the physical world, which is edition {} now; count "
         "them again with `labmouse failure-rates --save FILE`",
         shown(failure_rates.name), failure_rates.edition, physical_edition);
   if (const double most = most_noise_of(failure_rates); noise > most)

@@ -8,6 +8,7 @@
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/text/commas.hpp"
 #include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "labmouse/mouse/knowledge.hpp"
@@ -127,10 +128,7 @@ bool needs_svg(Layer layer, bool colours) {
 
 LayersResult read_layers(std::string_view names) {
   LayersResult result;
-  for (std::size_t begin = 0; begin <= names.size();) {
-    const auto end = std::min(names.find(',', begin), names.size());
-    const auto name = names.substr(begin, end - begin);
-    begin = end + 1;
+  for (const std::string& name : between_commas(names)) {
     const auto line =
         std::find_if(lines.begin(), lines.end(), [&](const LayerLine& each) { return each.name == today_value(name); });
     if (line == lines.end()) return {{}, unknown_name(name)};

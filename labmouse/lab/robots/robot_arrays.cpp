@@ -8,6 +8,8 @@
 namespace labmouse {
 namespace {
 
+// Those of UKMARS and kerikun11 are assumed from their use in articles and repositories; the sources of a mouse that
+// uses them would settle it.
 constexpr std::array names_in_order = {
     TurnNames{"plain", {"TURN_45", "TURN_90", "TURN_135", "TURN_180", "TURN_V90", "TURN_S90", "", ""}},
     TurnNames{"ukmars", {"SD45", "SS90", "SD135", "SS180", "DD90", "SS90E", "", ""}},

@@ -7,6 +7,7 @@
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/studies/decimals.hpp"
+#include "labmouse/lab/text/commas.hpp"
 
 namespace labmouse {
 namespace {
@@ -110,12 +111,8 @@ RangesResult read_ranges(std::string_view spec, std::string_view text) {
   if (!base.error.empty()) return {{}, base.error};
   const BuiltinMouse& mouse = *entry_of(base.contestants.front());
   RangesResult result;
-  for (bool more = true; more;) {
-    const auto comma = text.find(',');
-    if (auto error = read_one(spec, mouse, text.substr(0, comma), result.ranges); !error.empty()) return {{}, error};
-    more = comma != std::string_view::npos;
-    if (more) text.remove_prefix(comma + 1);
-  }
+  for (const std::string& part : between_commas(text))
+    if (auto error = read_one(spec, mouse, part, result.ranges); !error.empty()) return {{}, error};
   if (result.ranges.size() > most_ranges)
     return {{},
             fmt::format("{} parameters are named; at most {} can be tuned at once", result.ranges.size(), most_ranges)};

@@ -6,7 +6,9 @@
 #include <iterator>
 
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/text/commas.hpp"
 #include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -59,16 +61,6 @@ std::string worlds_with(std::string_view setting) {
   return text;
 }
 
-std::vector<std::string> values_of(std::string_view list) {
-  std::vector<std::string> values;
-  for (;;) {
-    const auto comma = list.find(',');
-    values.emplace_back(list.substr(0, comma));
-    if (comma == std::string_view::npos) return values;
-    list.remove_prefix(comma + 1);
-  }
-}
-
 /// One set of settings for each value of those that may have several.
 std::vector<WorldSettings> each_of(const WorldEntry& entry, const WorldSettings& settings) {
   std::vector<WorldSettings> all = {settings};
@@ -77,7 +69,7 @@ std::vector<WorldSettings> each_of(const WorldEntry& entry, const WorldSettings&
     if (!setting.listed || given == settings.end()) continue;
     std::vector<WorldSettings> more;
     for (const WorldSettings& chosen : all)
-      for (std::string& value : values_of(given->second)) {
+      for (std::string& value : between_commas(given->second)) {
         more.push_back(chosen);
         more.back()[given->first] = std::move(value);
       }
@@ -108,8 +100,22 @@ std::string worlds_for_all(const std::vector<Entry>& entries) {
 
 bool in_same_world(const Entry& one, const Entry& other) { return one.world->name() == other.world->name(); }
 
+/// An error if a setting with several values has an empty one, as in "classic,".
+std::string empty_value(const WorldEntry& entry, const WorldSettings& settings) {
+  for (const WorldSetting& setting : entry.settings) {
+    const auto given = settings.find(setting.name);
+    if (!setting.listed || given == settings.end()) continue;
+    const std::vector<std::string> values = between_commas(given->second);
+    if (std::find(values.begin(), values.end(), "") != values.end())
+      return fmt::format("error: --{}: '{}' has an empty value; write values with a comma between them", setting.name,
+                         shown(given->second));
+  }
+  return "";
+}
+
 /// A race for each value of the settings that may have several.
 EntriesResult enter_each(const std::vector<Contestant>& mice, const WorldEntry& entry, const WorldSettings& settings) {
+  if (std::string error = empty_value(entry, settings); !error.empty()) return {{}, std::move(error), {}};
   EntriesResult result;
   for (const WorldSettings& chosen : each_of(entry, settings)) {
     EntriesResult one = enter_one(mice, entry, chosen);

@@ -47,8 +47,8 @@ void close_unseen(ReadResult& result) {
   });
   result.maze = Maze(draft).with_start(known.start(), known.start_heading()).with_goals(known.goals());
   result.problems.clear();
-  result.notes.push_back(formats::joined("a partial map: ", unseen.count(), " unseen of ",
-                                         WallSet::all(known.size()).count(), " inner walls are taken as closed"));
+  result.notes.push_back(formats::joined("a partial map: ", unseen.count(), " of ", WallSet::all(known.size()).count(),
+                                         " inner walls were not seen; they are taken as closed"));
 }
 
 /// Notes the gaps, or makes them the start and the goal of a maze.

@@ -54,7 +54,7 @@ TEST(PageOpens, MazesWithNotesOnHowTheyWereRead) {
   const json file = opened("o---o---o\n| G   G  \no   o   o\n| G : G |\no---o---o\n", "a maze.txt");
   EXPECT_EQ(file["kind"], "maze");
   ASSERT_EQ(file["notes"].size(), 2U) << file;
-  EXPECT_THAT(file["notes"][0].get<std::string>(), Says("1 unseen", "closed"));
+  EXPECT_THAT(file["notes"][0].get<std::string>(), Says("1 of 4", "closed"));
   EXPECT_THAT(file["notes"][1].get<std::string>(), Says("east of (1,1)"));
 }
 
