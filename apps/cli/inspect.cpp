@@ -8,7 +8,7 @@
 
 #include "command.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "labmouse/maze/map_comparison.hpp"
+#include "maps.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -58,26 +58,15 @@ std::string describe(const WallSet& walls) {
 /// Compares maps, such as those that robots print, with the maze in which they were made.
 int compare_all(const InspectOptions& options) {
   if (options.mazes.empty()) throw UsageError("error: --against compares maps with a maze; name the files of the maps");
-  const NamedMaze truth = find_maze(options.against, options.places);
   bool differs = false;
   for (const std::string& path : options.mazes) {
-    const ReadResult read = load_map(path);
-    if (!read.maze && !read.partial) throw UsageError(describe(path, read.problems.front()));
-    const Maze& map = read.maze ? *read.maze : read.partial->known;
-    const WallSet unseen = read.partial ? read.partial->unseen : WallSet();
-    const auto found = compare_maps(map, unseen, truth.maze);
-    if (!found)
-      throw UsageError(fmt::format("{}: error: the map has {}x{} cells, {} has {}x{}", path, map.size().width,
-                                   map.size().height, shown(truth.name), truth.maze.size().width,
-                                   truth.maze.size().height));
-    const int walls = WallSet::all(map.size()).count();
-    const int wrong = found->false_walls.count() + found->missed_walls.count();
+    const ComparedMap map = compare_map(path, options.against, options.places);
     print(
         fmt::format("{}, compared with {}\n  read as       {}\n  inner walls   {}: {} right, {} wrong, {} unseen\n"
                     "  false walls   {}\n  missed walls  {}\n",
-                    shown(path), shown(truth.name), read.reading, walls, walls - wrong - unseen.count(), wrong,
-                    unseen.count(), describe(found->false_walls), describe(found->missed_walls)));
-    differs |= wrong > 0;
+                    shown(path), shown(map.truth.name), map.reading, map.walls(), map.right(), map.wrong(),
+                    map.found.unseen.count(), describe(map.found.false_walls), describe(map.found.missed_walls)));
+    differs |= map.wrong() > 0;
   }
   return options.check && differs ? exit_finding : exit_good;
 }

@@ -9,6 +9,7 @@
 #include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
+#include "maps.hpp"
 #include "records.hpp"
 
 namespace labmouse::cli {
@@ -16,7 +17,7 @@ namespace {
 
 struct ShowOptions {
   const Command* command = nullptr;
-  std::string maze, record, record_maze, svg;
+  std::string maze, against, record, record_maze, svg;
   std::vector<std::string> layers;
   Places places;
   int step = 0;  ///< 0: the whole record
@@ -61,12 +62,31 @@ std::string title_of(const NamedMaze& maze, const Rules& rules) {
                      : fmt::format("{}: the goal cannot be reached", maze.name);
 }
 
-void show_maze(const ShowOptions& options) {
-  const LayerSet chosen = chosen_layers(options, {Layer::path, Layer::coordinates});
+/// The requested layers or the usual ones, for a maze without a record.
+LayerSet maze_layers(const ShowOptions& options, const LayerSet& usual) {
+  LayerSet chosen = chosen_layers(options, usual);
   for (const Layer layer : chosen)
     if (needs_record(layer))
       throw UsageError(fmt::format("error: layer {} needs a record; name one with --record FILE instead of the maze",
                                    name_of(layer)));
+  return chosen;
+}
+
+/// Draws a map that a robot made over the true maze.
+void show_map(const ShowOptions& options) {
+  const LayerSet chosen = maze_layers(options, {Layer::coordinates});
+  const ComparedMap map = compare_map(options.maze, options.against, options.places);
+  DrawingLayers layers = layers_of(map.truth.maze, Rules(), chosen);
+  layers.title = fmt::format("{}, compared with {}: of {} inner walls {} right, {} wrong, {} unseen", options.maze,
+                             map.truth.name, map.walls(), map.right(), map.wrong(), map.found.unseen.count());
+  layers.wrong = map.found.missed_walls;
+  layers.false_walls = map.found.false_walls;
+  layers.unknown = map.found.unseen;
+  draw(options, map.truth.maze, chosen, layers);
+}
+
+void show_maze(const ShowOptions& options) {
+  const LayerSet chosen = maze_layers(options, {Layer::path, Layer::coordinates});
   const NamedMaze maze = find_maze(options.maze, options.places, {.closes_unseen = true});
   const Rules rules;
   DrawingLayers layers = layers_of(maze.maze, rules, chosen);
@@ -110,17 +130,20 @@ int show_record(const ShowOptions& options) {
 
 int show(const ShowOptions& options) {
   expect_outputs({{"the maze", options.maze, Output::Kind::input},
+                  {"--against", options.against, Output::Kind::input},
                   {"--record", options.record, Output::Kind::input},
                   {"--svg", options.svg}});
   const bool places = !options.places.start.empty() || !options.places.goals.empty();
   if (options.maze.empty() == options.record.empty())
     throw UsageError("error: `labmouse show` takes either a maze or --record FILE");
+  if (!options.record.empty() && !options.against.empty())
+    throw UsageError("error: --against needs a map instead of a record; --maze plays a record in another maze");
   if (!options.record.empty() && places)
     throw UsageError("error: --start and --goal cannot be used with --record; a record has its own start and goal");
   if (options.record.empty() && options.step > 0)
     throw UsageError("error: --step needs a record; name one with --record FILE");
   if (!options.record.empty()) return show_record(options);
-  show_maze(options);
+  options.against.empty() ? show_maze(options) : show_map(options);
   return exit_good;
 }
 
@@ -137,10 +160,14 @@ std::string layer_lines() {
 
 void add_show(Command& app, int& exit) {
   auto options = std::make_shared<ShowOptions>();
-  Command* command = app.add_subcommand("show", "Draw a maze with its best route, or the layers of a record");
+  Command* command =
+      app.add_subcommand("show", "Draw a maze with its best route, a map over its maze, or the layers of a record");
   options->command = command;
   command->add_option("maze", options->maze, "Maze file or built-in maze")->type_name("MAZE");
   add_places(*command, options->places);
+  command
+      ->add_option("--against", options->against, "Draw MAZE as a map of this maze: its false, missed and unseen walls")
+      ->type_name("MAZE");
   auto* record = command->add_option("--record", options->record, "Draw this record instead of a maze");
   record->type_name("FILE");
   add_record_maze(*command, options->record_maze)->needs(record);

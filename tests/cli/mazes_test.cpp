@@ -108,6 +108,12 @@ TEST_F(AUser, ComparesTheMapOfARobotWithTheMaze) {
   EXPECT_THAT(compared.out, Says("robot.log", "true.hex", "2 right", "1 wrong", "1 unseen", "east of (0,1)"));
   EXPECT_EQ(labmouse({"inspect", "true.hex", "--against", "true.hex", "--check"}).code, 0);
   is_refused({"inspect", "true.hex", "--against", "capstone-1"}, "2x2", "12x12");
+  const Ended drawn = labmouse({"show", "robot.log", "--against", "true.hex"});
+  EXPECT_THAT(drawn.out, Says("robot.log", "2 right", "1 wrong", "1 unseen", "%", "- -"));
+  EXPECT_EQ(labmouse({"show", "robot.log", "--against", "true.hex", "--svg", "map.svg"}).code, 0);
+  EXPECT_THAT(content("map.svg"), Says("false wall", "missed wall"));
+  is_refused({"show", "robot.log", "--against", "true.hex", "--layer", "heat"}, "heat", "record");
+  is_refused({"show", "--record", "robot.log", "--against", "true.hex"}, "--against", "--maze");
   is_refused({"bound", "robot.log"}, "robot.log", "partial map", "--against");
   is_refused({"inspect", "--against", "true.hex"}, "--against", "name the files");
 }

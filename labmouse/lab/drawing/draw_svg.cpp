@@ -37,7 +37,8 @@ std::string description_of(const Scene& scene) {
     text += fmt::format(" Search: {}", to_goal_words(*search_run));
     text += search_run->onwards.empty() ? "." : fmt::format(", {}.", onwards_words(*search_run));
   }
-  if (scene.layers.wrong) text += fmt::format(" {}.", wrong_words(*scene.layers.wrong));
+  if (scene.layers.wrong) text += fmt::format(" {}.", wrong_words(scene.layers));
+  if (scene.layers.false_walls) text += fmt::format(" {}.", false_words(*scene.layers.false_walls));
   if (const auto& explored = scene.layers.explored)
     text += fmt::format(" {}, {}.", visited_words(*explored), discovered_words(*explored));
   if (const auto& choice = scene.layers.candidates)
@@ -53,7 +54,8 @@ Legend legend_below(const Scene& scene) {
 /// The tones that only these layers need.
 std::vector<Tone> tones_of(const DrawingLayers& layers) {
   std::vector<Tone> tones;
-  if (layers.search_run) tones.insert(tones.end(), {to_goal, onwards});
+  if (layers.search_run || layers.false_walls) tones.push_back(to_goal);
+  if (layers.search_run) tones.push_back(onwards);
   if (layers.wrong) tones.push_back(wrong);
   if (layers.candidates) tones.push_back(candidate);
   if (layers.explored) tones.insert(tones.end(), {discovered, visited});

@@ -41,6 +41,7 @@ struct WallSigns {
 WallSigns signs_of(WallLook look) {
   if (look == WallLook::unknown) return {U"- -", U":", Ink::dim};
   if (look == WallLook::guessed_open) return {U"###", U"#", Ink::wrong};
+  if (look == WallLook::guessed_closed) return {U"%%%", U"%", Ink::to_goal};
   return {U"---", U"|", Ink::plain};
 }
 
@@ -138,7 +139,8 @@ class TextDrawing {
       if (search_run->onwards.size() > 1) lines += ", x " + onwards_words(*search_run) + ", * both";
       lines += '\n';
     }
-    if (layers_.wrong) lines += "# " + wrong_words(*layers_.wrong) + '\n';
+    if (layers_.wrong) lines += "# " + wrong_words(layers_) + '\n';
+    if (layers_.false_walls) lines += "% " + false_words(*layers_.false_walls) + '\n';
     if (layers_.explored) lines += visited_words(*layers_.explored) + ", " + discovered_words(*layers_.explored) + '\n';
     return lines;
   }

@@ -38,6 +38,9 @@ struct DrawingLayers {
   std::optional<WallSet> unknown;
   /// Closed walls that the mouse assumes open: drawn in a colour of their own.
   std::optional<WallSet> wrong;
+  /// Open walls that a map has as closed: drawn in a third colour. With them, `wrong` are the walls that the map
+  /// missed.
+  std::optional<WallSet> false_walls;
   /// The search run as two lines beside each other, in two colours.
   std::optional<SearchLegs> search_run;
   /// The cells that a search run visited and those that it discovered, shaded in two tones (in text only the shares).
@@ -53,11 +56,11 @@ struct DrawingLayers {
 /// One self-contained SVG picture with a legend; colours that colour-blind eyes tell apart, for light and dark ground.
 std::string draw_svg(const Maze& maze, const DrawingLayers& layers);
 
-/// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, wrong guesses `###` and `#`, the route
-/// as dots with the number of each step where it ends, the search run as `+` to the goal, `x` from there on and `*`
-/// where both went, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels end in `~`. Below stand
-/// the meanings of the signs for wrong guesses and the search run, and the shares of the explored cells. Only labels
-/// and title may be other than ASCII. ANSI colours only if `colours`.
+/// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, wrong guesses `###` and `#`, false walls
+/// `%%%` and `%`, the route as dots with the number of each step where it ends, the search run as `+` to the goal, `x`
+/// from there on and `*` where both went, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels
+/// end in `~`. Below stand the meanings of the signs for wrong guesses, false walls and the search run, and the shares
+/// of the explored cells. Only labels and title may be other than ASCII. ANSI colours only if `colours`.
 std::string draw_text(const Maze& maze, const DrawingLayers& layers, bool colours);
 
 /// draw_text with the colours already chosen, for callers that do not know whether there is a terminal.

@@ -66,7 +66,8 @@ Legend legend_of(const Scene& scene, Point begin, int right) {
   if (scene.layers.search_run) add_search_run(legend, *scene.layers.search_run);
   if (scene.heat.peak() > 0) add_heat(legend, scene.heat);
   if (scene.layers.explored) add_explored(legend, *scene.layers.explored);
-  if (scene.layers.wrong) legend.add(28, wall_svg(wrong, "M0 0h28"), wrong_words(*scene.layers.wrong));
+  if (scene.layers.wrong) legend.add(28, wall_svg(wrong, "M0 0h28"), wrong_words(scene.layers));
+  if (scene.layers.false_walls) legend.add(28, wall_svg(to_goal, "M0 0h28"), false_words(*scene.layers.false_walls));
   if (scene.layers.unknown) legend.add(28, unknown_svg("M0 0h28"), "unknown wall");
   if (scene.layers.candidates) add_candidates(legend, *scene.layers.candidates);
   if (scene.layers.mouse) legend.add(22, mouse_svg(Point{11, 0}, Heading::north), "mouse");

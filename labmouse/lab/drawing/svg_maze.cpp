@@ -81,14 +81,17 @@ std::string wall_svg(const Tone& tone, const std::string& path) {
 std::string walls_svg(const Scene& scene) {
   std::string closed;
   std::string unknown;
-  std::string guessed;
+  std::string guessed_open;
+  std::string guessed_closed;
   for_each_wall(scene.frame.size, [&](Wall wall) {
     const WallLook look = look_of(scene.maze, scene.layers, wall);
     if (look == WallLook::closed) closed += segment(scene.frame, wall);
     if (look == WallLook::unknown) unknown += segment(scene.frame, wall);
-    if (look == WallLook::guessed_open) guessed += segment(scene.frame, wall);
+    if (look == WallLook::guessed_open) guessed_open += segment(scene.frame, wall);
+    if (look == WallLook::guessed_closed) guessed_closed += segment(scene.frame, wall);
   });
-  return unknown_svg(unknown) + wall_svg(post, posts(scene.frame)) + wall_svg(wrong, guessed) + wall_svg(ink, closed);
+  return unknown_svg(unknown) + wall_svg(post, posts(scene.frame)) + wall_svg(wrong, guessed_open) +
+         wall_svg(to_goal, guessed_closed) + wall_svg(ink, closed);
 }
 
 std::string labels_svg(const Scene& scene) {

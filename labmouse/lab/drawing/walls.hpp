@@ -5,13 +5,14 @@
 
 namespace labmouse::drawing {
 
-enum class WallLook { open, closed, unknown, guessed_open };
+enum class WallLook { open, closed, unknown, guessed_open, guessed_closed };
 
 /// How to draw a wall of the maze (or its border) in these layers. A wrong guess is shown even where the wall is
 /// unknown.
 inline WallLook look_of(const Maze& maze, const DrawingLayers& layers, Wall wall) {
   if (on_border(wall, maze.size())) return WallLook::closed;
   if (layers.wrong && layers.wrong->contains(wall)) return WallLook::guessed_open;
+  if (layers.false_walls && layers.false_walls->contains(wall)) return WallLook::guessed_closed;
   if (layers.unknown && layers.unknown->contains(wall)) return WallLook::unknown;
   return maze.open_walls().contains(wall) ? WallLook::open : WallLook::closed;
 }

@@ -38,8 +38,14 @@ std::string discovered_words(const ExploredCells& explored) {
   return share_words(explored.discovered, explored.reachable, "discovered");
 }
 
-std::string wrong_words(const WallSet& walls) {
-  return counted(walls.count(), "wrong guess", "wrong guesses") + ": closed, never seen";
+std::string wrong_words(const DrawingLayers& layers) {
+  const int count = layers.wrong->count();
+  return layers.false_walls ? counted(count, "missed wall", "missed walls") + ": open in the map, closed in the maze"
+                            : counted(count, "wrong guess", "wrong guesses") + ": closed, never seen";
+}
+
+std::string false_words(const WallSet& walls) {
+  return counted(walls.count(), "false wall", "false walls") + ": closed in the map, open in the maze";
 }
 
 std::string through_words(const Candidate& candidate, const Reasons& reasons) {

@@ -17,8 +17,11 @@ std::string onwards_words(const SearchLegs& search_run);
 /// "66 of 144 cells visited (45.8 %)", and the same for those discovered.
 std::string visited_words(const ExploredCells& explored);
 std::string discovered_words(const ExploredCells& explored);
-/// "3 wrong guesses: closed, never seen".
-std::string wrong_words(const WallSet& walls);
+/// Of the wrong walls: "3 wrong guesses: closed, never seen", or of a map that is compared with its maze "3 missed
+/// walls: open in the map, closed in the maze".
+std::string wrong_words(const DrawingLayers& layers);
+/// "1 false wall: closed in the map, open in the maze".
+std::string false_words(const WallSet& walls);
 /// "14 candidates of step 12, with runs in steps"; "ways ahead" instead of "runs" if way_here is below 1.
 std::string candidates_words(const StepReasons& choice);
 /// "chosen: 17.4" (the cost of its run in steps), or "none chosen".

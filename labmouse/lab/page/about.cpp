@@ -12,6 +12,7 @@
 #include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/drive_choices.hpp"
+#include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
@@ -73,6 +74,11 @@ Json setting_json(const WorldSetting& setting) {
   }
   if (Json choices = choices_of(setting); !choices.empty()) {
     json["type"] = "choice";
+    if (!setting.half_size_default.empty()) {
+      choices.insert(choices.begin(), by_maze_size);
+      json["default"] = by_maze_size;
+      json["by_size"] = {setting.default_value, setting.half_size_default};
+    }
     json["choices"] = std::move(choices);
   }
   // A choice takes one value, and that may be the text of a robot file, which has commas itself.

@@ -12,8 +12,12 @@ namespace labmouse {
 namespace {
 
 /// The world of the request: by its settings, or by `conditions` as in the results of a race.
-std::shared_ptr<const World> asked_world(PageRequest& request) {
-  if (!request.has("conditions")) return read_page_world(request);
+std::shared_ptr<const World> asked_world(PageRequest& request, const NamedMaze& maze) {
+  if (!request.has("conditions")) {
+    Entry entry = read_page_world(request);
+    if (entry.world != nullptr) suit_defaults(entry, {&maze, 1});
+    return entry.world;
+  }
   auto world = restore_world(request.text("world"), request.json()["conditions"].dump());
   if (world == nullptr) request.reject("the page cannot hold contests under these conditions");
   return world;
@@ -23,9 +27,9 @@ std::shared_ptr<const World> asked_world(PageRequest& request) {
 
 PageReply answer_contest(const ReadJson& json, std::string_view) {
   PageRequest request(json);
-  const std::shared_ptr<const World> world = asked_world(request);
-  const std::string spec = request.text("mouse");
   NamedMaze maze = request.maze();
+  const std::shared_ptr<const World> world = asked_world(request, maze);
+  const std::string spec = request.text("mouse");
   const std::uint64_t seed = request.seed();
   if (!request.error().empty()) return failed(request.error());
   SpecResult mice = read_page_mice({&spec, 1});

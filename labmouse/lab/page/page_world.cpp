@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/races/value_json.hpp"
@@ -28,21 +29,22 @@ std::string setting_in(PageRequest& request, const WorldSetting& setting, const 
 
 }  // namespace
 
-std::shared_ptr<const World> read_page_world(PageRequest& request) {
+Entry read_page_world(PageRequest& request) {
   const std::string name = request.has("world") ? request.text("world") : std::string(all_worlds().front()->name);
   const WorldEntry* entry = find_world(name);
   if (entry == nullptr) {
     request.reject(fmt::format("unknown world '{}'", name));
-    return nullptr;
+    return {};
   }
   WorldSettings settings;
   for (const WorldSetting& setting : entry->settings)
     for (const std::string& key : {std::string(setting.name), std::string(former_key(key_of(setting)))})
       if (request.has(key.c_str())) settings[std::string(setting.name)] = setting_in(request, setting, key);
-  if (!request.error().empty()) return nullptr;
+  std::erase_if(settings, [](const auto& setting) { return setting.second == by_maze_size; });
+  if (!request.error().empty()) return {};
   WorldResult made = entry->make(settings);
   if (!made.error.empty()) request.reject(made.error);
-  return made.world;
+  return {std::move(made.world), {}, std::move(settings)};
 }
 
 Json again_json(const World& world) {

@@ -54,11 +54,12 @@ std::vector<NamedMaze> read_mazes(PageRequest& request, const World* world) {
 
 PageReply answer_race(const ReadJson& json, std::string_view) {
   PageRequest request(json);
-  const std::shared_ptr<const World> world = read_page_world(request);
-  std::vector<Contestant> mice = read_mice(request, world.get());
-  std::vector<NamedMaze> mazes = read_mazes(request, world.get());
+  Entry entry = read_page_world(request);
+  std::vector<Contestant> mice = read_mice(request, entry.world.get());
+  std::vector<NamedMaze> mazes = read_mazes(request, entry.world.get());
+  if (entry.world != nullptr) suit_defaults(entry, mazes);
   RaceOrder order;
-  order.world = world;
+  order.world = entry.world;
   order.runs = request.whole("runs", 1, most_runs);
   order.seed = request.seed();
   if (!request.error().empty()) return failed(request.error());

@@ -15,6 +15,7 @@ std::vector<Declaration> about_shapes() {
             maybe(
                 "counts_in", words({"steps", "seconds", "errors"}),
                 "Where it counts alone; missing where it counts everywhere. Errors: in worlds where things go wrong."),
+            maybe("by_size", list(text), "The defaults in classic and in half-size mazes, if they differ."),
             maybe("listed", flag,
                   "Whether a race may have several values, separated by commas: it is then run once for each.")})},
       {"Mouse", "",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "labmouse/lab/standings/race_names.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -53,14 +54,17 @@ Suite suite_of(const Race& race, const Standing& standing, const std::string& na
 
 std::string junit_of(std::span<const Race> races, std::optional<double> limit) {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"labmouse\">\n";
-  for (const Race& race : races)
+  const std::vector<std::string> names = race_names(races);
+  for (std::size_t i = 0; i < races.size(); ++i) {
+    const Race& race = races[i];
     for (const Standing& standing : standings_of(race)) {
       if (race.mice[standing.mouse].reference) continue;
-      const std::string name = fmt::format("{} ({})", race.mice[standing.mouse].name, race.world().name());
+      const std::string name = fmt::format("{} ({})", race.mice[standing.mouse].name, names[i]);
       const Suite suite = suite_of(race, standing, name, limit);
       text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n",
                           xml_escaped(name), suite.tests, suite.failures, suite.skipped, suite.cases);
     }
+  }
   return text + "</testsuites>\n";
 }
 

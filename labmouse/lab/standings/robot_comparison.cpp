@@ -8,8 +8,8 @@
 
 #include "labmouse/lab/standings/mouse_column.hpp"
 #include "labmouse/lab/standings/mouse_pair.hpp"
+#include "labmouse/lab/standings/race_names.hpp"
 #include "labmouse/lab/standings/standings.hpp"
-#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -17,15 +17,6 @@ namespace {
 
 /// Races that differ only in their robots.
 using Group = std::vector<const Race*>;
-
-/// The robot's name; empty in a world without robots.
-std::string robot_of(const Race& race) {
-  for (const Condition& condition : race.world().conditions())
-    if (condition.key == "robot")
-      if (const ReadJson robot = read_json(text_of(condition.value)); robot.is_object() && robot.contains("name"))
-        return shown(robot["name"].get<std::string>());
-  return "";
-}
 
 /// World and conditions besides the robot and the tables that follow from it.
 std::string other_conditions(const World& world) {
@@ -39,7 +30,7 @@ std::string other_conditions(const World& world) {
 std::vector<Group> groups_of(std::span<const Race> races) {
   std::vector<std::pair<std::string, Group>> by_conditions;
   for (const Race& race : races) {
-    if (robot_of(race).empty()) continue;
+    if (robot_name(race.world()).empty()) continue;
     const std::string conditions = other_conditions(race.world());
     auto found = std::find_if(by_conditions.begin(), by_conditions.end(),
                               [&](const auto& one) { return one.first == conditions; });
@@ -85,7 +76,7 @@ std::string table_of(const Group& group) {
   const MouseColumn names(first);
   std::vector<std::string> robots;
   std::size_t width = 5;
-  for (const Race* race : group) width = std::max(width, robots.emplace_back(robot_of(*race)).size());
+  for (const Race* race : group) width = std::max(width, robots.emplace_back(robot_name(race->world())).size());
   const std::vector<Standing> order = standings_of(first);
   const std::vector<MousePair> pairs = pairs_of(group, order);
   const std::vector<PairVerdicts> verdicts = verdicts_of(pairs);

@@ -111,6 +111,17 @@ TEST(SvgDrawing, WrongGuessesAreAPathOfTheirOwn) {
   EXPECT_THAT(svg, HasSubstr(">4 wrong guesses: closed, never seen<"));
 }
 
+TEST(SvgDrawing, MissedAndFalseWallsOfAMapArePathsOfTheirOwn) {
+  DrawingLayers layers;
+  layers.wrong = WallSet::all({3, 3});
+  *layers.wrong -= ring().open_walls();
+  layers.false_walls = ring().open_walls();
+  const std::string svg = draw_svg(ring(), layers);
+  EXPECT_EQ(count(path_after(svg, "class=\"stroke-wrong\""), "M"), layers.wrong->count());
+  EXPECT_EQ(count(path_after(svg, "class=\"stroke-to-goal\""), "M"), layers.false_walls->count());
+  EXPECT_THAT(svg, Not(HasSubstr("wrong guess")));
+}
+
 TEST(SvgDrawing, ExplorationIsALineToTheGoalAndOneFromThere) {
   DrawingLayers layers;
   layers.search_run = search_run();

@@ -155,6 +155,28 @@ o---o---o---o
 )");
 }
 
+TEST(TextDrawing, MissedAndFalseWallsOfAMapHaveSignsOfTheirOwn) {
+  DrawingLayers layers;
+  layers.wrong.emplace();
+  layers.wrong->insert(wall_at({1, 1}, Heading::south));
+  layers.false_walls.emplace();
+  layers.false_walls->insert(wall_at({0, 1}, Heading::south));
+  layers.false_walls->insert(wall_at({1, 2}, Heading::east));
+  layers.unknown.emplace();
+  layers.unknown->insert(wall_at({2, 1}, Heading::north));
+  EXPECT_EQ("\n" + draw_text(ring(), layers, false), R"(
+o---o---o---o
+|       %   |
+o   o   o- -o
+|   | G     |
+o%%%o###o   o
+| S |       |
+o---o---o---o
+# 1 missed wall: open in the map, closed in the maze
+% 2 false walls: closed in the map, open in the maze
+)");
+}
+
 TEST(TextDrawing, ExplorationHasASignForEachLegAndOneForBoth) {
   DrawingLayers layers;
   layers.search_run = search_run();

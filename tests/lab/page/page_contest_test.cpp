@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
+#include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/lab/page/page_fixture.hpp"
 #include "tests/slowness.hpp"
@@ -44,6 +45,26 @@ TEST(PageContest, IsTheOneOfARace) {
       EXPECT_EQ(answer("contest", contest)["record"], held["record"]) << world;
     }
   }
+}
+
+TEST(PageContest, HasTheRulesOfTheMazesSize) {
+  const auto rules_in = [](Size size, const json& rules) {
+    json asked = {{"world", "seconds"}, {"robot", "half"}, {"mouse", "flood"}, {"seed", 1}};
+    if (!rules.is_null()) asked["rules"] = rules;
+    asked["maze"] = data_of({"any", depth_first_generator.make({.size = size})});
+    const json contest = answer("contest", asked);
+    json race = asked;
+    race["mice"] = json::array({"flood"});
+    race["mazes"] = json::array({asked["maze"]});
+    race["runs"] = 1;
+    EXPECT_EQ(answer("race", race)["results"]["groups"][0]["rules"]["name"], contest["play"]["drive"]["rules"]["name"]);
+    return contest["play"]["drive"]["rules"]["name"];
+  };
+  for (const json& by_size : {json(), json("by-size")}) {
+    EXPECT_EQ(rules_in({16, 16}, by_size), "all-japan");
+    EXPECT_EQ(rules_in({20, 20}, by_size), "all-japan-half");
+  }
+  EXPECT_EQ(rules_in({20, 20}, "apec"), "apec");
 }
 
 TEST(PageContest, PlaysAsItsRecordDoes) {

@@ -5,6 +5,8 @@
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/standings/junit.hpp"
+#include "labmouse/lab/standings/race_names.hpp"
+#include "labmouse/lab/worlds/entering.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 #include "tests/says.hpp"
 
@@ -13,6 +15,7 @@ namespace {
 
 using test::Says;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -85,6 +88,34 @@ TEST(RaceNotes, SayWhereFailuresFollowTheSize) {
   EXPECT_THAT(notes_of(race), Says("five finished all 3 contests in 5x5, and 0 of 2 in other sizes"));
   EXPECT_THAT(notes_of(hold_race(test::mice("flood"), mazes_of_two_sizes(), test::in_steps())),
               Not(HasSubstr("other sizes")));
+}
+
+TEST(JUnit, HasASuiteForEachRobotAndNoise) {
+  std::vector<Race> races;
+  for (const Entry& entry :
+       enter(test::mice("flood-return"), "physical", {{"noise", "0,1"}, {"robot", "kerise"}}).entries) {
+    RaceOrder order;
+    order.world = entry.world;
+    races.push_back(hold_race(entry.mice, {test::corridor()}, order));
+  }
+  EXPECT_THAT(junit_of(races, 1.0),
+              Says("\"flood-return (physical, noise 0)\"", "\"flood-return (physical, noise 1)\""));
+  races.pop_back();
+  EXPECT_THAT(junit_of(races, 1.0), Says("\"flood-return (physical)\""));
+}
+
+TEST(RaceNames, AreTheWorldAndWhatDiffersInIt) {
+  std::vector<Race> races;
+  for (const auto& [world, robots] : {std::pair("seconds", "classic,half"), std::pair("steps", "")}) {
+    const WorldSettings settings =
+        std::string_view(robots).empty() ? WorldSettings() : WorldSettings{{"robot", robots}};
+    for (const Entry& entry : enter(test::mice("flood"), world, settings).entries) {
+      RaceOrder order;
+      order.world = entry.world;
+      races.push_back(hold_race(entry.mice, {test::corridor()}, order));
+    }
+  }
+  EXPECT_THAT(race_names(races), ElementsAre("seconds, classic", "seconds, half", "steps"));
 }
 
 TEST(JUnit, HasATestForEachContestAndOneForTheMean) {

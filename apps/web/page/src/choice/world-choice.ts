@@ -87,7 +87,9 @@ function robotRow(setting: Parameter, { robots }: About, changed: () => void): R
 function rulesRow(setting: Parameter, { drive_rules: all }: About, changed: () => void): Row {
   const source = h('span');
   const show = () => (source.textContent = all.find(({ name }) => name === select.value)?.source ?? '');
-  const { select, ...row } = listRow(setting, () => (show(), changed()), undefined, source);
+  const words = (name: string) =>
+    setting.by_size && name === setting.default ? setting.by_size.join(', in half-size mazes ') : name;
+  const { select, ...row } = listRow(setting, () => (show(), changed()), words, source);
   show();
   return { ...row, write: (value) => (row.write(value), show()) };
 }

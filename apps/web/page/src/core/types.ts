@@ -74,6 +74,8 @@ export interface Parameter {
   choices?: string[];
   /** Where it counts alone; missing where it counts everywhere. Errors: in worlds where things go wrong. */
   counts_in?: 'steps' | 'seconds' | 'errors';
+  /** The defaults in classic and in half-size mazes, if they differ. */
+  by_size?: string[];
   /** Whether a race may have several values, separated by commas: it is then run once for each. */
   listed?: boolean;
 }

@@ -59,14 +59,17 @@ export function contestsInMoment(contests: Contest[], about: About): Pick<Moment
 /** The robot and the rules that a link names; null where it names none. Throws in words where the page has them not. */
 export function driveOf({ robot, rules }: Pick<Moment, 'robot' | 'rules'>, about: About): Driven | null {
   if (robot === undefined && rules === undefined) return null;
-  const known = (list: { name: string }[], name: string | undefined, what: string) => {
-    if (name === undefined) return list[0]?.name ?? '';
-    if (list.some((one) => one.name === name)) return name;
+  const known = (names: string[], name: string | undefined, what: string) => {
+    if (name === undefined) return names[0] ?? '';
+    if (names.includes(name)) return name;
     throw new Error(`This link cannot be followed: this page has no ${what} '${name.slice(0, 40)}'.`);
   };
+  const robots = about.robots.map(({ name }) => name);
   // One of the view Robot stands in the link with all of its numbers.
-  const ours = robot !== undefined && isMine(robot) ? robot : known(about.robots, robot, 'robot');
-  return { world: drivingWorld(about)?.name ?? '', robot: ours, rules: known(about.drive_rules, rules, 'rules') };
+  const ours = robot !== undefined && isMine(robot) ? robot : known(robots, robot, 'robot');
+  const world = drivingWorld(about);
+  const choices = world?.settings.find(({ name }) => name === 'rules')?.choices ?? [];
+  return { world: world?.name ?? '', robot: ours, rules: known(choices, rules, 'rules') };
 }
 
 /** The contests that a link names, in that maze. */

@@ -17,10 +17,18 @@ function notesOf({ notes, world, formula, failure_score: failed }: RaceGroup): s
   return [`World of ${world}. Score: ${formula}; lower is better. ${failures}`];
 }
 
-/** `onOrder` gets the positions of the mice in their new order; `own` are marked: one's mouse, and what it was before. */
-export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void, own: string[] = []) {
-  const label = `Leaderboard${worldOf(group).title}`;
-  const { bound } = worldOf(group);
+/**
+ * `onOrder` gets the positions of the mice in their new order; `own` are marked: one's mouse, and what it was before.
+ * `among` are all races of these results.
+ */
+export function leaderboard(
+  group: RaceGroup,
+  onOrder: (order: number[]) => void,
+  own: string[] = [],
+  among: RaceGroup[] = [],
+) {
+  const { title, bound } = worldOf(group, among);
+  const label = `Leaderboard${title}`;
   const columns = columnsOf(group, group.mazes.filter((maze) => isNumber(bound(maze))).length, own);
   const place = new Map(group.mice.map((mouse, index) => [mouse, index]));
   const table = sortedTable({

@@ -86,10 +86,15 @@ export function raceParts(
   const orders = new Map<number, number[]>();
   const arrangeRows = () => orders.forEach((order, group) => boards[group]?.cells.order(order));
   const tables = groups.map((group, index) =>
-    leaderboard(group, (order) => {
-      orders.set(index, order);
-      arrangeRows();
-    }),
+    leaderboard(
+      group,
+      (order) => {
+        orders.set(index, order);
+        arrangeRows();
+      },
+      [],
+      groups,
+    ),
   );
   const search = h('input', { type: 'search', placeholder: 'Search mice', 'aria-label': 'Search mice by name' });
   search.addEventListener('input', () =>
@@ -101,7 +106,7 @@ export function raceParts(
   const pictures = h('div.race.pictures');
   afterFrame(() => {
     if (!wanted()) return;
-    boards = groups.map((group) => boardParts(page, race, boardOf(group)));
+    boards = groups.map((group) => boardParts(page, race, boardOf(group, groups)));
     const noisy = noiseCurves(groups);
     const noise = noisy ? [noisePicture(noisy)] : [];
     const finished = 'The share of contests that each mouse finished.';

@@ -120,9 +120,9 @@ function contestOf(world: RacedWorld, result: ContestResult, maze: BoardMaze): C
   };
 }
 
-/** One race. */
-export function boardOf(group: RaceGroup): Board {
-  const world = worldOf(group);
+/** One race `among` those of the same results. */
+export function boardOf(group: RaceGroup, among: RaceGroup[] = []): Board {
+  const world = worldOf(group, among);
   const mazes = mazesOf(group, world);
   return {
     world: group.world,
@@ -137,4 +137,5 @@ export function boardOf(group: RaceGroup): Board {
 /** All races of these results that have mice, each world's by itself. */
 export const groupsOf = ({ groups }: RaceResults): RaceGroup[] => groups.filter(({ mice }) => mice.length > 0);
 
-export const boardsOf = (results: RaceResults): Board[] => groupsOf(results).map(boardOf);
+export const boardsOf = (results: RaceResults): Board[] =>
+  groupsOf(results).map((group, _, all) => boardOf(group, all));

@@ -81,8 +81,14 @@ const ratio = columnOf({
 /** What `contest` is asked besides mouse, maze and seed. */
 const conditionsOf = ({ mice: _mice, mazes: _mazes, world, ...conditions }: RaceGroup) => ({ world, conditions });
 
-/** What the page shows of the world of a race. */
-export function worldOf(group: RaceGroup): RacedWorld {
+/** The name of the robot of a race; empty in a world without robots. */
+function robotOf({ robot }: RaceGroup): string {
+  const { name } = (robot ?? {}) as { name?: unknown };
+  return typeof name === 'string' ? name : '';
+}
+
+/** What the page shows of the world of a race; titles name the robot where the races `among` it have several. */
+export function worldOf(group: RaceGroup, among: RaceGroup[] = []): RacedWorld {
   const table = (tables as ShownWorlds).find(({ names }) => names.includes(group.world))?.table;
   const said = table ?? (group as Partial<ShownWorld>);
   const { unit = 'points', bound = 'bound', failure_score } = said;
@@ -91,11 +97,13 @@ export function worldOf(group: RaceGroup): RacedWorld {
     inner: field = '',
     unit: factor = 1,
   } = (said.score ?? {}) as Partial<NonNullable<ShownWorld['score']>>;
+  const robots = new Set(among.filter(({ world }) => world === group.world).map(robotOf));
+  const robot = robots.size > 1 ? `, ${robotOf(group)}` : '';
   const noise = isNumber(group.noise) ? `, noise ${group.noise}` : '';
   const mean = table?.columns.find(isMean) ?? usualMean;
   const own = table?.columns.filter((column) => column !== mean).map(columnOf);
   return {
-    title: table?.in_steps ? '' : `, ${group.world}${noise}`,
+    title: table?.in_steps ? '' : `, ${group.world}${robot}${noise}`,
     inSteps: table?.in_steps ?? false,
     limit: orNull(group.limit_score) ?? orNull(group.failure_score) ?? orNull(failure_score),
     countsFailures: isNumber(failure_score),
