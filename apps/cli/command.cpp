@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -230,6 +231,14 @@ bool collide(const Output& one, const Output& other) {
   return !streams && !is_stream(one.path) && is_same_file(one.path, other.path);
 }
 
+/// Refuses an SVG file under the name of a picture of another kind.
+void refuse_other_pictures(const std::string& path) {
+  constexpr std::array<std::string_view, 6> others = {".png", ".jpg", ".jpeg", ".gif", ".pdf", ".webp"};
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (std::find(others.begin(), others.end(), ending) != others.end())
+    throw UsageError(fmt::format("{}: error: --svg writes SVG; end the name in .svg", path));
+}
+
 }  // namespace
 
 void expect_outputs(std::initializer_list<Output> outputs) {
@@ -240,6 +249,7 @@ void expect_outputs(std::initializer_list<Output> outputs) {
             fmt::format("error: {} and {} name the same file; use two different files", other->option, one->option));
   for (const Output& output : outputs) {
     if (output.path.empty() || output.kind != Output::Kind::file) continue;
+    if (output.option == "--svg") refuse_other_pictures(output.path);
     require_writable(output.path);
     if (descriptor_to_write(output.path) == standard_output) printed = stderr;
   }

@@ -127,7 +127,7 @@ void add_mms(Command& app, int& exit) {
                    "Command that starts the program, split into words as in mms; no shell is used")
       ->required()
       ->type_name("COMMAND");
-  command->add_option("--maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
+  command->add_option("maze,--maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
   add_mms_options(*command, options->mms);
   command->add_flag("--watch", options->watch, "Draw the mouse after each move");
   Option* speed = command->add_option("--speed", options->speed, "Watch it at this multiple of mms's default speed")

@@ -35,9 +35,11 @@ std::vector<std::string> commands_of(const CLI::App& app) {
   return names;
 }
 
-/// The message for an unknown command.
-std::string describe_unknown_command(const CLI::App& app, const std::string& word) {
+/// The message for an unknown command, with the argument behind it.
+std::string describe_unknown_command(const CLI::App& app, const std::string& word, const std::string& next = "") {
   const std::vector<std::string> names = commands_of(app);
+  if (word == "help" && !next.empty() && std::find(names.begin(), names.end(), next) != names.end())
+    return fmt::format("unknown command 'help'; write `labmouse {} --help`", next);
   // `labmouse help` is as common as `labmouse --help`.
   const bool is_option = app.get_option_no_throw("--" + word) != nullptr;
   const std::string near =
@@ -112,8 +114,9 @@ UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
       fmt::format("error: {}{} (see `{} --help`)", problem, missing ? example_of(command->get_footer()) : "", name));
 }
 
-/// Throws if the first argument is neither a command nor an option: CLI11 would only report a missing command.
-void refuse_unknown_command(const CLI::App& app, const std::string& word) {
+/// Throws if the first argument is neither a command nor an option: CLI11 would only report a missing command. `next`
+/// is the argument behind it.
+void refuse_unknown_command(const CLI::App& app, const std::string& word, const std::string& next) {
   if (word.starts_with('-')) {
     if (app.get_option_no_throw(word) == nullptr)
       throw UsageError(fmt::format("error: {} (see `{} --help`)", describe_unexpected(app, {word}), app.get_name()));
@@ -121,7 +124,8 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
   }
   const std::vector<std::string> names = commands_of(app);
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw UsageError(fmt::format("error: {} (see `{} --help`)", describe_unknown_command(app, word), app.get_name()));
+  throw UsageError(
+      fmt::format("error: {} (see `{} --help`)", describe_unknown_command(app, word, next), app.get_name()));
 }
 
 /// Reads the number of an option, in digits; returns what is wrong with it, or nothing.
@@ -364,7 +368,7 @@ bool CommandLine::run(int argc, char** argv) {
   // CLI11 takes the words from their end.
   std::vector<std::string> words;
   for (int i = argc - 1; i > 0; --i) words.push_back(today_word(argv[i], i == 1));
-  refuse_unknown_command(*app_, words.back());
+  refuse_unknown_command(*app_, words.back(), words.size() > 1 ? words[words.size() - 2] : "");
   try {
     app_->parse(std::move(words));
     return false;

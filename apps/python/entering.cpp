@@ -8,6 +8,7 @@
 #include "errors.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse::python {
 namespace {
@@ -16,14 +17,25 @@ void require_world(const std::string& name) {
   if (name.empty() || find_world(name) != nullptr) return;
   std::vector<std::string_view> names;
   for (const WorldEntry* entry : all_worlds()) names.push_back(entry->name);
-  throw UserError(fmt::format("unknown world '{}'; the worlds are {}", name, fmt::join(names, ", ")));
+  const auto near = nearest_name(name, names);
+  throw UserError(near.empty() ? fmt::format("unknown world '{}'; the worlds are {}", name, fmt::join(names, ", "))
+                               : fmt::format("unknown world '{}'; did you mean '{}'?", name, near));
+}
+
+/// "; did you mean 'noise'?", or nothing.
+std::string nearest_setting(const std::string& name) {
+  std::vector<std::string_view> names = {"world"};
+  for (const WorldEntry* entry : all_worlds())
+    for (const WorldSetting& setting : entry->settings) names.push_back(setting.name);
+  const auto near = nearest_name(name, names);
+  return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
 }
 
 void require_known_settings(const WorldSettings& settings) {
   for (const auto& [name, value] : settings)
     if (std::none_of(all_worlds().begin(), all_worlds().end(),
                      [&name = name](const WorldEntry* entry) { return has(*entry, name); }))
-      throw UserError(fmt::format("no world has the setting '{}'", name));
+      throw UserError(fmt::format("no world has the setting '{}'{}", name, nearest_setting(name)));
 }
 
 std::vector<Entry> entries_of(EntriesResult result, std::vector<std::string>& remarks) {

@@ -190,7 +190,9 @@ nb::dict mazes(const HeldRace& held) {
 std::size_t position(const Race& race, const std::string& mouse) {
   for (std::size_t i = 0; i < race.mice.size(); ++i)
     if (race.mice[i].name == mouse) return i;
-  throw UserError(fmt::format("no mouse '{}' is in this race", mouse));
+  std::vector<std::string_view> names;
+  for (const Contestant& each : race.mice) names.push_back(each.name);
+  throw UserError(fmt::format("no mouse '{}' is in this race; its mice are {}", mouse, fmt::join(names, ", ")));
 }
 
 /// The paired difference of two mice, as the fields of labmouse.Comparison.

@@ -24,9 +24,9 @@ double quantile(const std::vector<double>& numbers, double share) {
 constexpr double degrees = 180.0 / 3.14159265358979323846;
 
 Json errors_json(const WayErrors& errors, std::int64_t ticks) {
-  return {{"along_mm", deviation(errors.along, ticks)},
-          {"aside_mm", deviation(errors.aside, ticks)},
-          {"direction_degrees", degrees * deviation(errors.direction, ticks)}};
+  return {{"longitudinal_mm", deviation(errors.along, ticks)},
+          {"lateral_mm", deviation(errors.aside, ticks)},
+          {"heading_degrees", degrees * deviation(errors.direction, ticks)}};
 }
 
 Json readings_json(const WallReadings& readings) {
@@ -38,16 +38,16 @@ Json readings_json(const WallReadings& readings) {
 std::string table_of(std::span<const DriveTally> tallies, const DriveOrder& order) {
   std::string text =
       fmt::format("Robot {}, variation {:g}\n\n", shown(order.model->robot.name), tallies.front().variation);
-  text += fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>6} {:>6} {:>6} {:>11} {:>9} {:>9} {:>8}\n", "", "",
-                      "crashed", "95 %", "without", "worst", "aside", "along", "turned", "most aside", "side", "front",
-                      "cells a");
+  text += fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", "",
+                      "crashed", "95 %", "without", "worst", "lateral", "longit.", "heading", "max. lateral", "side",
+                      "front", "cells a");
   text +=
-      fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>6} {:>6} {:>6} {:>11} {:>9} {:>9} {:>8}\n", "", "runs", "%",
+      fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", "runs", "%",
                   "interval", "any %", "maze %", "mm", "mm", "deg.", "50, 95 % mm", "wrong %", "wrong %", "crash");
   for (const DriveTally& tally : tallies) {
     const Interval& interval = tally.interval;
     text += fmt::format(
-        "{:<14} {:>6} {:>8.2f} {:>13} {:>7.0f} {:>7.0f} {:>6.2f} {:>6.2f} {:>6.2f} {:>11} {:>9.4f} {:>9.4f} {:>8}\n",
+        "{:<14} {:>6} {:>8.2f} {:>13} {:>7.0f} {:>7.0f} {:>8.2f} {:>8.2f} {:>8.2f} {:>12} {:>9.4f} {:>9.4f} {:>8}\n",
         shown(tally.name), tally.runs, 100.0 * share_of(tally.crashed, tally.runs),
         fmt::format("{:.2f}-{:.2f}", 100.0 * interval.low, 100.0 * interval.high),
         100.0 * share_of(tally.mazes_without_crash, tally.mazes), 100.0 * tally.worst_share,
@@ -79,8 +79,8 @@ std::string json_of(std::span<const DriveTally> tallies, const DriveOrder& order
                     {"seconds", static_cast<double>(tally.ticks) * tick_seconds},
                     {"grazes", tally.grazes},
                     {"truth", errors_json(tally.truth, tally.ticks)},
-                    {"belief", errors_json(tally.estimate, tally.ticks)},
-                    {"most_aside_mm", {quantile(tally.most_aside, 0.5), quantile(tally.most_aside, 0.95)}},
+                    {"estimate", errors_json(tally.estimate, tally.ticks)},
+                    {"largest_lateral_mm", {quantile(tally.most_aside, 0.5), quantile(tally.most_aside, 0.95)}},
                     {"side_readings", readings_json(tally.side)},
                     {"front_readings", readings_json(tally.front)}});
   }

@@ -104,7 +104,7 @@ std::vector<NoiseCurve> noise_curves(std::span<const Race> races) {
 std::string table_of(std::span<const NoiseCurve> curves) {
   std::string text = lines_of(curves, "Finished, % of contests (95 %)", finished_text);
   text +=
-      "\n" + lines_of(curves, "Mean seconds, a contest that is not finished counted as all of the time",
+      "\n" + lines_of(curves, "Mean score in s; an unfinished contest counts as the time limit",
                       [](const NoisePoint& point) { return point.par1 ? fmt::format("{:.3f}", *point.par1) : "-"; });
   for (const RunEnd end : all_run_ends) {
     const auto place = static_cast<std::size_t>(end);
@@ -113,7 +113,7 @@ std::string table_of(std::span<const NoiseCurve> curves) {
                          [&](const NoisePoint& point) { return point.ended[place] > 0; });
     };
     if (std::none_of(curves.begin(), curves.end(), any)) continue;
-    text += "\n" + lines_of(curves, fmt::format("Ended otherwise: {}", name_of(end)),
+    text += "\n" + lines_of(curves, fmt::format("Number of runs that ended otherwise: {}", name_of(end)),
                             [&](const NoisePoint& point) { return fmt::format("{}", point.ended[place]); });
   }
   return text;

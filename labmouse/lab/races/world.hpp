@@ -160,9 +160,9 @@ class World {
   /// Increase it when a change gives the same contest another result or other figures: contests of earlier editions in
   /// stores are then run again.
   virtual int edition() const { return 1; }
-  /// What the heading of the leaderboard begins with, such as "world of mms, "; and what it ends with, such as
+  /// What the heading of the leaderboard begins with, such as "world mms, "; and what it ends with, such as
   /// ", budget 500". Empty where nothing has to be said.
-  virtual std::string title() const { return "world of " + std::string(name()) + ", "; }
+  virtual std::string title() const { return "world " + std::string(name()) + ", "; }
   virtual std::string heading() const { return ""; }
 
   /// Why a mouse cannot enter; empty where it can.

@@ -71,7 +71,7 @@ class Story {
            });
   }
 
-  /// ", at 0.64 of its usual pace: slower than the last one, which did not end well"
+  /// ", at 0.64 of its usual pace: slower than the last one, which failed"
   std::string pace_words(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
     const auto before = last(run.kind, i);
@@ -80,7 +80,7 @@ class Story {
     std::string words =
         run.pace == 1.0 ? ", at its usual pace" : fmt::format(", at {:.2f} of its usual pace", run.pace);
     if (run.pace < last_pace) words += ": slower than the last one";
-    if (run.pace < last_pace && did_not_end_well(*before)) words += ", which did not end well";
+    if (run.pace < last_pace && did_not_end_well(*before)) words += ", which failed";
     if (run.pace > last_pace) words += ": faster than the last one";
     return words;
   }
@@ -138,7 +138,7 @@ class Story {
       case RunEnd::given_up:
         return add(run.end, "gives up");
       case RunEnd::slid:
-        return add(run.end, "crashes: its tyres did not hold");
+        return add(run.end, "crashes: the tyres slipped");
       case RunEnd::position_lost:
         return add(run.end, "crashes: it is not where it believes to be, or not where it should be");
       case RunEnd::wall_error:

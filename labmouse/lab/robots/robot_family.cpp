@@ -25,7 +25,7 @@ std::string why_not_varied(std::string_view key) {
     const std::string ending = fmt::format(".{}", key);
     const auto near =
         std::find_if(keys.begin(), keys.end(), [&](const RobotKey& known) { return known.name.ends_with(ending); });
-    return fmt::format("'{}' is no key of robot files; {}`labmouse robot --help` lists them", shown(key),
+    return fmt::format("'{}' is no key of robot files; {}docs/reference/files.md lists them", shown(key),
                        near == keys.end() ? "" : fmt::format("did you mean '{}'? ", near->name));
   }
   const bool number = found->kind == RobotKey::Kind::number || found->kind == RobotKey::Kind::number_or_false;

@@ -153,7 +153,7 @@ std::string sandboxes_of(const Race& race) {
                        [&](const Contestant& mouse) { return mouse.sandboxed == sandbox; });
   };
   if (!has(true) || has(false)) return note;
-  return "External mice ran in a sandbox: without mazes, other files and a network (--sandbox).\n" + note;
+  return "External mice ran in a sandbox, without access to mazes, other files and the network (--sandbox).\n" + note;
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ std::string action_error_lines(const Race& race) {
   for (std::size_t mouse = 0; mouse < names.size(); ++mouse)
     if (const auto words = counts_of(race, mouse); !words.empty())
       lines += fmt::format("  {}: {}\n", names[mouse], words);
-  return lines.empty() ? "" : "Steps that were not performed as asked:\n" + lines;
+  return lines.empty() ? "" : "Steps that were not carried out as asked:\n" + lines;
 }
 
 }  // namespace labmouse

@@ -137,7 +137,7 @@ constexpr std::array<Column, 9> table = {
      {"score /", "best", 7, columns::mean_ratio},
      {"search", "steps", 6,
       [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "search_steps"), 1); },
-      "mean_search_steps", "explor. steps", "Mean search steps of the finished contests, including the reset.", 1},
+      "mean_search_steps", "search steps", "Mean search steps of the finished contests, including the reset.", 1},
      {"speed run", "excess", 9,
       [](const Race& r, const Standing& s) { return columns::number(mean_over_optimum(r, s), 2); },
       "mean_speed_over_optimum", "steps too many",

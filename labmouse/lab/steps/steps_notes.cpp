@@ -67,8 +67,9 @@ std::string steps_notes(const Race& race, const Rules& rules) {
     return counts(race, contest) && contest.score.value_or(0.0) > rules.failure_score;
   });
   if (dear > 0)
-    notes += fmt::format("{} finished with a score above {:g}; failing would have counted less.\n",
-                         counted(static_cast<int>(dear), "contest was", "contests were"), rules.failure_score);
+    notes += fmt::format("{} a score above {:g}, more than a failed one.\n",
+                         counted(static_cast<int>(dear), "finished contest has", "finished contests have"),
+                         rules.failure_score);
   return notes;
 }
 

@@ -31,7 +31,7 @@ export function holdPart(page: EarlyPage, first: boolean) {
   );
   const content = [room, fromCommandLine()];
   const element = first
-    ? part('Run a race', 'Choose mice and mazes: the race is held in this page.', ...content)
+    ? part('Run a race', 'Choose mice and mazes: the race runs in this page.', ...content)
     : h('details.part.controls', h('summary', 'Run another race'), ...content);
   return { element, panel };
 }

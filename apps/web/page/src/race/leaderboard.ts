@@ -14,7 +14,7 @@ function notesOf({ notes, world, formula, failure_score: failed }: RaceGroup): s
   const failures = isNumber(failed)
     ? `A failed contest counts ${failed}.`
     : 'Failed contests are left out of all means.';
-  return [`World of ${world}. Score: ${formula}; lower is better. ${failures}`];
+  return [`World ${world}. Score: ${formula}; lower is better. ${failures}`];
 }
 
 /**

@@ -15,7 +15,7 @@ const introOf = (watch: HTMLElement) =>
     h(
       'p',
       h('strong', 'In labmouse, micromouse programs race through mazes that they have never seen'),
-      ': each draws its own map, follows the way that it believes in (the dots), then runs as fast as it dares.',
+      ': each draws its own map, follows the route that it plans (the dots), then makes its speed run.',
     ),
     h('div.row', watch, h('a.button', { href: '#race' }, 'Race'), h('a.button', { href: '#write' }, 'Write your own')),
   );

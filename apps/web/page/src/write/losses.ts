@@ -1,4 +1,4 @@
-// What a program lost where, maze by maze; each contest is a click away from its replay.
+// Steps that a program lost in each maze; each contest is a click away from its replay.
 import { button } from '../ui/controls';
 import { number } from '../ui/format';
 import { scrolling, table } from '../ui/table';
@@ -13,7 +13,7 @@ const heads: [head: string, title: string][] = [
   ['score', 'speed-run steps + search steps / 30; lower is better'],
   ['best', 'the best possible score of this maze'],
   ['lost', 'the score above the best possible'],
-  ['explor. steps', 'each costs a thirtieth of a step of the speed run'],
+  ['search steps', 'each costs a thirtieth of a step of the speed run'],
   ['steps too many', 'of the speed run, above those of the shortest one'],
 ];
 
@@ -32,5 +32,5 @@ export function losses(contests: ContestOutput[], open: (held: ContestOutput) =>
       play.finished && play.optimum !== null ? String(play.speed_steps - play.optimum) : '–',
     ];
   };
-  return scrolling('What it lost where', table({}, heads, sorted.map(row)), 'losses');
+  return scrolling('Steps lost in each maze', table({}, heads, sorted.map(row)), 'losses');
 }

@@ -1,4 +1,4 @@
-// The race of a program: its place among the mice, and what it lost where.
+// The race of a program: its place among the mice, and the steps that it lost in each maze.
 import { leaderboard } from '../race/leaderboard';
 import { groupsOf } from '../results/contests';
 import { h } from '../ui/dom';
@@ -34,8 +34,8 @@ export function standingsOf(raced: Raced, open: (held: ContestOutput) => void): 
   return [
     h('h2', 'Leaderboard'),
     leaderboard(group, () => undefined, old === undefined ? [name] : [name, old]).element,
-    h('h2', `What ${name} lost where`),
+    h('h2', `Steps that ${name} lost in each maze`),
     losses(contestsOf(raced), open),
-    h('p.note', 'All of this race, with its pictures, stands in ', race, '.'),
+    h('p.note', 'All results of this race, with pictures, are in ', race, '.'),
   ];
 }
