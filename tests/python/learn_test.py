@@ -37,6 +37,11 @@ class Replayed:
         return learn.action_of(next(self.actions)) or "reset"
 
 
+def test_a_set_of_mazes_takes_a_size_of_numpy():
+    same = learn.MazeSet("train", kind="depth-first", size=np.int64(5), loops=0.2)
+    assert same.size == (5, 5) and same[3] == SMALL[3]
+
+
 @pytest.mark.parametrize("observation", OBSERVATIONS)
 def test_gymnasium_finds_no_fault(observation):
     with warnings.catch_warnings():

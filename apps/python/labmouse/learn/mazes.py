@@ -40,7 +40,7 @@ class MazeSet:
         if count is not None and count < 1:
             raise Error(f"count is the number of mazes, at least 1, not {count}")
         self.split, self.kind, self.loops, self.count = split, kind, loops, count
-        sides = (size, size) if isinstance(size, int) else tuple(size)
+        sides = tuple(size) if isinstance(size, (tuple, list)) else (size, size)
         if len(sides) != 2:
             raise Error(f"size is a number of cells, or (width, height), not {shown(size)}")
         self.size = whole("a side", sides[0], 1, 64), whole("a side", sides[1], 1, 64)
