@@ -3,6 +3,12 @@
 #include <cstdlib>
 
 namespace labmouse {
+namespace {
+
+/// Evidence of a wall that is known for certain.
+constexpr int surely = 6 * evidence_a_nat;
+
+}  // namespace
 
 BelievedWalls::BelievedWalls(const Maze& maze, MapKind map, PhysicalRecord& record)
     : maze_(maze),
@@ -19,8 +25,11 @@ void BelievedWalls::read(MazeTime time, const Pose& pose, const WallEvidence& ev
   take(time, pose.cell, right_of(pose.heading), evidence.right);
 }
 
+void BelievedWalls::know_open(MazeTime time, const WallSet& walls) {
+  walls.for_each([&](Wall wall) { add(time, wall, -surely); });
+}
+
 void BelievedWalls::pass(MazeTime time, Cell from, const Pose& to) {
-  constexpr int surely = 6 * evidence_a_nat;
   for (Cell cell = to.cell; cell != from; cell = neighbour(cell, opposite(to.heading)))
     add(time, wall_at(cell, opposite(to.heading)), -surely);
 }

@@ -21,6 +21,8 @@ class BelievedWalls {
   void read(MazeTime time, const Pose& pose, const WallEvidence& evidence);
   /// The mouse came straight from there, in its present heading: marks the walls on the way as surely open.
   void pass(MazeTime time, Cell from, const Pose& to);
+  /// Marks walls as surely open.
+  void know_open(MazeTime time, const WallSet& walls);
   /// Halves the weight of the last readings, because they may be of other walls.
   void weaken_last();
   /// The mouse was put down elsewhere: later readings are independent of the last ones.

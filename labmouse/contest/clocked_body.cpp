@@ -27,9 +27,10 @@ bool ClockedBody::step(const Drive& duties) {
   return touch != Touch::crash && !out_of_time();
 }
 
-void ClockedBody::note_gates(DriveRun& run) const {
+void ClockedBody::note_gates(DriveRun& run) {
   const Cell cell = this->cell();
   if (!maze_.size().contains(cell)) return;
+  if (run.kind == DriveRun::Kind::laps) return note_laps(run, cell);
   if (!run.gate_out && cell != maze_.start()) run.gate_out = clock_;
   if (!run.gate_out || !maze_.is_goal(cell)) return;
   if (!run.gate_in) run.gate_in = clock_;
@@ -37,6 +38,16 @@ void ClockedBody::note_gates(DriveRun& run) const {
   const double past = (motion.position.x - (cell.x + 0.5) * cell_) * motion.ahead.cosine +
                       (motion.position.y - (cell.y + 0.5) * cell_) * motion.ahead.sine;
   if (!run.centre && past >= 0.0) run.centre = clock_;
+}
+
+void ClockedBody::note_laps(DriveRun& run, Cell cell) {
+  const bool leaves = in_start_ && cell == neighbour(maze_.start(), maze_.start_heading());
+  in_start_ = cell == maze_.start();
+  if (!leaves) return;
+  if (run.gate_out)
+    run.laps.push_back(clock_);
+  else
+    run.gate_out = clock_;
 }
 
 bool ClockedBody::trace_due() const { return trace_every_ > 0 && clock_ / tick_time % trace_every_ == 0; }

@@ -24,7 +24,7 @@ class ClockedBody {
   bool step(const Drive& duties);
   void wait(MazeTime time) { clock_ += time; }
   /// Records the gates that the true mouse has passed in that run.
-  void note_gates(DriveRun& run) const;
+  void note_gates(DriveRun& run);
   /// Records a trace point if one is due: the true pose, and the estimated pose if there is one.
   void trace(const std::optional<BodyPose>& estimate);
   bool trace_due() const;
@@ -40,6 +40,7 @@ class ClockedBody {
   Cell cell() const { return body_.field().cell_at(body_.motion().position); }
 
  private:
+  void note_laps(DriveRun& run, Cell cell);
   BodyPose pose() const { return {body_.motion().position, body_.motion().angle}; }
 
   const Maze& maze_;
@@ -49,6 +50,7 @@ class ClockedBody {
   PhysicalRecord& record_;
   Body body_;
   MazeTime clock_ = 0;
+  bool in_start_ = false;  ///< whether the true mouse was in the start cell at the last tick of a run of laps
 };
 
 }  // namespace labmouse

@@ -22,12 +22,14 @@ class ContestDriver {
   virtual void put_at_start() = 0;
   /// Carries the mouse there by hand during a contest, which may take time.
   virtual void carry_to_start() = 0;
+  /// Marks walls as open that are known before the contest.
+  virtual void know_open(const WallSet& walls) = 0;
   /// Reads the walls at rest.
   virtual void look_about() = 0;
   /// Makes a search move: over one edge, over several known cells (a dash), or to rest. Reads at its end; false if the
   /// run was aborted.
   virtual bool make(const Action& part, bool replanned) = 0;
-  /// Makes a speed run from the start until the mouse stands; false if the run was aborted.
+  /// Makes a speed run or a run of laps from the start until the mouse stands; false if the run was aborted.
   virtual bool run(const DriveRoute& route) = 0;
   /// Sets the pace, as a share of the usual one.
   virtual void set_pace(double pace) = 0;

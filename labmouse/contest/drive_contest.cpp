@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "labmouse/contest/drive_score.hpp"
+#include "labmouse/contest/lap_contest.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/search_parts.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
@@ -337,6 +338,7 @@ class DriveContest {
 
 void run_contest(const Maze& maze, const DriveRules& rules, const DriveModel& model, DrivingStrategy& mouse,
                  ContestDriver& driver, PhysicalRecord& record) {
+  if (rules.counts == Counted::lap) return run_laps(maze, rules, model, mouse, driver, record);
   DriveContest(maze, rules, model, mouse, driver, record).run();
 }
 

@@ -5,6 +5,8 @@
 //
 // While it searches the mouse decides at every edge, and may reset wherever it is. Then it drives home over known open
 // walls, with readings on the way, and from the start along the fastest known route.
+//
+// Where the rules count laps, there is no search: see contest/lap_contest.
 #pragma once
 
 #include "labmouse/contest/contest_driver.hpp"

@@ -23,7 +23,7 @@ Coverage coverage_of(const DriveRecord& record, const Maze& maze, const CellSet&
   visited.insert(maze.start());
   MazeTime end = 0;
   for (const DriveRun& run : record.runs) {
-    if (run.kind == DriveRun::Kind::fast) break;
+    if (run.has_route()) break;
     end = run.end;
     for (const SearchMove& move : run.moves) insert_way(move.from.cell, move.to.cell, visited);
   }

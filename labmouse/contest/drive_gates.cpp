@@ -23,15 +23,22 @@ double distance_out_of(Cell cell, double side, const DriveSpot& spot) {
       {spot.x - cell.x * side, (cell.x + 1) * side - spot.x, spot.y - cell.y * side, (cell.y + 1) * side - spot.y});
 }
 
-/// The first time of a route, in microseconds, at which arrived(Cell) is true for the cell of the mouse's centre.
-/// left(DriveSpot) is a lower bound of the distance to go; steps within it are skipped.
+/// A moment of a route: its time in microseconds, and its segment.
+struct Moment {
+  MazeTime time = 0;
+  std::size_t segment = 0;
+};
+
+/// The first moment of a route, from a segment on, at which arrived(Cell) is true for the cell of the mouse's centre;
+/// the end of the route if there is none. left(DriveSpot) is a lower bound of the distance to go; steps within it are
+/// skipped.
 template <class Arrived, class Left>
-MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived arrived, Left left) {
+Moment first_moment(const DriveModel& model, const DriveRoute& route, std::size_t from, Arrived arrived, Left left) {
   constexpr int steps_a_cell = 64, halvings = 40;
   // A margin for rounding: curves are numerical sums.
   constexpr double sure_part = 0.99;
   const double cell = model.tables.cell;
-  for (std::size_t i = 0; i < route.segments.size(); ++i) {
+  for (std::size_t i = from; i < route.segments.size(); ++i) {
     const DriveProfile profile(model, route, i);
     const auto arrived_at = [&](const DriveSpot& spot) {
       return arrived(Cell{static_cast<int>(std::floor(spot.x / cell)), static_cast<int>(std::floor(spot.y / cell))});
@@ -51,10 +58,10 @@ MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived 
       }
       for (int halving = 0; halving < halvings; ++halving)
         (arrived_at(profile.spot((before + behind) / 2)) ? behind : before) = (before + behind) / 2;
-      return route.segments[i].begin + static_cast<MazeTime>(std::llround(profile.time_at(behind)));
+      return {route.segments[i].begin + static_cast<MazeTime>(std::llround(profile.time_at(behind))), i};
     }
   }
-  return route.time;
+  return {route.time, route.segments.size()};
 }
 
 /// A lower bound of the distance from a point to the nearest of some cells, mm.
@@ -64,21 +71,52 @@ double distance_to(const CellSet& cells, double side, const DriveSpot& spot) {
   return least;
 }
 
+/// The first moment, from a segment on, at which the mouse leaves the start cell, where it is or comes to.
+Moment leaves_start(const DriveRun& run, const Maze& maze, const DriveModel& model, std::size_t from) {
+  const double side = model.tables.cell;
+  const Cell start = maze.start();
+  bool inside = from == 0;
+  return first_moment(
+      model, run.route, from,
+      [&](Cell cell) {
+        inside = inside || cell == start;
+        return inside && cell != start;
+      },
+      [&](const DriveSpot& spot) {
+        return inside ? distance_out_of(start, side, spot) : distance_to(start, side, spot);
+      });
+}
+
+/// Sets the gates of a run of laps. Each segment passes the gate once at most.
+void set_laps(DriveRun& run, const Maze& maze, const DriveModel& model) {
+  for (std::size_t segment = 0; segment < run.route.segments.size();) {
+    const Moment gate = leaves_start(run, maze, model, segment);
+    segment = gate.segment + 1;
+    if (gate.segment == run.route.segments.size()) return;
+    if (run.gate_out)
+      run.laps.push_back(run.begin + gate.time);
+    else
+      run.gate_out = run.begin + gate.time;
+  }
+}
+
 }  // namespace
 
 void set_gates(DriveRun& run, const Maze& maze, const DriveModel& model) {
+  if (run.kind == DriveRun::Kind::laps) return set_laps(run, maze, model);
   run.centre = run.begin + run.route.time;
   run.gate_out = run.gate_in = run.begin;
   if (run.route.segments.empty()) return;
   const Cell start = maze.start();
   const CellSet& goals = maze.goals();
   const double side = model.tables.cell;
-  run.gate_out = run.begin + first_moment(
-                                 model, run.route, [&](Cell cell) { return cell != start; },
-                                 [&](const DriveSpot& spot) { return distance_out_of(start, side, spot); });
-  run.gate_in = run.begin + first_moment(
-                                model, run.route, [&](Cell cell) { return maze.is_goal(cell); },
-                                [&](const DriveSpot& spot) { return distance_to(goals, side, spot); });
+  const auto moment = [&](auto arrived, auto left) {
+    return run.begin + first_moment(model, run.route, 0, arrived, left).time;
+  };
+  run.gate_out = moment([&](Cell cell) { return cell != start; },
+                        [&](const DriveSpot& spot) { return distance_out_of(start, side, spot); });
+  run.gate_in = moment([&](Cell cell) { return maze.is_goal(cell); },
+                       [&](const DriveSpot& spot) { return distance_to(goals, side, spot); });
 }
 
 void note_gates(DriveRun& search, const Maze& maze, MazeTime half_cell, const SearchPlace& from, const Action& step,

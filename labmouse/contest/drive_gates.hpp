@@ -1,4 +1,5 @@
-// Computes when a run passes the gates: it leaves the start cell, and enters a goal.
+// Computes when a run passes the gates: it leaves the start cell, and enters a goal. The gate of a lap is the exit of
+// the start cell.
 #pragma once
 
 #include "labmouse/contest/drive_record.hpp"
@@ -8,7 +9,8 @@
 
 namespace labmouse {
 
-/// Sets the gates and the centre of a run by its route. A run that begins in a goal passes all of them as it begins.
+/// Sets the gates and the centre of a run by its route, or the gates of a run of laps. A run that begins in a goal
+/// passes all of them as it begins.
 void set_gates(DriveRun& run, const Maze& maze, const DriveModel& model);
 
 /// Records the gates and the centre that a search passes in a step from that place, over one edge or to rest. A goal is

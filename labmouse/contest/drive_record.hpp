@@ -40,20 +40,22 @@ struct SearchMove {
   friend bool operator==(const SearchMove&, const SearchMove&) = default;
 };
 
-/// One run of a contest: a search (which may go on behind the goal), the way home, or a speed run over what is known.
+/// One run of a contest: a search (which may go on behind the goal), the way home, a speed run over what is known, or
+/// in a time trial a run of several laps.
 struct DriveRun {
-  enum class Kind : std::uint8_t { search, home, fast };
+  enum class Kind : std::uint8_t { search, home, fast, laps };
 
   Kind kind = Kind::search;
   MazeTime begin = 0;
   MazeTime end = 0;
   std::optional<MazeTime> gate_out;  ///< left the start cell
-  std::optional<MazeTime> gate_in;   ///< first entered a goal
-  std::optional<MazeTime> centre;    ///< first in the middle of a goal cell
+  std::optional<MazeTime> gate_in;   ///< first entered a goal; never in a run of laps
+  std::optional<MazeTime> centre;    ///< first in the middle of a goal cell; never in a run of laps
+  std::vector<MazeTime> laps;        ///< of a run of laps: when it left the start cell again, after each lap
   bool touched = false;              ///< whether the mouse had been touched in the maze before this run
   double pace = 1.0;                 ///< pace of the run, as a share of the usual one
   std::vector<SearchMove> moves;     ///< of a search and a way home
-  DriveRoute route;                  ///< of a speed run; its times count from `begin`
+  DriveRoute route;                  ///< of a speed run or a run of laps; its times count from `begin`
   /// Walls known at the beginning, and the times of the fastest route over open walls and over walls not known to be
   /// closed; no_time if there is none.
   WallSet open;
@@ -61,16 +63,22 @@ struct DriveRun {
   DriveTime known = no_time;
   DriveTime hoped = no_time;
 
+  /// Whether it follows a route, not moves of a search.
+  bool has_route() const { return kind == Kind::fast || kind == Kind::laps; }
+
   friend bool operator==(const DriveRun&, const DriveRun&) = default;
 };
 
 constexpr std::string_view name_of(DriveRun::Kind kind) {
-  return kind == DriveRun::Kind::search ? "search" : kind == DriveRun::Kind::home ? "home" : "fast";
+  return kind == DriveRun::Kind::search ? "search"
+         : kind == DriveRun::Kind::home ? "home"
+         : kind == DriveRun::Kind::fast ? "fast"
+                                        : "laps";
 }
 
 /// How a contest in seconds ended.
 enum class DriveOutcome : std::uint8_t {
-  finished,     ///< at least one run ended in a goal
+  finished,     ///< at least one run ended in a goal; in a time trial, at least one lap was completed
   out_of_time,  ///< none did within the time
   forfeit,      ///< the mouse gave up; `reason` says why
 };

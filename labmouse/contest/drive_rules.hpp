@@ -7,12 +7,16 @@
 
 namespace labmouse {
 
+/// What the rules score: a run from the start to a goal, or in a time trial a lap of the outermost ring of the maze.
+enum class Counted : std::uint8_t { run, lap };
+
 struct DriveRules {
   std::string name;
   std::string source;  ///< where and when they were in force, and what is uncertain
   /// Time in the maze, in microseconds, from the first start on; a run that has not ended by then does not count.
   std::int64_t time_limit = 0;
-  /// Runs that may begin at the start, searches among them.
+  Counted counts = Counted::run;
+  /// Runs that may begin at the start, searches among them. If laps count: laps that may be completed.
   int most_runs = 5;
   /// A run counts its own time and this part of the time in the maze before it began: 0, or 1/30.
   int maze_time_divisor = 0;  ///< 30 for a thirtieth; 0 if the maze time does not count

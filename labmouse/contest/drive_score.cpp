@@ -5,14 +5,32 @@
 namespace labmouse {
 namespace {
 
-/// Score of a run; nullopt if the run does not count by the rules.
-std::optional<DriveRunScore> score_of(const DriveRun& run, const DriveRules& rules) {
+/// The times of a run to a goal, or of the fastest lap.
+DriveRunScore times_of(const DriveRun& run, const DriveRules& rules) {
   DriveRunScore score;
+  if (const auto lap = fastest_lap(run, rules.time_limit)) {
+    score.gate_to_gate = lap->time;
+    score.lap = lap->number;
+  }
   if (run.gate_out && run.gate_in) score.gate_to_gate = *run.gate_in - *run.gate_out;
   if (run.centre) score.rest_to_centre = *run.centre - run.begin;
-  const auto& time = rules.gate_to_gate ? score.gate_to_gate : score.rest_to_centre;
+  return score;
+}
+
+/// Whether a run is of the kind that counts, and ended within the time limit.
+bool counts(const DriveRun& run, const DriveRules& rules) {
+  if (run.kind == DriveRun::Kind::home) return false;
+  if (rules.counts == Counted::lap) return run.kind == DriveRun::Kind::laps;
   const auto& end = rules.gate_to_gate ? run.gate_in : run.centre;
-  if (run.kind == DriveRun::Kind::home || !time || *end > rules.time_limit) return std::nullopt;
+  return end && *end <= rules.time_limit;
+}
+
+/// Score of a run; nullopt if the run does not count by the rules.
+std::optional<DriveRunScore> score_of(const DriveRun& run, const DriveRules& rules) {
+  if (!counts(run, rules)) return std::nullopt;
+  DriveRunScore score = times_of(run, rules);
+  const auto& time = rules.gate_to_gate ? score.gate_to_gate : score.rest_to_centre;
+  if (!time) return std::nullopt;
   score.maze_time = maze_time_part(run.begin, rules);
   score.bonus = run.touched ? 0 : rules.untouched_bonus;
   score.penalty = run.touched ? rules.touch_penalty : 0;
@@ -21,6 +39,17 @@ std::optional<DriveRunScore> score_of(const DriveRun& run, const DriveRules& rul
 }
 
 }  // namespace
+
+std::optional<LapTime> fastest_lap(const DriveRun& run, MazeTime until) {
+  std::optional<LapTime> fastest;
+  MazeTime begin = run.gate_out.value_or(0);
+  for (std::size_t i = 0; run.gate_out && i < run.laps.size() && run.laps[i] <= until; ++i) {
+    const MazeTime time = run.laps[i] - begin;
+    begin = run.laps[i];
+    if (!fastest || time < fastest->time) fastest = {time, static_cast<int>(i) + 1};
+  }
+  return fastest;
+}
 
 int starts_of(const DriveRecord& record) {
   return static_cast<int>(std::count_if(record.runs.begin(), record.runs.end(),

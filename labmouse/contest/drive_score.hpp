@@ -9,9 +9,10 @@
 
 namespace labmouse {
 
-/// One run that counts, in microseconds.
+/// One run that counts, in microseconds. A run of laps has the score of its fastest lap.
 struct DriveRunScore {
   std::size_t run = 0;  ///< its index in the record
+  int lap = 0;          ///< number of the lap in the run, from 1; 0 where runs count
   std::optional<MazeTime> gate_to_gate;
   std::optional<MazeTime> rest_to_centre;
   MazeTime maze_time = 0;  ///< the part of the time in the maze before it that is added
@@ -24,7 +25,7 @@ struct DriveRunScore {
 
 struct DriveScore {
   DriveOutcome outcome = DriveOutcome::finished;
-  /// Each run that ended in a goal within the time, in order.
+  /// Each run that ended in a goal, or completed a lap, within the time, in order.
   std::vector<DriveRunScore> runs;
   /// Index in `runs` of the best one, the first of equals; none if no run counts.
   std::optional<std::size_t> best;
@@ -34,6 +35,15 @@ struct DriveScore {
 
   friend bool operator==(const DriveScore&, const DriveScore&) = default;
 };
+
+/// A lap of a run, from gate to gate.
+struct LapTime {
+  MazeTime time = 0;
+  int number = 0;  ///< in its run, from 1
+};
+
+/// The fastest lap of a run that ended by that time, the first of equals; nothing if there is none.
+std::optional<LapTime> fastest_lap(const DriveRun& run, MazeTime until);
 
 /// How many runs began at the start.
 int starts_of(const DriveRecord& record);

@@ -20,6 +20,7 @@ class FailureDriver final : public TimedDriver {
   bool errs() const override { return true; }
   void put_at_start() override;
   void carry_to_start() override;
+  void know_open(const WallSet& walls) override { walls_.know_open(clock(), walls); }
   void look_about() override;
   bool make(const Action& part, bool replanned) override;
   bool run(const DriveRoute& route) override;

@@ -24,6 +24,13 @@ void IdealDriver::arrive() {
   news.for_each([&](Wall wall) { record_.walls.push_back({clock_, wall, known_.open().contains(wall)}); });
 }
 
+void IdealDriver::know_open(const WallSet& walls) {
+  walls.for_each([&](Wall wall) {
+    known_.learn(wall, true);
+    record_.walls.push_back({clock_, wall, true});
+  });
+}
+
 bool IdealDriver::make(const Action& part, bool replanned) {
   advance(part, clock_, replanned);
   return true;

@@ -14,6 +14,7 @@ class IdealDriver final : public TimedDriver {
 
   bool errs() const override { return false; }
   void carry_to_start() override { put_at_start(); }
+  void know_open(const WallSet& walls) override;
   void look_about() override { arrive(); }
   bool make(const Action& part, bool replanned) override;
   bool run(const DriveRoute& route) override;

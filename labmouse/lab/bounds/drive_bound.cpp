@@ -8,6 +8,7 @@
 
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/drive_score.hpp"
+#include "labmouse/contest/lap_route.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/mouse/drive/search_field.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
@@ -116,7 +117,26 @@ std::optional<MazeTime> shortest_search(const Maze& maze, const DriveRules& rule
   return least;
 }
 
+namespace {
+
+DriveBound lap_bound_of(const Maze& maze, const DriveRules& rules, const DriveModel& model) {
+  DriveRun run;
+  run.kind = DriveRun::Kind::laps;
+  run.route = lap_route(maze, model, rules.most_runs);
+  set_gates(run, maze, model);
+  DriveRecord record;
+  record.runs.push_back(std::move(run));
+  DriveBound bound;
+  bound.score = score(record, rules).value();
+  if (const auto lap = fastest_lap(record.runs.front(), rules.time_limit))
+    bound.fastest = static_cast<DriveTime>(lap->time);
+  return bound;
+}
+
+}  // namespace
+
 DriveBound drive_bound_of(const Maze& maze, const DriveRules& rules, const DriveModel& model) {
+  if (rules.counts == Counted::lap) return lap_bound_of(maze, rules, model);
   FastestRoutes routes(maze.size(), route_tables_of(model));
   routes.fill(maze.open_walls(), maze.goals());
   DriveRun run;

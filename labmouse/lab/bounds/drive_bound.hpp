@@ -14,12 +14,13 @@ namespace labmouse {
 /// Lower bounds for a maze, in microseconds.
 struct DriveBound {
   /// Time of the fastest route from rest at the start to the goal's centre; empty where no route from the start pose
-  /// reaches a goal.
+  /// reaches a goal. Where laps count: time of the fastest lap.
   std::optional<DriveTime> fastest;
   /// The score of a mouse that knows the maze but may start a speed run only after a search run. It is the lower of two
   /// scores: that of the shortest search run to a goal alone; and that of the fastest route, driven after the shortest
   /// search run to a goal and back. With gate-to-gate timing it is not strict: the fastest route is chosen from rest to
-  /// the centre, and another one may be some milliseconds faster between the gates. Empty where no run is valid.
+  /// the centre, and another one may be some milliseconds faster between the gates. Where laps count, it is the fastest
+  /// lap of a route (see lap_route()) without errors. Empty where no run is valid.
   std::optional<MazeTime> score;
 };
 

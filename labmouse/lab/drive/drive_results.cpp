@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "labmouse/contest/lap_route.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {
@@ -24,7 +26,8 @@ std::string outcome_of(const DriveRecord& record, const DriveScore& score) {
 std::optional<MazeTime> best_of(const DriveScore& score) {
   std::optional<MazeTime> best;
   for (const DriveRunScore& run : score.runs)
-    if (run.rest_to_centre && (!best || *run.rest_to_centre < *best)) best = run.rest_to_centre;
+    if (const auto& time = run.lap > 0 ? run.gate_to_gate : run.rest_to_centre; time && (!best || *time < *best))
+      best = time;
   return best;
 }
 
@@ -36,7 +39,7 @@ std::optional<double> excess_of(const std::optional<MazeTime>& best, const Drive
 MazeTime search_time_of(const DriveRecord& record) {
   MazeTime search = 0;
   for (const DriveRun& run : record.runs) {
-    if (run.kind == DriveRun::Kind::fast) return run.begin;
+    if (run.has_route()) return run.begin;
     search = run.end;
   }
   return search;
@@ -50,9 +53,32 @@ void add_score(MazeTime value, const DriveBound& bound, const DriveRules& rules,
     result.ratio = static_cast<double>(value + bonus) / static_cast<double>(best);
 }
 
-std::string refuse_to_drive_in(const Maze& maze) {
+namespace {
+
+/// Why no laps are driven in a maze; empty where they are.
+std::string refuse_laps_in(const Maze& maze, const DriveModel& model) {
+  const Cell start = maze.start();
+  if (!starts_on_ring(maze))
+    return fmt::format(
+        "starts at ({},{}) heading {}; a time trial starts in a corner of at least 2x2 cells, heading clockwise round "
+        "the outermost ring: choose another maze or other --rules",
+        start.x, start.y, name_of(maze.start_heading()));
+  if (const auto wall = closed_on_ring(maze))
+    return fmt::format(
+        "has a closed wall {} of ({},{}); the course of a time trial is the outermost ring, open all round: choose "
+        "another maze or other --rules",
+        name_of(wall->side), wall->cell.x, wall->cell.y);
+  if (lap_route(maze, model, 1).time < no_time) return "";
+  return fmt::format("is too small for the turns of the robot {}: no lap of the outermost ring can be driven",
+                     shown(model.robot.name));
+}
+
+}  // namespace
+
+std::string refuse_to_drive_in(const Maze& maze, const DriveRules& rules, const DriveModel& model) {
   const Size size = maze.size();
-  if (size.width <= max_drive_side && size.height <= max_drive_side) return "";
+  if (size.width <= max_drive_side && size.height <= max_drive_side)
+    return rules.counts == Counted::lap ? refuse_laps_in(maze, model) : "";
   return fmt::format("is {}x{}; the world in seconds takes mazes up to {}x{}", size.width, size.height, max_drive_side,
                      max_drive_side);
 }
@@ -72,7 +98,9 @@ std::optional<double> mean_bound(const Race& race) {
 }
 
 std::string formula_of(const DriveRules& rules) {
-  std::string text = fmt::format("the best of at most {} in {:g} s, {}", counted(rules.most_runs, "run", "runs"),
+  const bool laps = rules.counts == Counted::lap;
+  std::string text = fmt::format("the best of at most {} in {:g} s, {}",
+                                 counted(rules.most_runs, laps ? "lap" : "run", laps ? "laps" : "runs"),
                                  in_seconds(rules.time_limit), rules.gate_to_gate ? "gate to gate" : "rest to centre");
   if (rules.maze_time_divisor > 0)
     text += fmt::format(", plus {}the time in the maze before it", share_of(rules.maze_time_divisor));

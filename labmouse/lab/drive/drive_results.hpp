@@ -15,7 +15,7 @@
 namespace labmouse {
 
 std::string outcome_of(const DriveRecord& record, const DriveScore& score);
-/// The fastest of the runs that count, from rest to the centre.
+/// The fastest of the runs that count, from rest to the centre; of laps, from gate to gate.
 std::optional<MazeTime> best_of(const DriveScore& score);
 /// How much longer the best run took than the fastest possible one, as a share; nothing without a run or if the
 /// fastest possible run takes no time.
@@ -25,8 +25,8 @@ MazeTime search_time_of(const DriveRecord& record);
 /// Sets the score of a result, and its ratio to the bound.
 void add_score(MazeTime value, const DriveBound& bound, const DriveRules& rules, ContestResult& result);
 
-/// Why no robot of this project drives in a maze; empty where they do.
-std::string refuse_to_drive_in(const Maze& maze);
+/// Why the robot does not drive in a maze by these rules; empty where it does.
+std::string refuse_to_drive_in(const Maze& maze, const DriveRules& rules, const DriveModel& model);
 /// A model that shares what all of its contests need.
 std::shared_ptr<const DriveModel> sharing_tables(std::shared_ptr<const DriveModel> model);
 

@@ -1,5 +1,7 @@
 #include "labmouse/lab/drive/drive_world.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -47,7 +49,7 @@ DriveWorld::DriveWorld(const DriveRules& rules, std::shared_ptr<const DriveModel
 
 std::string DriveWorld::formula() const { return formula_of(rules_); }
 
-std::string DriveWorld::refuse(const Maze& maze) const { return refuse_to_drive_in(maze); }
+std::string DriveWorld::refuse(const Maze& maze) const { return refuse_to_drive_in(maze, rules_, *model_); }
 
 Settings DriveWorld::settings(const Contestant& mouse) const { return settings_in_seconds(mouse); }
 
@@ -75,6 +77,13 @@ ContestOutput DriveWorld::hold(const Race& race, ContestResult& result, Keep kee
   if (driven.record.reason == ForfeitReason::not_judged) leave_unjudged(result);
   result.done = !interrupted;
   return kept(mouse, maze, result.seed, std::move(driven), keep);
+}
+
+std::string DriveWorld::bound_words(const Race& race) const {
+  return fmt::format("Best possible: {} s on average, {}.", columns::number(mean_bound(race), 3),
+                     rules_.counts == Counted::lap ? "the fastest lap without errors"
+                     : is_stochastic() ? "by a mouse without errors that knows the maze but must first search a route"
+                                       : "by a mouse that knows the maze but must first search a route");
 }
 
 std::vector<Condition> DriveWorld::drive_conditions(RobotParts parts) const {

@@ -48,6 +48,8 @@ class DriveWorld : public World {
  protected:
   const DriveRules& rules() const { return rules_; }
   const DriveModel& model() const { return *model_; }
+  /// What the best possible score is, as a sentence.
+  std::string bound_words(const Race& race) const;
   /// Rules and robot, with those of its parts on which results depend in this world.
   std::vector<Condition> drive_conditions(RobotParts parts) const;
 

@@ -58,7 +58,13 @@ class PhysicalWorld : public DriveWorld {
   std::string heading() const override { return ", " + noise_text(); }
 
   std::string refuse(const Contestant& mouse) const override {
-    if (std::holds_alternative<ControllerProgram>(mouse.kind)) return "";
+    if (std::holds_alternative<ControllerProgram>(mouse.kind))
+      return rules().counts == Counted::run
+                 ? ""
+                 : fmt::format(
+                       "'{}' controls motors; rules that count laps are only for mice that this project's "
+                       "controller drives: choose other --rules",
+                       shown(mouse.name));
     return refuse_to_drive({&mouse, 1}, Driving::with_errors);
   }
   using DriveWorld::refuse;
@@ -70,10 +76,9 @@ class PhysicalWorld : public DriveWorld {
     return fmt::format(
         "Rules {}: {}. Lower is better; mice that finished more contests come first.\nRobot {}, cells of {:g} mm, {}. "
         "'score' is the mean of finished contests; 'failures at limit' counts the others as {:g} s.\nCrashes: the "
-        "tyres slipped, the mouse lost its position, or it hit a wall that its map had as open.\nBest possible: {} s "
-        "on average, by a mouse without errors that knows the maze but must first search a route.\n",
+        "tyres slipped, the mouse lost its position, or it hit a wall that its map had as open.\n{}\n",
         shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, noise_text(),
-        in_seconds(rules().time_limit), columns::number(mean_bound(race), 3));
+        in_seconds(rules().time_limit), bound_words(race));
   }
 
  protected:

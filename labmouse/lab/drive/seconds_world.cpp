@@ -29,10 +29,12 @@ class SecondsWorld final : public DriveWorld {
   std::string notes(const Race& race) const override {
     return fmt::format(
         "Rules {}: {}. Lower is better; mice that finished more contests come first.\nRobot {}, cells of {:g} mm. "
-        "The search run ends when the first speed run begins; best runs are timed from rest to the centre.\nBest "
-        "possible: {} s on average, by a mouse that knows the maze but must first search a route.\n",
+        "{}\n{}\n",
         shown(rules().name), formula(), shown(model().robot.name), model().tables.cell,
-        columns::number(mean_bound(race), 3));
+        rules().counts == Counted::lap
+            ? "All mice know the course and drive the same laps."
+            : "The search run ends when the first speed run begins; best runs are timed from rest to the centre.",
+        bound_words(race));
   }
 
  private:
@@ -52,7 +54,7 @@ class SecondsWorld final : public DriveWorld {
   std::shared_ptr<DriveFigures> own_figures(const DrivenContest& driven, const DriveScore& /*score*/) const override {
     auto figures = std::make_shared<SecondsFigures>();
     for (const DriveRun& run : driven.record.runs)
-      if (run.kind == DriveRun::Kind::fast) figures->proven = run.known == run.hoped;
+      if (run.has_route()) figures->proven = run.known == run.hoped;
     return figures;
   }
 };

@@ -23,7 +23,7 @@ class FailureCounter {
       const DriveRun& run = record_.drive.runs[i];
       const RunEnd end = record_.ends[i];
       if (i == 0 || is_crash(record_.ends[i - 1])) ++counts_.put[level_at(run.begin)];
-      if (run.kind == DriveRun::Kind::fast)
+      if (run.has_route())
         count_fast(run, end);
       else
         count_moves(run, end);
@@ -85,7 +85,7 @@ class FailureCounter {
     const auto index = static_cast<std::size_t>(&home - runs.data());
     if (index == 0) return true;
     const DriveRun& before = runs[index - 1];
-    return before.kind == DriveRun::Kind::fast || before.moves.empty() || before.moves.back().action.movement == 0;
+    return before.has_route() || before.moves.empty() || before.moves.back().action.movement == 0;
   }
 
   bool turned_before(MazeTime end) const {

@@ -197,7 +197,7 @@ std::vector<DrivePathPoint> path_of(const DriveRoute& route, MazeTime begin, con
 }
 
 std::vector<DrivePathPoint> DrivePath::follow(const DriveRun& run, double pace) {
-  if (run.kind == DriveRun::Kind::fast) {
+  if (run.has_route()) {
     place_ = start_;
     if (!run.route.segments.empty()) {
       const DriveNode& last = run.route.segments.back().to;

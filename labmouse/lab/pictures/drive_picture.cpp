@@ -141,7 +141,7 @@ std::string picture(const Maze& maze, const Drives& drives) {
 std::size_t coloured_run(const DriveRecordFile& file) {
   const DriveScore result = score(file.record, file.rules);
   const auto& runs = file.record.runs;
-  const auto fast = [&](std::size_t i) { return runs[i].kind == DriveRun::Kind::fast; };
+  const auto fast = [&](std::size_t i) { return runs[i].has_route(); };
   if (result.best && fast(result.runs[*result.best].run)) return result.runs[*result.best].run;
   for (std::size_t i = runs.size(); i-- > 0;)
     if (fast(i)) return i;
@@ -173,7 +173,7 @@ std::string draw_contest(const DriveRecordFile& file) {
     Path points = has_trace(file) ? true_path(file, i) : path.follow(run, pace_of(file, run));
     if (i == best)
       drives.fast = std::move(points);
-    else if (file.record.runs[i].kind != DriveRun::Kind::fast)
+    else if (!run.has_route())
       drives.searches.push_back(std::move(points));
   }
   const DriveScore result = score(file.record, file.rules);

@@ -3,14 +3,17 @@
 namespace labmouse {
 
 Json rules_json(const DriveRules& rules) {
-  return {{"name", rules.name},
-          {"source", rules.source},
-          {"time_limit", rules.time_limit},
-          {"most_runs", rules.most_runs},
-          {"maze_time_divisor", rules.maze_time_divisor},
-          {"gate_to_gate", rules.gate_to_gate},
-          {"touch_penalty", rules.touch_penalty},
-          {"untouched_bonus", rules.untouched_bonus}};
+  Json json = {{"name", rules.name},
+               {"source", rules.source},
+               {"time_limit", rules.time_limit},
+               {"most_runs", rules.most_runs},
+               {"maze_time_divisor", rules.maze_time_divisor},
+               {"gate_to_gate", rules.gate_to_gate},
+               {"touch_penalty", rules.touch_penalty},
+               {"untouched_bonus", rules.untouched_bonus}};
+  // Without laps the field is left out, which keeps records and stores of earlier versions unchanged.
+  if (rules.counts == Counted::lap) json["counts"] = "lap";
+  return json;
 }
 
 Json score_json(const DriveScore& score) {
@@ -22,8 +25,9 @@ Json score_json(const DriveScore& score) {
                {"rest_to_centre", or_null(best.rest_to_centre)},
                {"maze_time", best.maze_time},
                {"bonus", best.bonus}};
-  // The field is left out without a penalty, which keeps records of earlier versions unchanged.
+  // The fields are left out without a penalty and without laps, which keeps records of earlier versions unchanged.
   if (best.penalty != 0) json["penalty"] = best.penalty;
+  if (best.lap != 0) json["lap"] = best.lap;
   return json;
 }
 

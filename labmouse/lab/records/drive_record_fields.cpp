@@ -114,6 +114,10 @@ void read_drive_rules_json(const ReadJson& json, DriveRules& rules, JsonFields& 
   rules.gate_to_gate = fields.flag("gate_to_gate");
   rules.touch_penalty = fields.long_whole("touch_penalty", 0, longest_time);
   rules.untouched_bonus = fields.long_whole("untouched_bonus", 0, longest_time);
+  if (fields.has("counts")) {
+    if (fields.text("counts") != "lap") fields.fail("has a 'counts' that this version does not know");
+    rules.counts = Counted::lap;
+  }
   outer.reject(fields.error());
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 // Limits against hostile records that would take too much memory.
 constexpr std::size_t most_runs = 1000, most_moves = 1'000'000, most_segments = 10'000;
+constexpr int most_laps = 1000;
 
 /// The record read so far, and the reader's state between lines.
 class Reading {
@@ -55,6 +56,7 @@ DriveRunScore read_score(const ReadJson& json, JsonFields& fields) {
   score.maze_time = time("maze_time");
   score.bonus = time("bonus");
   if (fields.has("penalty")) score.penalty = time("penalty");
+  if (fields.has("lap")) score.lap = fields.whole("lap", 1, most_laps);
   score.value = time("value");
   return score;
 }
@@ -112,9 +114,9 @@ std::string Reading::begin_run(const ReadJson& json) {
   DriveRun run;
   const std::string kind(today_value(fields.text("run")));
   bool known = false;
-  for (const auto each : {DriveRun::Kind::search, DriveRun::Kind::home, DriveRun::Kind::fast})
+  for (const auto each : {DriveRun::Kind::search, DriveRun::Kind::home, DriveRun::Kind::fast, DriveRun::Kind::laps})
     if (kind == name_of(each)) run.kind = each, known = true;
-  if (!known) fields.fail("has a run that is not one of search, home, fast");
+  if (!known) fields.fail("has a run that is not one of search, home, fast, laps");
   run.begin = run.end = fields.long_whole("begin", 0, longest_time);
   const auto hope = [&](const char* key) {
     return optional_of(json, key, [&] { return fields.whole(key, 0, no_time - 1); }).value_or(no_time);
@@ -125,7 +127,7 @@ std::string Reading::begin_run(const ReadJson& json) {
   run.closed = walls_in(json, "closed", size(), fields);
   run.touched = file_.physical && fields.has("touched") && fields.flag("touched");
   if (file_.physical && fields.has("pace")) run.pace = fields.number("pace", least_pace, 1.0);
-  if (run.kind == DriveRun::Kind::fast) run.route.time = 0;
+  if (run.has_route()) run.route.time = 0;
   runs().push_back(std::move(run));
   running_ = true;
   return fields.error();
@@ -142,14 +144,15 @@ std::string Reading::end_run(const ReadJson& json) {
   run.gate_out = moment("gate_out");
   run.gate_in = moment("gate_in");
   run.centre = moment("centre");
+  if (run.kind == DriveRun::Kind::laps)
+    for (const ReadJson& lap : fields.list("laps")) run.laps.push_back(fields.long_whole(lap, "laps", 0, longest_time));
   if (file_.physical) file_.physical->notes.ends.push_back(read_run_end(fields));
   running_ = false;
   return fields.error();
 }
 
 std::string Reading::read_move(const ReadJson& json) {
-  if (!running_ || runs().back().kind == DriveRun::Kind::fast)
-    return "the line has a move outside a search or a way home";
+  if (!running_ || runs().back().has_route()) return "the line has a move outside a search or a way home";
   if (++moves_ > most_moves) return fmt::format("the record has more than {} moves", most_moves);
   JsonFields fields(json, "");
   SearchMove move;
@@ -167,7 +170,7 @@ std::string Reading::read_move(const ReadJson& json) {
 }
 
 std::string Reading::read_segment(const ReadJson& json) {
-  if (!running_ || runs().back().kind != DriveRun::Kind::fast) return "the line has a segment outside a speed run";
+  if (!running_ || !runs().back().has_route()) return "the line has a segment outside a speed run or a run of laps";
   DriveRoute& route = runs().back().route;
   if (route.segments.size() >= most_segments) return fmt::format("the run has more than {} segments", most_segments);
   JsonFields fields(json, "");

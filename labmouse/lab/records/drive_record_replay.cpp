@@ -213,7 +213,8 @@ class Replay {
 }  // namespace
 
 std::string replay(const DriveRecordFile& file) {
-  return file.physical ? replay_physically(file) : Replay(file).disagreement();
+  if (file.physical) return replay_physically(file);
+  return file.rules.counts == Counted::lap ? replay_laps(file) : Replay(file).disagreement();
 }
 
 }  // namespace labmouse

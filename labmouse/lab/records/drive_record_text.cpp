@@ -11,12 +11,17 @@ std::string number(const std::optional<MazeTime>& time) {
 }
 std::string number(DriveTime time) { return time < no_time ? fmt::format("{:.3f}", in_seconds(time)) : "-"; }
 
+/// From gate to gate; of a run of laps, its fastest lap.
+std::optional<MazeTime> between_gates(const DriveRun& run) {
+  if (const auto lap = fastest_lap(run, run.end)) return lap->time;
+  return run.gate_in && run.gate_out ? std::optional(*run.gate_in - *run.gate_out) : std::nullopt;
+}
+
 std::string run_line(const DriveRun& run, std::size_t index) {
-  const bool gates = run.gate_in && run.gate_out;
-  return fmt::format(
-      "{:>3}  {:<6} {:>9.3f} {:>9.3f} {:>8} {:>8} {:>8} {:>8}\n", index + 1, name_of(run.kind), in_seconds(run.begin),
-      in_seconds(run.end), number(gates ? std::optional(*run.gate_in - *run.gate_out) : std::nullopt),
-      number(run.centre ? std::optional(*run.centre - run.begin) : std::nullopt), number(run.known), number(run.hoped));
+  return fmt::format("{:>3}  {:<6} {:>9.3f} {:>9.3f} {:>8} {:>8} {:>8} {:>8}\n", index + 1, name_of(run.kind),
+                     in_seconds(run.begin), in_seconds(run.end), number(between_gates(run)),
+                     number(run.centre ? std::optional(*run.centre - run.begin) : std::nullopt), number(run.known),
+                     number(run.hoped));
 }
 
 /// "8.123 s = 5.123 s gate to gate + 3.000 s of 90.000 s in the maze"
@@ -29,7 +34,8 @@ std::string score_words(const DriveScore& score, const DriveRecord& record, cons
     words += fmt::format(" + {:.3f} s / {}", in_seconds(record.runs[best.run].begin), rules.maze_time_divisor);
   if (best.bonus > 0) words += fmt::format(" - {:.3f} s untouched", in_seconds(best.bonus));
   if (best.penalty > 0) words += fmt::format(" + {:.3f} s touched", in_seconds(best.penalty));
-  return words + fmt::format(" in run {}", best.run + 1);
+  if (best.lap > 0) words += fmt::format(" in lap {}", best.lap);
+  return words + fmt::format("{} run {}", best.lap > 0 ? " of" : " in", best.run + 1);
 }
 
 }  // namespace

@@ -55,10 +55,12 @@ Json run_json(const DriveRun& run, Size size) {
 }
 
 Json run_end_json(const DriveRun& run) {
-  return {{"end", run.end},
-          {"gate_out", or_null(run.gate_out)},
-          {"gate_in", or_null(run.gate_in)},
-          {"centre", or_null(run.centre)}};
+  Json json = {{"end", run.end},
+               {"gate_out", or_null(run.gate_out)},
+               {"gate_in", or_null(run.gate_in)},
+               {"centre", or_null(run.centre)}};
+  if (run.kind == DriveRun::Kind::laps) json["laps"] = run.laps;
+  return json;
 }
 
 Json move_json(const SearchMove& move) {

@@ -101,6 +101,8 @@ class Story {
       case Kind::fast:
         return add(run.begin, "runs by the fastest route that it knows" +
                                   (run.known < no_time ? ", of " + text_of(run.known) : "") + pace);
+      case Kind::laps:
+        return add(run.begin, "drives laps of the outermost ring" + pace);
     }
   }
 
@@ -127,8 +129,17 @@ class Story {
     return routes.time_from(start);
   }
 
+  void add_laps(const DriveRun& run) {
+    MazeTime begin = run.gate_out.value_or(0);
+    for (std::size_t i = 0; i < run.laps.size(); ++i) {
+      add(run.laps[i], fmt::format("has completed lap {} in {}", i + 1, text_of(run.laps[i] - begin)));
+      begin = run.laps[i];
+    }
+  }
+
   void come_to_an_end(std::size_t i) {
     const DriveRun& run = record_.runs[i];
+    add_laps(run);
     switch (end_of(i)) {
       case RunEnd::done:
         if ((run.kind == Kind::fast || makes_sure(i)) && run.gate_in && run.gate_out)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "labmouse/contest/code_contest.hpp"
+#include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/taped_code.hpp"
@@ -30,26 +31,30 @@ void cut_to(std::vector<Item>& list, const std::vector<Item>& shorter) {
   list.resize(std::min(list.size(), shorter.size()));
 }
 
-/// Cuts the re-run to the length of a record that breaks off; a run that breaks off counts as ended there.
-void cut_like(DriveRecordFile& again, const DriveRecordFile& file) {
-  DriveRecord& record = again.record;
-  PhysicalNotes& notes = again.physical->notes;
-  const PhysicalNotes& kept = file.physical->notes;
-  cut_to(record.runs, file.record.runs);
-  if (kept.ends.size() < file.record.runs.size() && record.runs.size() == file.record.runs.size()) {
+/// Cuts a re-run to the length of a record that breaks off; a run that breaks off counts as ended there.
+void cut_runs_like(DriveRecord& record, const DriveRecord& kept, bool last_breaks_off) {
+  cut_to(record.runs, kept.runs);
+  if (last_breaks_off && !kept.runs.empty() && record.runs.size() == kept.runs.size()) {
     DriveRun& last = record.runs.back();
-    const DriveRun& was = file.record.runs.back();
+    const DriveRun& was = kept.runs.back();
     cut_to(last.moves, was.moves);
     cut_to(last.route.segments, was.route.segments);
     last.end = was.end;
     last.gate_out = was.gate_out;
     last.gate_in = was.gate_in;
     last.centre = was.centre;
+    last.laps = was.laps;
   }
-  cut_to(record.walls, file.record.walls);
-  record.outcome = file.record.outcome;
-  record.reason = file.record.reason;
-  record.decisions = file.record.decisions;
+  cut_to(record.walls, kept.walls);
+  record.outcome = kept.outcome;
+  record.reason = kept.reason;
+  record.decisions = kept.decisions;
+}
+
+void cut_like(DriveRecordFile& again, const DriveRecordFile& file) {
+  PhysicalNotes& notes = again.physical->notes;
+  const PhysicalNotes& kept = file.physical->notes;
+  cut_runs_like(again.record, file.record, kept.ends.size() < file.record.runs.size());
   cut_to(notes.actions, kept.actions);
   cut_to(notes.tape, kept.tape);
   cut_to(notes.ends, kept.ends);
@@ -71,6 +76,24 @@ std::string_view next_line(std::string_view& text) {
 std::string shortened(std::string_view line) {
   constexpr std::size_t longest = 120;
   return line.size() <= longest ? std::string(line) : std::string(line.substr(0, longest)) + "...";
+}
+
+std::string wrong_tables(const DriveRecordFile& file) {
+  if (file.tables_hash == file.model->tables.hash) return "";
+  return fmt::format("the hash of the robot's tables is {}; recomputed, it is {}", hash_text(file.tables_hash),
+                     hash_text(file.model->tables.hash));
+}
+
+/// The first line in which the records differ as files.
+std::string first_difference(const DriveRecordFile& file, const DriveRecordFile& again) {
+  const std::string recorded = write_drive_record(unplanned(file)), replayed = write_drive_record(unplanned(again));
+  std::string_view a = recorded, b = replayed;
+  for (int line = 1; !a.empty() || !b.empty(); ++line) {
+    const std::string_view was = next_line(a), is = next_line(b);
+    if (was == is) continue;
+    return fmt::format("line {}: recorded as {}; driven again, {}", line, shortened(was), shortened(is));
+  }
+  return "";
 }
 
 std::optional<FailureFile> rates_behind(const PhysicalPart& part) {
@@ -110,22 +133,25 @@ std::string replay_physically(const DriveRecordFile& file) {
   if (file.physical->notes.foreign_parts)
     return "parts of its controller were somebody's own, and the record lacks what they answered; it can be shown and "
            "not driven again";
-  if (file.tables_hash != file.model->tables.hash)
-    return fmt::format("the hash of the robot's tables is {}; recomputed, it is {}", hash_text(file.tables_hash),
-                       hash_text(file.model->tables.hash));
+  if (const std::string wrong = wrong_tables(file); !wrong.empty()) return wrong;
   DriveRecordFile again = file;
   PhysicalRecord driven = drive_again(file, file.physical->conditions.trace_every);
   again.record = std::move(driven.drive);
   again.physical->notes = std::move(driven);
   if (!file.ended) cut_like(again, file);
-  const std::string recorded = write_drive_record(unplanned(file)), replayed = write_drive_record(unplanned(again));
-  std::string_view a = recorded, b = replayed;
-  for (int line = 1; !a.empty() || !b.empty(); ++line) {
-    const std::string_view was = next_line(a), is = next_line(b);
-    if (was == is) continue;
-    return fmt::format("line {}: recorded as {}; driven again, {}", line, shortened(was), shortened(is));
-  }
-  return "";
+  return first_difference(file, again);
+}
+
+std::string replay_laps(const DriveRecordFile& file) {
+  if (const std::string wrong = wrong_tables(file); !wrong.empty()) return wrong;
+  DriveRecordFile again = file;
+  Script script(file.maze->size(), {});
+  again.record = drive(*file.maze, file.rules, *file.model, script);
+  if (!file.ended) cut_runs_like(again.record, file.record, file.record.walls.empty());
+  if (std::string wrong = first_difference(file, again); !wrong.empty() || !file.ended) return wrong;
+  const DriveScore scored = score(again.record, file.rules);
+  const auto best = scored.best ? std::optional(scored.runs[*scored.best]) : std::nullopt;
+  return best == file.recorded_score ? "" : "the recorded score is not that of the laps, driven again";
 }
 
 }  // namespace labmouse

@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-/// The place of the crash of a speed run, in the segment of its route that it did not finish.
+/// The place of the crash of a speed run or a run of laps, in the segment of its route that it did not finish.
 std::optional<DrivePathPoint> crash_on_route(const DriveRecordFile& file, const DriveRun& run) {
   const double driven = static_cast<double>(run.end - run.begin) * pace_of(file, run);
   const auto& segments = run.route.segments;
@@ -43,7 +43,7 @@ std::optional<DrivePathPoint> crash_of(const DriveRecordFile& file, std::size_t 
   const DriveRun& run = file.record.runs[index];
   if (const WallTouch* touch = crash_in(file, run)) return touched_at(file, *touch);
   if (!notes.by_dice || index >= notes.ends.size() || !is_crash(notes.ends[index])) return std::nullopt;
-  if (run.kind == DriveRun::Kind::fast)
+  if (run.has_route())
     if (const auto crash = crash_on_route(file, run)) return crash;
   const Cell cell = before.pose.cell;
   return DrivePathPoint{

@@ -54,12 +54,13 @@ class DriveFrames {
   void add(const DriveRun& run, std::size_t number) {
     kind_ = static_cast<int>(run.kind);
     runs_.push_back({frame_, std::nullopt});
-    if (run.kind == DriveRun::Kind::fast)
+    if (run.has_route())
       add_fast(run, number);
     else
       add_search(run, number);
     crash(number);
     if (!goal_frame_ && run.gate_in) goal_frame_ = frame_from(*run.gate_in);
+    if (!goal_frame_ && !run.laps.empty()) goal_frame_ = frame_from(run.laps.front());
   }
 
   void finish() {
@@ -133,7 +134,7 @@ class DriveFrames {
     if (!crash) return;
     const Cell cell = cell_of(*crash);
     const FramePlace place = {{2 * cell.x + 1, 2 * cell.y + 1}, static_cast<int>(std::lround(crash->heading) & 7)};
-    if (run.kind != DriveRun::Kind::fast || frame_ == runs_.back().first) {
+    if (!run.has_route() || frame_ == runs_.back().first) {
       step("drives on", place, run.end, {});
     } else {
       shown_ = place;

@@ -8,6 +8,7 @@
 
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/drive_score.hpp"
+#include "labmouse/contest/lap_route.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
 #include "labmouse/lab/pictures/trace_path.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
@@ -34,9 +35,20 @@ std::string outcome_words(const DriveRecord& record) {
   return words;
 }
 
-/// The fastest run that the maze allows, made at once.
+/// All laps that the rules allow, without errors.
+DriveRun best_laps(const DriveRecordFile& contest) {
+  DriveRun run;
+  run.kind = DriveRun::Kind::laps;
+  run.route = lap_route(*contest.maze, *contest.model, contest.rules.most_runs);
+  run.end = run.route.time;
+  set_gates(run, *contest.maze, *contest.model);
+  return run;
+}
+
+/// The fastest run that the maze allows, made at once; where laps count, the fastest laps.
 DriveRun best_run(const DriveRecordFile& contest) {
   const Maze& maze = *contest.maze;
+  if (contest.rules.counts == Counted::lap) return best_laps(contest);
   FastestRoutes routes(maze.size(), route_tables_of(*contest.model));
   routes.fill(maze.open_walls(), maze.goals());
   DriveRun run;
@@ -86,14 +98,16 @@ Json score_json(const DriveScore& scores, std::size_t run) {
 }
 
 Json run_json(const DriveRun& run) {
-  return {{"kind", name_of(run.kind)},
-          {"begin", run.begin},
-          {"end", run.end},
-          {"gate_out", or_null(run.gate_out)},
-          {"gate_in", or_null(run.gate_in)},
-          {"centre", or_null(run.centre)},
-          {"known", time_json(run.known)},
-          {"hoped", time_json(run.hoped)}};
+  Json json = {{"kind", name_of(run.kind)},
+               {"begin", run.begin},
+               {"end", run.end},
+               {"gate_out", or_null(run.gate_out)},
+               {"gate_in", or_null(run.gate_in)},
+               {"centre", or_null(run.centre)},
+               {"known", time_json(run.known)},
+               {"hoped", time_json(run.hoped)}};
+  if (run.kind == DriveRun::Kind::laps) json["laps"] = run.laps;
+  return json;
 }
 
 Json robot_json(const Robot& robot, const DriveTables& tables) {
@@ -151,13 +165,26 @@ Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std:
   return drive;
 }
 
+/// What the page says of all contests in seconds, or of all that count laps.
+Json traits_of(const DriveRules& rules) {
+  if (rules.counts == Counted::lap)
+    return traits_json({.in_steps = false,
+                        .unit = "s",
+                        .bound = "the best possible score: the fastest lap without errors",
+                        .runs = {"search", "way home", "speed run", "laps"}});
+  return traits_json({.in_steps = false,
+                      .unit = "s",
+                      .bound = "the best possible score: that of the fastest run, made at once",
+                      .runs = {"search", "way home", "speed run"}});
+}
+
 Json header_json(const DriveRecordFile& contest, const DriveRun& best) {
   const auto value = score(contest.record, contest.rules).value();
+  const DriveBound bound = drive_bound_of(*contest.maze, contest.rules, *contest.model);
+  const bool laps = contest.rules.counts == Counted::lap;
+  const DriveTime optimum = laps ? bound.fastest.value_or(no_time) : best.route.time;
   return {{"world", contest.physical ? "physical" : "seconds"},
-          {"traits", traits_json({.in_steps = false,
-                                  .unit = "s",
-                                  .bound = "the best possible score: that of the fastest run, made at once",
-                                  .runs = {"search", "way home", "speed run"}})},
+          {"traits", traits_of(contest.rules)},
           {"mouse", contest.mouse},
           {"maze", maze_data(contest.maze_name, *contest.maze)},
           {"rules", nullptr},
@@ -165,8 +192,8 @@ Json header_json(const DriveRecordFile& contest, const DriveRun& best) {
           {"outcome", outcome_words(contest.record)},
           {"finished", value.has_value()},
           {"score", seconds_json(value)},
-          {"bound", seconds_json(drive_bound_of(*contest.maze, contest.rules, *contest.model).score)},
-          {"optimum", seconds_json(best.route.time)},
+          {"bound", seconds_json(bound.score)},
+          {"optimum", seconds_json(optimum)},
           {"search_steps", 0},
           {"speed_steps", 0},
           {"discovered", nullptr},

@@ -26,12 +26,14 @@ struct RulesNumber {
 
 constexpr RulesNumber time_limit = {.name = "time_limit", .low = 1, .high = 7200, .needed = true};
 constexpr RulesNumber runs = {.name = "runs", .low = 1, .high = 100, .whole = true, .needed = true};
+constexpr RulesNumber laps = {.name = "laps", .low = 1, .high = 20, .whole = true, .needed = true};
 constexpr RulesNumber maze_time_divisor = {.name = "maze_time_divisor", .low = 1, .high = 1000, .whole = true};
 constexpr RulesNumber touch_penalty = {.name = "touch_penalty", .high = 600};
 constexpr RulesNumber untouched_bonus = {.name = "untouched_bonus", .high = 600};
 
-constexpr std::array<std::string_view, 7> rule_keys = {"source",        "time_limit",      "runs", "maze_time_divisor",
-                                                       "touch_penalty", "untouched_bonus", "clock"};
+constexpr std::array<std::string_view, 9> rule_keys = {
+    "source", "time_limit", "counts", "runs", "laps", "maze_time_divisor", "touch_penalty", "untouched_bonus", "clock"};
+constexpr std::string_view counts_runs = "run", counts_laps = "lap";
 constexpr std::string_view gate_to_gate = "gate to gate", rest_to_centre = "rest to centre";
 
 std::string range_of(const RulesNumber& number) {
@@ -73,11 +75,33 @@ class RulesReader {
     return value;
   }
 
-  bool clock() {
+  /// "run" if the key is missing.
+  Counted counts() {
+    constexpr std::string_view meaning = "\"run\" or \"lap\"";
+    if (!table_.contains("counts")) return Counted::run;
+    const std::string value = text("counts", meaning);
+    if (!value.empty() && value != counts_runs && value != counts_laps)
+      add(table_.get("counts")->source().begin, fmt::format("'counts' must be {}", meaning));
+    return value == counts_laps ? Counted::lap : Counted::run;
+  }
+
+  /// The limit of runs or of laps; the key of the other one is refused.
+  int limit(Counted counts) {
+    const bool lap = counts == Counted::lap;
+    const RulesNumber &key = lap ? laps : runs, &other = lap ? runs : laps;
+    if (const toml::node* node = table_.get(other.name))
+      add(node->source().begin, fmt::format("'{}' does not go with counts = \"{}\"; give '{}'", other.name,
+                                            lap ? counts_laps : counts_runs, key.name));
+    return static_cast<int>(number(key));
+  }
+
+  bool clock(Counted counts) {
     constexpr std::string_view meaning = "\"gate to gate\" or \"rest to centre\"";
     const std::string value = text("clock", meaning);
     if (!value.empty() && value != gate_to_gate && value != rest_to_centre)
       add(table_.get("clock")->source().begin, fmt::format("'clock' must be {}", meaning));
+    if (value == rest_to_centre && counts == Counted::lap)
+      add(table_.get("clock")->source().begin, "'clock' must be \"gate to gate\" if laps count");
     return value == gate_to_gate;
   }
 
@@ -104,11 +128,12 @@ DriveRulesResult read_drive_rules(std::string_view text, std::string_view name) 
   rules.name = name;
   rules.source = shown(reader.text("source", "where and when the rules apply, in words"));
   rules.time_limit = whole_microseconds(reader.number(time_limit));
-  rules.most_runs = static_cast<int>(reader.number(runs));
+  rules.counts = reader.counts();
+  rules.most_runs = reader.limit(rules.counts);
   rules.maze_time_divisor = static_cast<int>(reader.number(maze_time_divisor));
   rules.touch_penalty = whole_microseconds(reader.number(touch_penalty));
   rules.untouched_bonus = whole_microseconds(reader.number(untouched_bonus));
-  rules.gate_to_gate = reader.clock();
+  rules.gate_to_gate = reader.clock(rules.counts);
   if (auto problems = reader.problems(); !problems.empty()) return {std::nullopt, std::move(problems)};
   return {std::move(rules), {}};
 }

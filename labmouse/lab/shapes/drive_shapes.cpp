@@ -15,11 +15,12 @@ std::vector<Declaration> drive_shapes() {
                field("best", flag, "The one that counts in the end.")})},
       {"DriveRun", "One run of a contest in seconds. Times are microseconds on the maze's clock.",
        object(
-           {field("kind", words({"search", "home", "fast"})), field("begin", number), field("end", number),
+           {field("kind", words({"search", "home", "fast", "laps"})), field("begin", number), field("end", number),
             field("gate_out", or_null(number),
                   "Left the start cell, first entered a goal, first in the middle of a goal; null where that never "
                   "came."),
             field("gate_in", or_null(number)), field("centre", or_null(number)),
+            maybe("laps", list(number), "Of a run of laps: left the start cell again, after each lap."),
             field("known", or_null(number),
                   "When it began: times of the fastest route known to exist, and of the fastest that may exist; "
                   "null for none."),
@@ -67,14 +68,14 @@ std::vector<Declaration> drive_shapes() {
        object(
            {field("robot", object({field("name", text), field("cell", number), field("hash", text)}),
                   "`cell`: the side of a cell in mm; `hash`: of its tables."),
-            field(
-                "rules",
-                object({field("name", text), field("source", text), field("time_limit", number),
-                        field("most_runs", number), field("maze_time_divisor", number), field("touch_penalty", number),
-                        field("untouched_bonus", number), field("gate_to_gate", flag)}),
-                "Times in microseconds. `maze_time_divisor`: 30 where a thirtieth of the time in the maze counts, 0 "
-                "where none does; `touch_penalty`: added to a run after a touch; `untouched_bonus`: taken off before "
-                "the first."),
+            field("rules",
+                  object({field("name", text), field("source", text), field("time_limit", number),
+                          field("most_runs", number), field("maze_time_divisor", number),
+                          field("touch_penalty", number), field("untouched_bonus", number), field("gate_to_gate", flag),
+                          maybe("counts", words({"lap"}), "Where laps count, and not runs.")}),
+                  "Times in microseconds. `maze_time_divisor`: 30 where a thirtieth of the time in the maze counts, 0 "
+                  "where none does; `touch_penalty`: added to a run after a touch; `untouched_bonus`: taken off before "
+                  "the first."),
             field("decisions", number), field("replanned", number), field("runs", list(named("DriveRun"))),
             field("path", named("DrivePath")),
             field("best", named("DrivePath"),

@@ -44,7 +44,9 @@ class JsonFields {
   int whole(const char* key, int low, int high) { return whole(get(key), key, low, high); }
   /// The same for numbers beyond int, up to 2^53, which every JSON reader keeps exactly.
   std::int64_t long_whole(const char* key, std::int64_t low, std::int64_t high) {
-    const ReadJson& value = get(key);
+    return long_whole(get(key), key, low, high);
+  }
+  std::int64_t long_whole(const ReadJson& value, const char* key, std::int64_t low, std::int64_t high) {
     if (!value.is_number_integer()) return wrong(key, "is not a whole number"), low;
     const bool fits = !value.is_number_unsigned() || value.get<std::uint64_t>() <= std::uint64_t{1} << 53U;
     if (fits && value.get<std::int64_t>() >= low && value.get<std::int64_t>() <= high) return value.get<std::int64_t>();

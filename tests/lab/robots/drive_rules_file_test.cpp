@@ -87,6 +87,25 @@ TEST(DriveRulesFile, SaysWhatIsWrong) {
               ElementsAre(SaysAt("my.toml:4:21", "'maze_time_divisor'", "whole number", "1 to 1000")));
 }
 
+TEST(DriveRulesFile, MayCountLaps) {
+  const std::string laps = "source = \"Ours\"\ncounts = \"lap\"\ntime_limit = 60\nlaps = 3\n";
+  const DriveRulesResult result = read_drive_rules(laps + "clock = \"gate to gate\"\n", "ours");
+  ASSERT_TRUE(result.rules);
+  EXPECT_EQ(result.rules->counts, Counted::lap);
+  EXPECT_EQ(result.rules->most_runs, 3);
+  EXPECT_THAT(complaints(laps + "clock = \"rest to centre\"\n"),
+              ElementsAre(SaysAt("my.toml:5:9", "'clock'", "\"gate to gate\"", "laps")));
+  EXPECT_THAT(complaints(laps + "clock = \"gate to gate\"\nruns = 5\n"),
+              ElementsAre(SaysAt("my.toml:6:8", "'runs'", "'laps'", "\"lap\"")));
+  EXPECT_THAT(complaints(changed("runs = 7", "runs = 7\nlaps = 5")),
+              ElementsAre(SaysAt("my.toml:4:8", "'laps'", "'runs'", "\"run\"")));
+  EXPECT_THAT(complaints(changed("runs = 7", "counts = \"lap\"\nlaps = 21")),
+              ElementsAre(SaysAt("my.toml:4:8", "'laps'", "1 to 20"), SaysAt("my.toml:8:9", "'clock'")));
+  EXPECT_EQ(read_drive_rules(changed("runs = 7", "counts = \"run\"\nruns = 7"), "ours").rules->counts, Counted::run);
+  EXPECT_THAT(complaints(changed("runs = 7", "counts = \"goal\"\nruns = 7")),
+              ElementsAre(SaysAt("my.toml:3:10", "'counts'", "\"run\"", "\"lap\"")));
+}
+
 TEST(DriveRulesFile, SaysWhatItDoesNotKnow) {
   EXPECT_THAT(complaints(changed("touch_penalty", "touch_penality")),
               ElementsAre(SaysAt("my.toml:5:1", "unknown", "'touch_penality'", "'touch_penalty'")));
@@ -104,7 +123,7 @@ TEST(Rules, ComeWithTheProgram) {
   for (const BuiltinRules& rules : builtin_rules()) names.push_back(rules.name);
   EXPECT_EQ(names, (std::vector<std::string_view>{"aamc", "all-japan", "all-japan-freshmen", "all-japan-half",
                                                   "all-japan-heats", "apec", "ieee-r6", "portugal", "taiwan",
-                                                  "thirtieth", "uk", "uk-2018"}));
+                                                  "thirtieth", "time-trial", "uk", "uk-2018"}));
   for (const std::string_view name : names) {
     const FoundRules found = find_rules(std::string(name));
     EXPECT_TRUE(found.errors.empty()) << name;
@@ -131,6 +150,15 @@ TEST(Rules, AreThoseOfTheOrganisers) {
     EXPECT_EQ(rules.untouched_bonus, 0);
     EXPECT_TRUE(rules.gate_to_gate);
   }
+}
+
+TEST(Rules, OfTimeTrialsCountLaps) {
+  const DriveRules rules = find_rules("time-trial").rules;
+  EXPECT_EQ(rules.counts, Counted::lap);
+  EXPECT_EQ(rules.most_runs, 5);
+  EXPECT_EQ(rules.time_limit, 180'000'000);
+  EXPECT_EQ(rules.maze_time_divisor + rules.touch_penalty + rules.untouched_bonus, 0);
+  EXPECT_EQ(find_rules("uk").rules.counts, Counted::run);
 }
 
 TEST(Rules, OfAnotherNameAreUnknown) {
