@@ -31,10 +31,10 @@ const Maze& course() {
   return maze;
 }
 
-/// The record of a time trial of festina in the world in seconds, or in the physical world under a noise.
+/// The record of a time trial in the world in seconds, or of festina in the physical world under a noise.
 DriveRecordFile file_of(std::optional<double> noise = std::nullopt, std::uint64_t seed = 1) {
   DriveRecordFile file = noise ? test::physical_file("festina", at_noise(*noise), seed)
-                               : test::driven("festina", course(), "kerise", "time-trial");
+                               : test::driven("flood", course(), "kerise", "time-trial");
   file.maze = course();
   file.rules = time_trial();
   if (noise) {
@@ -166,7 +166,10 @@ TEST(TimeTrial, BeginsAgainAtTheStartAfterACrash) {
       crashes += is_crash(record.ends[i]) ? 1 : 0;
       slower += next.pace < run.pace ? 1 : 0;
     }
-    EXPECT_EQ(record.carried + 1, static_cast<int>(record.drive.runs.size()));
+    // The time may be over before it begins again.
+    const int runs = static_cast<int>(record.drive.runs.size());
+    EXPECT_GE(record.carried, runs - 1);
+    EXPECT_LE(record.carried, runs);
   }
   EXPECT_GT(crashes, 0);
   EXPECT_GT(slower, 0);
