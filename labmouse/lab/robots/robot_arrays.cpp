@@ -56,7 +56,7 @@ std::string robot_arrays(const Robot& robot, const DriveModel& model, const Turn
       "    float ramp;             /* mm of one ramp */\n"
       "    float yaw_rate;         /* deg/s in the arc */\n"
       "    float yaw_acceleration; /* deg/s^2 in a ramp, its mean */\n"
-      "    float time;             /* ms from node to node */\n"
+      "    float time;             /* ms in the curve */\n"
       "}};\n"
       "struct labmouse_straight {{\n"
       "    float speed;        /* mm/s, the highest */\n"
