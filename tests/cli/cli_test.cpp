@@ -504,6 +504,49 @@ TEST_F(AUser, SweepsAParameter) {
   EXPECT_THAT(content("out/strides.svg"), HasSubstr("<svg"));
 }
 
+TEST_F(AUser, SweepsANumberOfARobot) {
+  file("corridor.txt", corridor);
+  const std::vector<std::string> sweep = {
+      "sweep", "festina",       "--world", "seconds",       "--mazes",        "corridor.txt",
+      "--csv", "out/robot.csv", "--svg",   "out/robot.svg", "--robot-number", "straight.acceleration=3000:9000:3000"};
+  const Ended ended = labmouse(sweep);
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_THAT(ended.out, Says("classic", "straight.acceleration", "6000", "difference"));
+  const std::string csv = content("out/robot.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+  EXPECT_THAT(content("out/robot.svg"), HasSubstr("<svg"));
+  std::vector<std::string> as_json = sweep;
+  as_json.insert(as_json.end(), {"--format", "json", "--store", "all.db"});
+  for (const char* said : {"0 contests from it, 3 added", "3 contests from it, 0 added"}) {
+    const Ended printed = labmouse(as_json);
+    EXPECT_EQ(printed.code, 0);
+    EXPECT_THAT(printed.err, HasSubstr(said));
+    EXPECT_EQ(nlohmann::json::parse(printed.out)["values"].size(), 3U);
+  }
+  const std::string name = file("mine.toml", content_of(LABMOUSE_SOURCE_DIR "/robots/half.toml"));
+  const Ended own = labmouse({"sweep", "festina", "--world", "seconds", "--mazes", "corridor.txt", "--robot", name,
+                              "--robot-number", "diagonals=true,false"});
+  EXPECT_EQ(own.code, 0) << own.err;
+  EXPECT_THAT(own.out, HasSubstr("mine.toml"));
+}
+
+TEST_F(AUser, IsToldWhatIsWrongWithASweepOfRobots) {
+  const auto refused = [&](const char* number, auto... parts) {
+    is_refused({"sweep", "flood", "--world", "seconds", "--robot-number", number}, parts...);
+  };
+  refused("straight.acceleration=5", "straight.acceleration=5", "100 to 200000");
+  refused("straight.acceleration", "NAME=", "straight.acceleration");
+  refused("straight.acceleration=1:2", "'1:2'", "LOW:HIGH:STEP");
+  refused("speed=3", "'speed'", "'straight.speed'");
+  is_refused({"sweep", "flood", "--robot-number", "sight=1,2"}, "steps", "--world seconds");
+  is_refused({"sweep", "flood", "--robot-number", "sight=1,2", "--vary", "stride=1,2"}, "--vary", "--robot-number");
+  is_refused({"sweep", "flood,certify", "--world", "seconds", "--robot-number", "sight=1,2"}, "2 mice");
+  is_refused({"sweep", "flood", "--world", "seconds", "--robot", "half,classic", "--robot-number", "sight=1,2"}, "one");
+  is_refused({"sweep", "flood", "--world", "failures", "--robot-number", "straight.acceleration=3000"}, "failures",
+             "--world physical");
+}
+
 TEST_F(AUser, SeesTheSweepWhoseFilesCannotBeWritten) {
   file("corridor.txt", corridor);
   std::vector<std::string> sweep = {"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv"};

@@ -226,6 +226,7 @@ const WorldEntry failures_entry = {
     .settings = failures_settings,
     .make = make_failures,
     .records = &drive_records,
-    .restore = restore_failures};
+    .restore = restore_failures,
+    .why_one_robot = "has failure rates, which were counted of one robot"};
 
 }  // namespace labmouse

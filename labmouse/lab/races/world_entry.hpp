@@ -44,6 +44,8 @@ struct WorldEntry {
   std::shared_ptr<const World> (*restore)(const ReadJson& conditions) = nullptr;
   /// Default number of contests in each maze, if the mouse or the world is stochastic.
   int usual_runs = 20;
+  /// Why its contests are those of one robot, behind the world's name; empty where any robot can race.
+  std::string_view why_one_robot = {};
 };
 
 }  // namespace labmouse

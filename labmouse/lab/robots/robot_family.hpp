@@ -27,10 +27,18 @@ class RobotFamily {
   /// The robot with these numbers in place of its own, or what is wrong with it.
   RobotResult with(std::span<const RobotNumber> numbers) const;
 
+  /// The text of the file with the value of one key replaced: a number, true, false or a word. `diagonals` = false also
+  /// removes the keys of diagonals, which would have no effect. The robot may be invalid; read_robot() tells.
+  std::string text_with(std::string_view key, std::string_view value) const;
+
  private:
   std::string name_;
   Json values_;
 };
+
+/// Why there is no such key in robot files, in a line without a line feed, with the key that was probably meant; empty
+/// where there is one.
+std::string why_no_key(std::string_view key);
 
 /// Why the number of that key cannot be varied, in a line without a line feed; empty where it can. Only numbers that
 /// are not whole can.

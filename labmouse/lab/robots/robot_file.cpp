@@ -126,9 +126,7 @@ class RobotReader {
     return std::any_of(robot_keys().begin(), robot_keys().end(),
                        [&](const RobotKey& key) { return split(key.name).first == name; });
   }
-  static bool is_key(std::string_view name) {
-    return std::any_of(robot_keys().begin(), robot_keys().end(), [&](const RobotKey& key) { return key.name == name; });
-  }
+  static bool is_key(std::string_view name) { return find_robot_key(name) != nullptr; }
 
   static std::string unknown(const std::string& name) {
     std::vector<std::string_view> names;

@@ -137,6 +137,12 @@ std::span<const RobotKey> robot_keys() {
   return keys;
 }
 
+const RobotKey* find_robot_key(std::string_view name) {
+  const auto keys = robot_keys();
+  const auto found = std::find_if(keys.begin(), keys.end(), [&](const RobotKey& key) { return key.name == name; });
+  return found == keys.end() ? nullptr : &*found;
+}
+
 bool is_body_section(std::string_view section) {
   return section == "body" || section == "motors" || section == "sensors" || section == "noise";
 }

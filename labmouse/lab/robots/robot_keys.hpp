@@ -11,6 +11,8 @@ namespace labmouse {
 
 /// All keys, in the order of docs/reference/files.md; those of hardware_keys() come last.
 std::span<const RobotKey> robot_keys();
+/// The key of that name, or null.
+const RobotKey* find_robot_key(std::string_view name);
 /// Whether a section describes the hardware. A file has all of these sections or none.
 bool is_body_section(std::string_view section);
 

@@ -8,6 +8,7 @@
 
 #include "labmouse/lab/standings/mouse_column.hpp"
 #include "labmouse/lab/standings/mouse_pair.hpp"
+#include "labmouse/lab/standings/pair_report.hpp"
 #include "labmouse/lab/standings/race_names.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -63,14 +64,6 @@ std::string result_text(const Race& race, std::size_t mouse) {
                      found->mean_at_limit ? fmt::format("{:.3f}", *found->mean_at_limit) : "-");
 }
 
-std::string difference_text(const PairedDifference& found, TestVerdict verdict) {
-  if (found.count == 0) return fmt::format(" {:>10} {:>18}", "-", "-");
-  // + 0.0 turns -0.0 into 0.
-  const std::string interval =
-      found.count > 1 ? fmt::format("{:+.3f} to {:+.3f}", found.interval.low + 0.0, found.interval.high + 0.0) : "-";
-  return fmt::format(" {:>+10.3f} {:>18}  {}", found.mean + 0.0, interval, name_of(verdict));
-}
-
 std::string table_of(const Group& group) {
   const Race& first = *group.front();
   const MouseColumn names(first);
@@ -80,16 +73,15 @@ std::string table_of(const Group& group) {
   const std::vector<Standing> order = standings_of(first);
   const std::vector<MousePair> pairs = pairs_of(group, order);
   const std::vector<PairVerdicts> verdicts = verdicts_of(pairs);
-  std::string text =
-      fmt::format("Robots compared with {} in the same mazes{}\n{:<{}} {:<{}} {:>9} {:>8} {:>10} {:>18}  {}\n",
-                  robots.front(), first.world().heading(), "mouse", names.width, "robot", width, "finished", "mean",
-                  "difference", "95 % interval", "verdict");
+  std::string text = fmt::format("Robots compared with {} in the same mazes{}\n{:<{}} {:<{}} {:>9} {:>8}{}\n",
+                                 robots.front(), first.world().heading(), "mouse", names.width, "robot", width,
+                                 "finished", "mean", difference_heading());
   std::size_t next = 0;
   for (const Standing& standing : order)
     for (std::size_t robot = 0; robot < group.size(); ++robot) {
       text += fmt::format("{:<{}} {:<{}} {}", robot == 0 ? names.of[standing.mouse] : "", names.width, robots[robot],
                           width, result_text(*group[robot], standing.mouse));
-      if (robot > 0) text += difference_text(pairs[next].scores, verdicts[next].scores);
+      if (robot > 0) text += difference_columns(pairs[next].scores, verdicts[next].scores);
       next += robot > 0 ? 1 : 0;
       text += "\n";
     }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "labmouse/lab/standings/pair_report.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/studies/ratios.hpp"
@@ -33,12 +34,6 @@ Json ratios_json(const Study& study, const Comparison& comparison) {
   return ratios;
 }
 
-Json interval_json(const PairedDifference& found, double factor = 1.0) {
-  if (found.count < 2) return nullptr;
-  const Interval ends = scaled(found.interval, factor);
-  return {ends.low, ends.high};
-}
-
 Json rates_json(const FinishRates& rates, const PairVerdicts& verdicts) {
   const PairedDifference& finished = rates.finished_only;
   return {{"finish_rates",
@@ -55,19 +50,10 @@ Json rates_json(const FinishRates& rates, const PairVerdicts& verdicts) {
 }
 
 Json comparison_json(const Study& study, const Comparison& comparison) {
-  const PairedDifference& found = comparison.pair.scores;
   Json json = {{"mouse", study.race.mice[comparison.mouse].name},
-               {"against", study.race.mice[comparison.against].name},
-               {"mazes", found.count},
-               {"mean_difference", found.count > 0 ? Json(found.mean) : Json(nullptr)},
-               {"interval", interval_json(found)},
-               {"p", comparison.verdicts.scores_p},
-               {"verdict", name_of(comparison.verdicts.scores)},
-               {"wins", found.below},
-               {"ties", found.equal},
-               {"losses", found.above},
-               {"sign_test", found.sign_test},
-               {"ratios", ratios_json(study, comparison)}};
+               {"against", study.race.mice[comparison.against].name}};
+  json.update(difference_json(comparison.pair.scores, comparison.verdicts));
+  json["ratios"] = ratios_json(study, comparison);
   if (comparison.pair.has_rates) json.update(rates_json(comparison.pair.rates, comparison.verdicts));
   return json;
 }

@@ -68,6 +68,44 @@ void describe_mazes(const std::vector<NamedMaze>& mazes, Sweep& sweep) {
       ++sweep.routeless;
 }
 
+/// One value: the mouse and the world that have it.
+struct SweptRace {
+  std::string value;
+  Contestant mouse;
+  std::shared_ptr<const World> world;
+};
+
+/// Races the swept one after the other and adds their points.
+void race_all(const std::vector<SweptRace>& swept, const std::vector<NamedMaze>& mazes, const SweepHooks& hooks,
+              Sweep& sweep) {
+  sweep.values = swept.size();
+  describe_mazes(mazes, sweep);
+  std::size_t all = 0;
+  RaceOrder order = sweep.order;
+  for (const SweptRace& each : swept) {
+    order.world = each.world;
+    all += contests_of({each.mouse}, mazes.size(), order);
+  }
+  RaceHooks race_hooks;
+  race_hooks.stop = hooks.stop;
+  if (hooks.finished)
+    race_hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput&) { hooks.finished(all); };
+  std::vector<MazeScores> first;
+  for (const SweptRace& each : swept) {
+    order.world = each.world;
+    const Race race = hold_race({each.mouse}, mazes, order, race_hooks);
+    // An incomplete race would give a mean over other mazes.
+    if (race.stopped) break;
+    SweepPoint& point = sweep.points.emplace_back(point_of(race, each.value));
+    sweep.never_started += never_started_lines(race);
+    if (sweep.robot.empty()) continue;
+    std::vector<MazeScores> scores = maze_scores(race, 0);
+    // Only the scores are compared, as in compare_robots().
+    if (!first.empty()) point.against_first = pair_of(scores, first, false, order.seed);
+    if (first.empty()) first = std::move(scores);
+  }
+}
+
 }  // namespace
 
 Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::vector<NamedMaze>& mazes,
@@ -79,21 +117,24 @@ Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::v
   if (sweep.error = !variation.error.empty() ? variation.error : variants.error; !sweep.error.empty()) return sweep;
   const std::vector<std::string> values = values_of(variation, variants.contestants);
   describe_parameter(spec, entry_of(variants.contestants.front()), sweep);
-  sweep.values = values.size();
-  describe_mazes(mazes, sweep);
+  std::vector<SweptRace> swept;
+  for (std::size_t i = 0; i < values.size(); ++i) swept.push_back({values[i], variants.contestants[i], order.world});
+  race_all(swept, mazes, hooks, sweep);
+  return sweep;
+}
 
-  const std::size_t all = contests_of(variants.contestants, mazes.size(), order);
-  RaceHooks race_hooks;
-  race_hooks.stop = hooks.stop;
-  if (hooks.finished)
-    race_hooks.finished = [&](const Race&, const ContestResult&, const ContestOutput&) { hooks.finished(all); };
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const Race race = hold_race({variants.contestants[i]}, mazes, order, race_hooks);
-    // An incomplete race would give a mean over other mazes.
-    if (race.stopped) break;
-    sweep.points.push_back(point_of(race, values[i]));
-    sweep.never_started += never_started_lines(race);
-  }
+Sweep hold_robot_sweep(const Contestant& mouse, const RobotVariants& robots, const std::vector<NamedMaze>& mazes,
+                       const RaceOrder& order, const SweepHooks& hooks) {
+  Sweep sweep;
+  sweep.order = order;
+  sweep.mouse = mouse.name;
+  sweep.robot = robots.robot;
+  sweep.parameter = robots.key;
+  sweep.meaning = robots.meaning;
+  if (sweep.error = robots.error; !sweep.error.empty()) return sweep;
+  std::vector<SweptRace> swept;
+  for (std::size_t i = 0; i < robots.values.size(); ++i) swept.push_back({robots.values[i], mouse, robots.worlds[i]});
+  race_all(swept, mazes, hooks, sweep);
   return sweep;
 }
 

@@ -1,5 +1,5 @@
-// Races one mouse at many values of one parameter, to show how its score depends on it. See docs/how-to/tune.md for the
-// results.
+// Races one mouse at many values of one parameter, or with robots of many values, to show how its score depends on it.
+// See docs/how-to/tune.md and docs/how-to/compare-two-variants.md for the results.
 #pragma once
 
 #include <atomic>
@@ -11,6 +11,8 @@
 
 #include "labmouse/lab/numbers/interval.hpp"
 #include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/standings/mouse_pair.hpp"
+#include "labmouse/lab/worlds/robot_variants.hpp"
 
 namespace labmouse {
 
@@ -38,14 +40,17 @@ struct SweepPoint {
   std::optional<Interval> interval;
   /// Mean score of the finished contests; nothing without any.
   std::optional<double> finished_mean = std::nullopt;
+  /// Of a sweep of robots: the scores minus those with the first value, maze by maze. Nothing at the first value.
+  std::optional<MousePair> against_first = std::nullopt;
 };
 
 /// The results of a sweep.
 struct Sweep {
   std::string mouse;  ///< the SPEC without the parameter; for an external mouse the SPEC as given
+  std::string robot;  ///< whose numbers are swept; empty if it is the mouse's parameter
   std::string parameter;
-  std::string meaning;  ///< meaning of the parameter; empty for an external mouse
-  RaceOrder order;
+  std::string meaning;             ///< meaning of the parameter; empty for that of an external mouse
+  RaceOrder order;                 ///< its world has the robot as it is
   std::vector<std::string> mazes;  ///< names of those with a route
   int routeless = 0;               ///< mazes without one
   std::size_t values = 0;          ///< number of requested values
@@ -67,8 +72,15 @@ struct SweepHooks {
 Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::vector<NamedMaze>& mazes,
                  const RaceOrder& order, const SweepHooks& hooks = {}, const ExternalOptions& external_mice = {});
 
+/// Races the mouse with each robot, always on the same mazes with the same seeds. The order's world must accept it.
+Sweep hold_robot_sweep(const Contestant& mouse, const RobotVariants& robots, const std::vector<NamedMaze>& mazes,
+                       const RaceOrder& order, const SweepHooks& hooks = {});
+
 /// A table for a terminal, with notes below.
 std::string table_of(const Sweep& sweep, bool colours);
+
+/// JSON: docs/reference/results.md lists its fields.
+std::string json_of(const Sweep& sweep);
 
 /// CSV: a header and a line for each value.
 std::string csv_of(const Sweep& sweep);

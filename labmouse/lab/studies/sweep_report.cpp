@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "labmouse/lab/drawing/plot.hpp"
+#include "labmouse/lab/standings/pair_report.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/system/version.hpp"
@@ -14,6 +15,11 @@ namespace {
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+/// The mouse, with the robot if its numbers are swept.
+std::string name_of(const Sweep& sweep) {
+  return sweep.robot.empty() ? sweep.mouse : fmt::format("{} with {}", sweep.mouse, sweep.robot);
 }
 
 std::string interval_text(const SweepPoint& point) {
@@ -29,8 +35,29 @@ bool has_finished_means(const Sweep& sweep) { return !sweep.order.world->failure
 
 std::string line_of(const Sweep& sweep, const SweepPoint& point, std::size_t width) {
   const std::string finished = has_finished_means(sweep) ? fmt::format(" {:>13}", mean_text(point.finished_mean)) : "";
-  return fmt::format("{:>{}} {:>8} {:>16} {:>7} {:>9}{}\n", point.value, width, mean_text(point.mean),
+  return fmt::format("{:>{}} {:>8} {:>16} {:>7} {:>9}{}", point.value, width, mean_text(point.mean),
                      interval_text(point), point.failures, point.runs, finished);
+}
+
+/// The differences of all points that have one, in their order.
+std::vector<MousePair> pairs_of(const Sweep& sweep) {
+  std::vector<MousePair> pairs;
+  for (const SweepPoint& point : sweep.points)
+    if (point.against_first) pairs.push_back(*point.against_first);
+  return pairs;
+}
+
+/// A line for each point, with its difference where it has one.
+std::string lines_of(const Sweep& sweep, std::size_t width) {
+  const std::vector<PairVerdicts> verdicts = verdicts_of(pairs_of(sweep));
+  std::string text;
+  std::size_t next = 0;
+  for (const SweepPoint& point : sweep.points) {
+    text += line_of(sweep, point, width);
+    if (point.against_first) text += difference_columns(point.against_first->scores, verdicts[next++].scores);
+    text += "\n";
+  }
+  return text;
 }
 
 /// The number of contests at each value, as text: one number, or a range where the mouse is stochastic only at some
@@ -76,6 +103,10 @@ std::string notes_of(const Sweep& sweep) {
   if (has_finished_means(sweep)) notes += "'finished only' leaves failed contests out.\n";
   if (has_intervals(sweep)) notes += fmt::format("95 % interval of the mean {}.\n", spread(sweep));
   if (const std::string best = lowest(sweep); !best.empty()) notes += best + "\n";
+  const std::vector<MousePair> pairs = pairs_of(sweep);
+  if (!pairs.empty())
+    notes += fmt::format("The difference is to the first value, maze by maze; below 0, the robot is better.\n{}",
+                         verdict_notes(judged(pairs)));
   if (sweep.points.size() > 1)
     notes += fmt::format(
         "The intervals are not corrected for the {} values: the lowest of so many means is partly chance. Compare it "
@@ -113,36 +144,20 @@ std::string table_of(const Sweep& sweep, bool colours) {
   for (const SweepPoint& point : sweep.points) width = std::max(width, point.value.size());
   const std::size_t mazes = sweep.mazes.size() + static_cast<std::size_t>(sweep.routeless);
   std::string text =
-      fmt::format("labmouse {}: {}, {}, {}, seed {}\n\n", version(), sweep.mouse,
+      fmt::format("labmouse {}: {}, {}, {}, seed {}\n\n", version(), name_of(sweep),
                   counted(sweep.values, "value", "values"), counted(mazes, "maze", "mazes"), sweep.order.seed);
-  text +=
-      fmt::format("{}{:>{}} {:>8} {:>16} {:>7} {:>9}{}{}\n", colours ? "\x1b[1m" : "", sweep.parameter, width, "mean",
-                  "95 % interval", "failed", "contests",
-                  has_finished_means(sweep) ? fmt::format(" {:>13}", "finished only") : "", colours ? "\x1b[0m" : "");
-  for (const SweepPoint& point : sweep.points) text += line_of(sweep, point, width);
-  return text + "\n" + notes_of(sweep);
-}
-
-std::string csv_of(const Sweep& sweep) {
-  const bool finished = has_finished_means(sweep);
-  std::string text = fmt::format("value,mean,low,high,failures,runs{}\n", finished ? ",finished_mean" : "");
-  const auto field = [](bool there, double value) { return there ? fmt::format("{}", value) : std::string(); };
-  for (const SweepPoint& point : sweep.points) {
-    const Interval interval = point.interval.value_or(Interval());
-    text += fmt::format("{},{},{},{},{},{}", point.value, field(point.mean.has_value(), point.mean.value_or(0.0)),
-                        field(point.interval.has_value(), interval.low),
-                        field(point.interval.has_value(), interval.high), point.failures, point.runs);
-    if (finished) text += "," + field(point.finished_mean.has_value(), point.finished_mean.value_or(0.0));
-    text += "\n";
-  }
-  return text;
+  text += fmt::format("{}{:>{}} {:>8} {:>16} {:>7} {:>9}{}{}{}\n", colours ? "\x1b[1m" : "", sweep.parameter, width,
+                      "mean", "95 % interval", "failed", "contests",
+                      has_finished_means(sweep) ? fmt::format(" {:>13}", "finished only") : "",
+                      sweep.robot.empty() ? "" : difference_heading(), colours ? "\x1b[0m" : "");
+  return text + lines_of(sweep, width) + "\n" + notes_of(sweep);
 }
 
 std::string picture_of(const Sweep& sweep) {
   Plot plot;
-  plot.title = fmt::format("{} in {}: score by {}{}", sweep.mouse, place_of(sweep), sweep.parameter,
+  plot.title = fmt::format("{} in {}: score by {}{}", name_of(sweep), place_of(sweep), sweep.parameter,
                            sweep.points.size() < sweep.values ? ", stopped early" : "");
-  plot.description = fmt::format("Mean score of {} at {} of {}. {}", sweep.mouse,
+  plot.description = fmt::format("Mean score of {} at {} of {}. {}", name_of(sweep),
                                  counted(sweep.points.size(), "value", "values"), sweep.parameter, lowest(sweep));
   plot.x_label = sweep.parameter + (sweep.meaning.empty() ? "" : ": " + sweep.meaning);
   plot.y_label = fmt::format("mean score ({}; lower is better)", sweep.order.world->unit());

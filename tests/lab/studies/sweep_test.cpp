@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "labmouse/lab/races/value_json.hpp"
+#include "labmouse/lab/standings/robot_comparison.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "tests/lab/drawing/drawing_samples.hpp"
 #include "tests/lab/races/race_fixture.hpp"
@@ -19,6 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 std::vector<std::string> values(std::string_view text) {
   const Variation variation = read_variation(text);
@@ -276,6 +280,154 @@ TEST(SweepAsPicture, IsWellFormedForNamesAndForNothing) {
   EXPECT_EQ(XmlScanner(picture_of(sweep)).complaint(), "");
   sweep.points.clear();
   EXPECT_EQ(XmlScanner(picture_of(sweep)).complaint(), "");
+}
+
+Entry entry_in(std::string_view world, const WorldSettings& settings = {}, const char* mouse = "flood-return") {
+  EntriesResult entered = enter(test::mice(mouse), world, settings);
+  EXPECT_EQ(entered.error, "");
+  return std::move(entered.entries.front());
+}
+
+RobotVariants variants_in(const Entry& entry, std::string_view vary) {
+  const Variation variation = read_variation(vary);
+  return robot_variants(entry, variation.parameter, variation.values);
+}
+
+/// The parameters of the robot and the hash of its tables, as the world's conditions have them.
+std::pair<Json, Json> robot_of(const World& world) {
+  const Json conditions = conditions_json(world);
+  return {conditions["robot"]["parameters"], conditions["tables"]};
+}
+
+TEST(RobotVariants, DifferInOneValue) {
+  const Entry entry = entry_in("seconds", {{"robot", "half"}, {"rules", "uk"}});
+  const RobotVariants made = variants_in(entry, "straight.acceleration=2e3,4200,2000");
+  EXPECT_EQ(made.error, "");
+  EXPECT_THAT(made.values, ElementsAre("2000", "4200"));
+  EXPECT_EQ(made.robot, "half");
+  EXPECT_THAT(made.meaning, HasSubstr("mm/s²"));
+  EXPECT_THAT(made.remarks, IsEmpty());
+  const auto [usual, tables] = robot_of(*entry.world);
+  EXPECT_EQ(robot_of(*made.worlds.at(1)), std::pair(usual, tables)) << "the value of the file itself";
+  Json expected = usual;
+  expected["straight.acceleration"] = 2000.0;
+  EXPECT_EQ(robot_of(*made.worlds.at(0)).first, expected);
+  EXPECT_NE(robot_of(*made.worlds.at(0)).second, tables);
+  EXPECT_EQ(conditions_json(*made.worlds.at(0))["rules"]["name"], "uk");
+}
+
+TEST(RobotVariants, TakeAllThatARobotFileTakes) {
+  const RobotVariants diagonals = variants_in(entry_in("seconds"), "diagonals=true,false");
+  ASSERT_EQ(diagonals.error, "");
+  EXPECT_TRUE(robot_of(*diagonals.worlds.at(0)).first.contains("diagonal.speed"));
+  EXPECT_FALSE(robot_of(*diagonals.worlds.at(1)).first.contains("diagonal.speed"));
+  EXPECT_EQ(robot_of(*variants_in(entry_in("seconds"), "stop=goal,beyond").worlds.at(1)).first.count("stop"), 0);
+  EXPECT_EQ(robot_of(*variants_in(entry_in("seconds"), "sight=1,3").worlds.at(1)).first["sight"], 3);
+  EXPECT_EQ(robot_of(*variants_in(entry_in("seconds"), "layout.V90=false").worlds.at(0)).first["layout.V90"], false);
+  // 45 and 60 degrees.
+  const RobotVariants angles = variants_in(entry_in("physical"), "sensors.side_angle=0.785,1.047");
+  EXPECT_EQ(angles.error, "");
+  EXPECT_EQ(robot_of(*angles.worlds.at(0)).first["sensors.side_angle"], 0.785);
+}
+
+TEST(RobotVariants, HaveTheRemarksThatTheRobotItselfHasNot) {
+  EXPECT_THAT(variants_in(entry_in("seconds"), "search.pivot_speed=10,90").remarks,
+              ElementsAre(Says("search.pivot_speed=90", "degrees")));
+  EXPECT_THAT(variants_in(entry_in("seconds"), "clearance=45,0.04").remarks, ElementsAre(Says("clearance=0.04")));
+}
+
+TEST(RobotVariants, AreRefusedAsRobotFilesAre) {
+  const auto error = [](const Entry& entry, std::string_view vary) {
+    const RobotVariants made = variants_in(entry, vary);
+    EXPECT_THAT(made.worlds.empty(), !made.error.empty());
+    EXPECT_THAT(made.error, StartsWith("error: --robot-number "));
+    EXPECT_THAT(made.error, Not(HasSubstr("\n")));
+    return made.error;
+  };
+  const Entry seconds = entry_in("seconds");
+  EXPECT_THAT(error(seconds, "straight.acceleration=3000,5"),
+              Says("straight.acceleration=5", "'straight.acceleration'", "100 to 200000 mm/s²"));
+  EXPECT_THAT(error(seconds, "sight=1.5"), Says("sight=1.5", "whole number"));
+  EXPECT_THAT(error(seconds, "sight=far"), Says("sight=far", "number"));
+  EXPECT_THAT(error(seconds, "diagonals=1"), Says("diagonals=1", "true or false"));
+  EXPECT_THAT(error(seconds, "clearance=89"), Says("clearance=89"));
+  EXPECT_THAT(error(seconds, "acceleration=3000"), Says("'acceleration'", "'straight.acceleration'"));
+  EXPECT_THAT(error(seconds, "search.cell=300"), Says("search.cell"));
+  EXPECT_THAT(error(seconds, "motors.drive_gain=3000"), Says("'motors.drive_gain'", "seconds"));
+  EXPECT_THAT(error(entry_in("failures"), "straight.acceleration=3000"), Says("failures", "--world physical"));
+  EXPECT_THAT(error(entry_in("steps"), "straight.acceleration=3000"),
+              testing::AllOf(Says("steps", "--world seconds"), Not(HasSubstr("--world failures"))));
+}
+
+TEST(RobotSweep, FindsWhatRacesOfTheseRobotsFind) {
+  const std::vector<NamedMaze> mazes = {test::corridor(), test::loop()};
+  for (const auto& [world, vary] : {std::pair("seconds", "straight.acceleration=5000,10000,20000"),
+                                    std::pair("physical", "motors.drive_gain=2000,4000,6000")}) {
+    const Entry entry = entry_in(world);
+    RaceOrder order;
+    order.world = entry.world;
+    order.runs = 2;
+    const RobotVariants robots = variants_in(entry, vary);
+    const Sweep found = hold_robot_sweep(entry.mice.front(), robots, mazes, order);
+    ASSERT_EQ(found.points.size(), 3U) << found.error;
+    std::vector<Race> races;
+    for (std::size_t i = 0; i < 3; ++i) {
+      order.world = robots.worlds[i];
+      races.push_back(hold_race(entry.mice, mazes, order));
+      const Standing standing = standings_of(races.back()).front();
+      EXPECT_EQ(found.points[i].mean, standing.mean_at_limit);
+      ASSERT_EQ(found.points[i].against_first.has_value(), i > 0);
+      if (i == 0) continue;
+      const PairedDifference& difference = found.points[i].against_first->scores;
+      EXPECT_EQ(difference.count, 2);
+      EXPECT_NEAR(difference.mean, *found.points[i].mean - *found.points[0].mean, 1e-9);
+      EXPECT_THAT(compare_robots(races), HasSubstr(fmt::format(" {:+.3f} ", difference.mean + 0.0)));
+      EXPECT_THAT(table_of(found, false), HasSubstr(fmt::format(" {:+.3f} ", difference.mean + 0.0)));
+    }
+    EXPECT_NE(found.points[2].against_first->scores.mean, 0.0) << world;
+  }
+}
+
+TEST(RobotSweep, HasItsDifferencesInJsonAndCsv) {
+  const Entry entry = entry_in("seconds");
+  RaceOrder order;
+  order.world = entry.world;
+  const Sweep found = hold_robot_sweep(entry.mice.front(), variants_in(entry, "straight.acceleration=2000,4000"),
+                                       {test::corridor(), test::loop(), test::without_route()}, order);
+  const Json json = Json::parse(json_of(found));
+  EXPECT_EQ(json["robot"], "classic");
+  EXPECT_EQ(json["parameter"], "straight.acceleration");
+  EXPECT_EQ(json["conditions"]["robot"]["name"], "classic");
+  EXPECT_EQ(json["mazes"], Json({"corridor", "loop"}));
+  EXPECT_EQ(json["routeless"], 1);
+  EXPECT_EQ(json["stopped"], false);
+  ASSERT_EQ(json["values"].size(), 2U);
+  EXPECT_EQ(json["values"][0]["difference"], nullptr);
+  const Json& second = json["values"][1];
+  const PairedDifference& difference = found.points[1].against_first->scores;
+  EXPECT_EQ(second["mean"], *found.points[1].mean);
+  EXPECT_EQ(second["difference"]["mean_difference"], difference.mean);
+  EXPECT_EQ(second["difference"]["interval"], Json({difference.interval.low, difference.interval.high}));
+  EXPECT_EQ(second["difference"]["mazes"], 2);
+  std::istringstream csv(csv_of(found));
+  std::string header, first, line;
+  std::getline(std::getline(std::getline(csv, header), first), line);
+  EXPECT_THAT(header, testing::EndsWith(",difference,difference_low,difference_high,verdict"));
+  EXPECT_THAT(first, testing::EndsWith(",,,,"));
+  EXPECT_THAT(line,
+              HasSubstr(fmt::format(",{},{},{},", difference.mean, difference.interval.low, difference.interval.high)));
+  EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(header.begin(), header.end(), ','));
+}
+
+TEST(Sweep, OfAParameterHasNoRobotInJson) {
+  const Json json = Json::parse(json_of(made_up()));
+  EXPECT_FALSE(json.contains("robot"));
+  EXPECT_FALSE(json["values"][0].contains("difference"));
+  EXPECT_EQ(json["values"][0]["interval"], Json({20.25, 40.0}));
+  EXPECT_EQ(json["values"][1]["interval"], nullptr);
+  EXPECT_EQ(json["values"][0]["finished_mean"], 30.0);
+  EXPECT_EQ(json["values"][0]["failed"], 1);
+  EXPECT_EQ(json["values"][0]["contests"], 4);
 }
 
 }  // namespace
