@@ -2,14 +2,14 @@
 import type { Core } from '../core/client';
 import type { Tone } from '../maze/palette';
 import { fetchBeliefs } from '../player/beliefs';
-import { runAt } from '../player/drive';
+import { followsRoute, runAt } from '../player/drive';
 import { usualLayers, type Layers } from '../player/layers';
 import { createScene } from '../player/scene';
 import { prepare } from '../player/track';
 import { h } from '../ui/dom';
 import type { Met } from './pairs';
 
-const doing = { search: 'searches', home: 'goes back to the start', fast: 'runs' };
+const doing = { search: 'searches', home: 'goes back to the start', fast: 'runs', laps: 'drives laps' };
 
 export type Lane = ReturnType<typeof createLane>;
 
@@ -38,7 +38,7 @@ export function createLane(core: Core, { play }: Met, hue: Tone) {
     /** Goes to that time, in seconds. */
     show(time: number) {
       const run = track.drive!.runs[runAt(track.drive!, time)];
-      const runs = run?.kind === 'fast';
+      const runs = followsRoute(run);
       if (runs !== layers.speed) {
         layers.speed = runs;
         scene.repaint();

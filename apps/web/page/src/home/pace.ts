@@ -1,5 +1,5 @@
 // How fast time passes on the home page: searches quicker than they were, runs as they were.
-import { runAt, type DriveTrack } from '../player/drive';
+import { followsRoute, runAt, type DriveTrack } from '../player/drive';
 
 const searching = 5;
 const running = 1;
@@ -8,7 +8,7 @@ const running = 1;
 export function paceAt(tracks: DriveTrack[], time: number): number {
   const fast = tracks.some((track) => {
     const run = track.runs[runAt(track, time)];
-    return run?.kind === 'fast' && time < run.end / 1e6;
+    return run && followsRoute(run) && time < run.end / 1e6;
   });
   return fast ? running : searching;
 }

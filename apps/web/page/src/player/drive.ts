@@ -1,5 +1,6 @@
 // A contest in seconds: where its mouse is at any moment, how fast, and in which run.
 import type { Drive, DrivePath, DriveRun } from '../core/types';
+import { counted } from '../ui/format';
 import { decimal, short } from './figures';
 
 /** A path in seconds, cells, m/s and m/s². */
@@ -99,7 +100,15 @@ export function goTo(track: DriveTrack, time: number, moment: Moment) {
   moment.v = path.v[i] + moment.a * passed;
 }
 
-export const kinds: Record<DriveRun['kind'], string> = { search: 'search', home: 'way home', fast: 'speed run' };
+export const kinds: Record<DriveRun['kind'], string> = {
+  search: 'search',
+  home: 'way home',
+  fast: 'speed run',
+  laps: 'laps',
+};
+
+/** Whether a run follows a route at full speed: a speed run, or laps. */
+export const followsRoute = (run: DriveRun | undefined) => run?.kind === 'fast' || run?.kind === 'laps';
 
 const endings: Record<string, string> = {
   'given up': 'gave up',
@@ -111,9 +120,9 @@ const endings: Record<string, string> = {
 };
 
 /** How a run ended: `goal`, `no route left`, `crash in (3,4): tyres slipped`; empty where nothing is recorded. */
-export function endText({ kind, ended, crash, gate_in }: DriveRun): string {
+export function endText({ kind, ended, crash, gate_in, laps }: DriveRun): string {
   if (ended === null) return '';
-  const done = kind === 'home' ? 'start' : gate_in === null ? '–' : 'goal';
+  const done = laps ? counted(laps.length, 'lap') : kind === 'home' ? 'start' : gate_in === null ? '–' : 'goal';
   const reached = ended === 'done' ? done : '';
   const why = ended === 'done' ? '' : (endings[ended] ?? ended);
   if (!crash) return reached || why;
@@ -127,9 +136,9 @@ export const clockText = (time: number) => decimal(time, 3);
 export const durationText = (microseconds: number | null) =>
   microseconds === null ? '–' : `${decimal(microseconds / 1e6, 3)} s`;
 
-/** From gate to gate; null where it did not come so far. */
-export const gateToGate = ({ gate_out, gate_in }: DriveRun) =>
-  gate_out === null || gate_in === null ? null : gate_in - gate_out;
+/** From gate to gate, of laps the fastest one; null where it did not come so far. */
+export const gateToGate = ({ gate_out, gate_in, laps, score }: DriveRun) =>
+  laps ? (score?.gate_to_gate ?? null) : gate_out === null || gate_in === null ? null : gate_in - gate_out;
 
 /** `1.25 m/s`, with the sign of mathematics. */
 export const speedText = (speed: number) => `${decimal(speed, 2)} m/s`;

@@ -152,7 +152,7 @@ const driven: Row[] = [
 
 const numberOr = (value: number) => (Number.isNaN(value) ? null : value);
 
-/** Microseconds since the present run began, and since it left the start cell, which ends in the goal. */
+/** Microseconds since the present run began, and since it last left the start cell, which ends in the goal. */
 function inRun({ track, scene: { moment } }: Side): number | null {
   const run = track.drive?.runs[moment?.run ?? -1];
   return run && moment ? moment.time * 1e6 - run.begin : null;
@@ -160,7 +160,8 @@ function inRun({ track, scene: { moment } }: Side): number | null {
 function sinceGate({ track, scene: { moment } }: Side): number | null {
   const run = track.drive?.runs[moment?.run ?? -1];
   if (!run || !moment || run.gate_out === null || moment.time * 1e6 < run.gate_out) return null;
-  return Math.min(moment.time * 1e6, run.gate_in ?? Infinity) - run.gate_out;
+  const now = Math.min(moment.time * 1e6, run.gate_in ?? Infinity);
+  return now - Math.max(run.gate_out, ...(run.laps ?? []).filter((lap) => lap <= now));
 }
 
 function rowsOf(sides: Side[]): Row[] {

@@ -4,6 +4,7 @@ import type { Piece } from '../film/plan';
 import { fit, numbered } from '../maze/geometry';
 import { readPalette } from '../maze/palette';
 import { pngOf as pixelsOf } from '../maze/saved';
+import { followsRoute } from './drive';
 import { createSheet, timeText, type Pictured } from './sheet';
 import type { Side, State } from './state';
 
@@ -43,9 +44,7 @@ function asSeen({ track, name, hue, scene }: Side): Pictured {
 }
 
 const speedRuns = ({ track }: Side) =>
-  (track.drive?.runs ?? [])
-    .filter(({ kind }) => kind === 'fast')
-    .map(({ begin, end }): Piece => [begin / 1e6, end / 1e6]);
+  (track.drive?.runs ?? []).filter(followsRoute).map(({ begin, end }): Piece => [begin / 1e6, end / 1e6]);
 
 const asFilmed = ({ track, name, hue, scene }: Side): Pictured => ({
   track,

@@ -6,9 +6,11 @@ import type { PanelProps, Side } from './state';
 const heads = ['run', 'begins', 'takes', 'gate to gate', 'known, hoped for', 'counts'];
 
 /** Two times of one run stand side by side: what each is, and which of them counts. */
-const timedBy = ({ gate_to_gate }: Drive['rules']) =>
-  '“takes” is the time from the beginning of a run to its end. “gate to gate” is the time from leaving the start cell to ' +
-  `entering a goal. These rules count the time ${gate_to_gate ? 'from gate to gate' : 'from the beginning of a run to the middle of a goal'}.`;
+const timedBy = ({ gate_to_gate, counts }: Drive['rules']) =>
+  counts === 'lap'
+    ? '“takes” is the time from the beginning of a run to its end. “gate to gate” is the fastest lap of a run, which counts.'
+    : '“takes” is the time from the beginning of a run to its end. “gate to gate” is the time from leaving the start cell to ' +
+      `entering a goal. These rules count the time ${gate_to_gate ? 'from gate to gate' : 'from the beginning of a run to the middle of a goal'}.`;
 
 function knownText({ known, hoped }: DriveRun): string {
   if (known === null && hoped === null) return '–';

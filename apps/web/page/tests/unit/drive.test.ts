@@ -1,6 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { curveData } from '../../src/player/curves';
-import { createMoment, gateToGate, goTo, madeOf, prepareDrive, runAt } from '../../src/player/drive';
+import {
+  createMoment,
+  endText,
+  followsRoute,
+  gateToGate,
+  goTo,
+  madeOf,
+  prepareDrive,
+  runAt,
+} from '../../src/player/drive';
 import { has, layerNames } from '../../src/player/layers';
 import { createPast, knows, moveTo } from '../../src/player/past';
 import { speedLevel } from '../../src/player/paint/drive';
@@ -58,6 +67,15 @@ describe('a run', () => {
     expect(drive!.runs.map(gateToGate)).toEqual([1e6, 1.5e6]);
     expect(madeOf(drive!.runs[1], drive!.rules)).toBe('1.500 s + 0.100 s for 3 s / 30');
     expect(madeOf(drive!.runs[0], drive!.rules)).toBe('');
+  });
+
+  it('of laps has the time of the fastest one', () => {
+    const [, fast] = seconds().drive!.runs;
+    const laps = { ...fast, kind: 'laps' as const, gate_in: null, laps: [6e6, 7.5e6], ended: 'done' };
+    expect(gateToGate(laps)).toBe(1.5e6);
+    expect(gateToGate({ ...laps, laps: [], score: null })).toBeNull();
+    expect(endText(laps)).toBe('2 laps');
+    expect([laps, fast, seconds().drive!.runs[0], undefined].map(followsRoute)).toEqual([true, true, false, false]);
   });
 
   it('has curves over its own time', () => {

@@ -2,7 +2,7 @@
 import { halfX, halfY, type Geometry } from '../../maze/geometry';
 import type { Context } from '../../maze/painter';
 import type { Pose } from '../motion';
-import { runAt, pointAt, type Course, type Moment } from '../drive';
+import { followsRoute, runAt, pointAt, type Course, type Moment } from '../drive';
 import { thick, type Brush } from './brush';
 
 /** The tone of a speed: 0 the slowest of so many, the last one the fastest. */
@@ -49,7 +49,7 @@ export function paintDriven(brush: Brush) {
   const time = track.time[past.frame];
   const run = drive.runs[runAt(drive, time)];
   if (!run || run.to <= run.from) return;
-  if (run.kind === 'fast') {
+  if (followsRoute(run)) {
     context.lineWidth = thick(g, 0.05);
     context.strokeStyle = palette.muted;
     context.beginPath();
