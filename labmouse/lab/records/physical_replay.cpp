@@ -8,6 +8,7 @@
 
 #include "labmouse/contest/code_contest.hpp"
 #include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/drive_score.hpp"
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/taped_code.hpp"
@@ -96,6 +97,15 @@ std::string first_difference(const DriveRecordFile& file, const DriveRecordFile&
   return "";
 }
 
+/// What the record says otherwise than the re-run: a line, or the score of a whole record, which is computed when a
+/// record is written.
+std::string disagreement(const DriveRecordFile& file, const DriveRecordFile& again) {
+  if (std::string wrong = first_difference(file, again); !wrong.empty() || !file.ended) return wrong;
+  const DriveScore scored = score(again.record, file.rules);
+  const auto best = scored.best ? std::optional(scored.runs[*scored.best]) : std::nullopt;
+  return best == file.recorded_score ? "" : "the recorded score is not that of the contest, driven again";
+}
+
 std::optional<FailureFile> rates_behind(const PhysicalPart& part) {
   return builtin_rates_of(part.failure_rates, part.rates_hash);
 }
@@ -139,7 +149,7 @@ std::string replay_physically(const DriveRecordFile& file) {
   again.record = std::move(driven.drive);
   again.physical->notes = std::move(driven);
   if (!file.ended) cut_like(again, file);
-  return first_difference(file, again);
+  return disagreement(file, again);
 }
 
 std::string replay_laps(const DriveRecordFile& file) {
@@ -148,10 +158,7 @@ std::string replay_laps(const DriveRecordFile& file) {
   Script script(file.maze->size(), {});
   again.record = drive(*file.maze, file.rules, *file.model, script);
   if (!file.ended) cut_runs_like(again.record, file.record, file.record.walls.empty());
-  if (std::string wrong = first_difference(file, again); !wrong.empty() || !file.ended) return wrong;
-  const DriveScore scored = score(again.record, file.rules);
-  const auto best = scored.best ? std::optional(scored.runs[*scored.best]) : std::nullopt;
-  return best == file.recorded_score ? "" : "the recorded score is not that of the laps, driven again";
+  return disagreement(file, again);
 }
 
 }  // namespace labmouse

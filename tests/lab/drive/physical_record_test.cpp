@@ -96,6 +96,7 @@ TEST(PhysicalRecord, DisagreesWhereAnythingWasChanged) {
   EXPECT_THAT(replay(read(changed(text, "\"seed\":5", "\"seed\":6"))), HasSubstr("driven again"));
   EXPECT_THAT(replay(read(changed(text, "\"noise\":2.0", "\"noise\":2.25"))), HasSubstr("driven again"));
   EXPECT_THAT(replay(read(changed(text, "\"trace\":[", "\"trace\":[1"))), HasSubstr("driven again"));
+  EXPECT_NE(replay(read(changed(text, "\"score\":{\"value\":", "\"score\":{\"value\":1"))), "");
 }
 
 /// A header alone may not ask for more than a machine has: the trace of a long contest, or a contest of years.

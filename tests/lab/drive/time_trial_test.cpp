@@ -114,10 +114,8 @@ TEST(TimeTrial, DisagreesWhereALapOrTheScoreWasChanged) {
     const std::string text = write_drive_record(file), lap = std::to_string(file.record.runs.at(0).laps.at(1));
     EXPECT_NE(replay(read(changed(text, lap, std::to_string(file.record.runs.at(0).laps.at(1) - 1)))), "");
     EXPECT_NE(replay(read(changed(text, "\"most_runs\":5", "\"most_runs\":4"))), "");
+    EXPECT_NE(replay(read(changed(text, "\"score\":{\"value\":", "\"score\":{\"value\":1"))), "");
   }
-  const DriveRecordFile file = file_of();
-  const std::string text = write_drive_record(file), value = std::to_string(file.recorded_score.value().value);
-  EXPECT_NE(replay(read(changed(text, "\"value\":" + value, "\"value\":1"))), "");
 }
 
 TEST(TimeTrial, OfWhichTheEndIsMissingAgreesAsFarAsItGoes) {
