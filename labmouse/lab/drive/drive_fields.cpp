@@ -124,7 +124,8 @@ constexpr std::array<Column, 2> time_columns = {
       "mean_search", "search, s", "Mean time of the contests until the first speed run began, in seconds.", 1},
      {"best", "run, s", 7,
       [](const Race& r, const Standing& s) { return columns::number(mean_seconds<&D::best>(r, s), 3); }, "mean_best",
-      "best run, s", "Mean time of the best runs from rest at the start to the goal, in seconds.", 3}}};
+      "best run, s", "Mean time of the best runs from rest at the start to the goal, or of the best laps, in seconds.",
+      3}}};
 
 // The world without errors.
 
