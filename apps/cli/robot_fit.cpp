@@ -49,8 +49,10 @@ void add(Command& robot, const std::string& name, const std::string& meaning, co
 }  // namespace
 
 void add_robot_fit(Command& robot) {
-  add(robot, "fit", "Write a robot file from published or measured turns, or from logs of a mouse",
+  add(robot, "fit",
+      "Write a robot file from published or measured turns, from a header of firmware, or from logs of a mouse",
       "--turns turns.txt --base kerise > my-mouse.toml\n"
+      "         labmouse robot fit --turns config-robot.h --base beginner > my-mouse.toml\n"
       "         labmouse robot fit run.csv --columns time=ms,left=pwm_l/255,right=pwm_r/255,left_count=enc_l,"
       "right_count=enc_r,gyro=gz*0.00107 --base kerise > my-mouse.toml");
   add(robot, "compare", "Drive a robot beside a log of a mouse: how far they differ",

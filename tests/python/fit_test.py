@@ -487,6 +487,169 @@ def test_what_is_wrong_with_turns_has_a_place(tmp_path, text, places):
     assert [line.startswith(f"{path}{place}: error: ") for line, place in zip(lines, places)] == [True] * len(places)
 
 
+UKMARS = """
+#define LED_USER 6
+#define BATTERY_PIN A7
+const float WHEEL_DIAMETER = 32.0f;
+const float MM_PER_COUNT_LEFT = (1 - ROTATION_BIAS) * PI * WHEEL_DIAMETER / (12.0 * 20);
+const float MM_PER_COUNT_RIGHT = (1 + ROTATION_BIAS) * PI * WHEEL_DIAMETER / (12.0 * 20);
+#define ROTATION_BIAS 0.0025
+const float MOUSE_RADIUS = 38.7;
+const float FWD_KM = 475.0;  // mm/s/V
+const float FWD_TM = 0.190;
+const float ROT_KM = 775.0;
+const int SEARCH_SPEED = 380;
+const int SEARCH_ACCELERATION = 2000;
+const int SEARCH_TURN_SPEED = 300;
+const int OMEGA_SPIN_TURN = 360;
+const int ALPHA_SPIN_TURN = 3600;
+const float TOO_MUCH = 1e300;
+const TurnParameters turn_params[4] = {
+    {SEARCH_TURN_SPEED, 70, 80, 90.0, 287.0, 2866.0, 90},  // 0 => SS90EL
+    {SEARCH_TURN_SPEED, 70, 80, -90.0, 287.0, 2866.0, 90},  // 1 => SS90ER
+};
+"""
+
+
+def header_in(folder, text):
+    path = folder / "config-robot.h"
+    path.write_text(text, encoding="utf-8")
+    return fit.read_header(path)
+
+
+def test_the_limits_of_a_turn_of_firmware_drive_it_as_its_rates_do(tmp_path):
+    result = fit.robot_of_header(header_in(tmp_path, UKMARS), "beginner")
+    own = [300.0 * math.radians(287.0), math.radians(2866.0), 0.0, 0.0]
+    assert turn_curve("S90", 300.0, list(result.fits[0].limits), 180.0) == pytest.approx(turn_curve("S90", 300.0, own, 180.0), rel=5e-4)
+    assert result.warning == ""
+
+
+def test_constants_of_firmware_are_numbers_of_the_robot_and_all_others_are_listed(tmp_path):
+    header = header_in(tmp_path, UKMARS)
+    text = fit.robot_of_header(header, "beginner").text
+    path = tmp_path / "mine.toml"
+    path.write_text(text, encoding="utf-8")
+    _, numbers = fit.robot_numbers(path)
+    base = fit.base_numbers("beginner")
+    expected = {
+        "body.half_track": 38.7,
+        "motors.drive_gain": 475.0 * base["motors.volts"],
+        "motors.drive_time": 190.0,
+        # Full duty on both motors, one backwards, is a difference of 2.
+        "motors.turn_gain": math.radians(775.0) * base["motors.volts"] / 2.0,
+        "sensors.count": math.pi * 32.0 / 240.0,
+        "search.speed": 380.0,
+        "search.turn_speed": 300.0,
+        "search.pivot_speed": 2.0 * math.pi,
+        "search.pivot_acceleration": 20.0 * math.pi,
+        "straight.acceleration": 2000.0,
+        "straight.braking": 2000.0,
+        "body.front": base["body.front"],
+    }
+    for key, value in expected.items():
+        assert numbers[key] == pytest.approx(value, rel=1e-5), key
+    assert set(header.constants) >= {"LED_USER", "WHEEL_DIAMETER", "ROTATION_BIAS", "SEARCH_SPEED", "TOO_MUCH"}
+    for name in (*header.constants, "BATTERY_PIN"):
+        assert name in text
+
+
+def test_constants_that_fit_no_robot_are_not_used(tmp_path):
+    header = header_in(tmp_path, "#define FWD_TM 190\n#define SEARCH_SPEED 300\n#define FAST_RUN_ACCELERATION 4000\n#define SEARCH_ACCELERATION 9\n")
+    result = fit.robot_of_header(header, "beginner")
+    assert re.search(r"^# FWD_TM = 190: .*motors.drive_time", result.text, re.MULTILINE)
+    assert re.search(r"^# SEARCH_ACCELERATION = 9: ", result.text, re.MULTILINE)
+    assert "\nacceleration = 4000 " in result.text
+    both = fit.robot_of_header(header_in(tmp_path, "#define SEARCH_ACCELERATION 2000\n#define FAST_RUN_ACCELERATION 3000\n"), "beginner").text
+    assert "\nacceleration = 3000 " in both and re.search("^# SEARCH_ACCELERATION = 2000: ", both, re.MULTILINE)
+    # A robot without hardware has no place for that of the header.
+    assert "MOUSE_RADIUS" in fit.robot_of_header(header_in(tmp_path, "#define MOUSE_RADIUS 38\n"), "half").text.split("\n\n")[0]
+    with pytest.raises(labmouse.Error, match="kerise"):
+        fit.robot_of_header(header, "kerise")
+
+
+def test_turns_of_firmware_are_named_in_many_places(tmp_path):
+    rows = """struct turn { float yaw_rate, speed; int offset[2]; float yaw_acceleration; };
+        const struct turn SS90[] = {{300.0f, 500.0f, 0, 1000.0f}, {200.0f, 400.0f, 0, 900.0f}};
+        typedef struct params { int speed; int entry_offset; int exit_offset; float angle; float omega; float alpha; } params_t;
+        params_t turns[] = {
+            [SD45R] = {600, -12, -0.0f, -45.0, 300., 3e3},
+            {SS180, 600, 1, 2, 180.0, 320, 3e3}, {"DD90K", 900, 1, 2, 90, 310, 3e3}, /* SD135 */
+            {BASE + 2 * 5, 1, 2, 135, 7 / 2 * 100, 3e3}, // SD135
+        };
+        static const int BASE = 590;
+        int pins[] = {1, 2, 3}; enum { A, B };
+        void run() { if (1) { go(1, 2); } }
+    """
+    header = header_in(tmp_path, rows)
+    found = {turn.name: (turn.speed, turn.yaw_speed, turn.yaw_acceleration) for turn in header.turns}
+    degrees = {"90": (500, 300, 1000), "45": (600, 300, 3000), "180": (600, 320, 3000), "K90": (900, 310, 3000), "135": (600, 300, 3000)}
+    assert found == {name: pytest.approx((speed, math.radians(rate), math.radians(gain))) for name, (speed, rate, gain) in degrees.items()}
+    notes = "\n".join(header.notes)
+    assert "SS90" in notes and "fastest of 2" in notes
+    assert "-12 and 0 mm" in notes
+    assert "line 10: pins" in notes and "line 11" not in notes
+    assert {turn.name for turn in fit.read_turns(tmp_path / "config-robot.h")} == set(found)
+
+
+def sine_end(speed, omega, alpha, angle):
+    """Where a curve with sine ramps ends, whose highest yaw acceleration is alpha; all in rad."""
+    ramp = math.pi * omega / (2.0 * alpha)
+    whole, steps = 2.0 * ramp + (angle - omega * ramp) / omega, 100_000
+    heading, ahead, aside = 0.0, 0.0, 0.0
+    for step in range(steps):
+        time = (step + 0.5) * whole / steps
+        near = min(time, whole - time, ramp)
+        heading += omega * (1.0 - math.cos(math.pi * near / ramp)) / 2.0 * whole / steps
+        ahead, aside = ahead + speed * math.cos(heading) * whole / steps, aside + speed * math.sin(heading) * whole / steps
+    return ahead, aside, heading, whole
+
+
+@pytest.mark.parametrize("row", ["{500, 0, 0, 90.0, 287.0, 2000.0}, // SS90 sinusoidal", "{500, 0, 0, 90.0, 287.0, 2000.0, SINE}, // SS90"])
+def test_sine_ramps_become_steady_ones_of_the_same_angle_and_time(tmp_path, row):
+    members = "int speed; int entry_offset; int exit_offset; float angle, omega, alpha; int profile;"
+    header = header_in(tmp_path, f"struct P {{ {members} }};\nconst P turns[] = {{\n{row}\n}};\n")
+    (turn,) = header.turns
+    ahead, aside, heading, whole = sine_end(500.0, math.radians(287.0), math.radians(2000.0), math.pi / 2.0)
+    assert heading == pytest.approx(math.pi / 2.0, abs=1e-3)
+    width, length, _ = turn_curve("90", 500.0, [500.0 * turn.yaw_speed, turn.yaw_acceleration, 0.0, 0.0], 180.0)
+    assert length / 500.0 == pytest.approx(whole, rel=2e-4)
+    stated = float(re.search(r"ends ([0-9.]+) mm", "\n".join(header.notes))[1])
+    # The path of a turn to the side is as long ahead as aside.
+    assert stated == pytest.approx(math.dist((width, width), (ahead, aside)), abs=0.02)
+    assert stated > 0.5
+
+
+@pytest.mark.parametrize(
+    "text, place",
+    [
+        ("const P t[] = {\n  {FAST, 1, 2, 90, 287, 2866, 0}, // SS90\n};", ":2:4"),
+        ("const P t[] = {\n  {300, 1, 2, 45, 287, 2866, 0}, // SS90\n};", ":2:3"),
+        ("const P t[] = {\n  {300, 1, 2, 90, 287}, // SS90\n};", ":2:3"),
+        ("const P t[] = {\n  {300, 1, 2, 90, 0, 2866, 0}, // SS90\n};", ":2:19"),
+        ("const P t[] = {\n  {-300, 1, 2, 90, 287, 2866, 0}, // SS90\n};", ":2:4"),
+        ("const P t[] = {\n  {300, 1 ? 2 : 3, 2, 90, 287, 2866, 0}, // SS90\n};", ":2:9"),
+        ("const P t[] = {\n  {300, 1, 2, 90, 287, 2866, 0},\n};", ""),
+        ("const char* name = \"x\";", ""),
+    ],
+)
+def test_what_is_wrong_with_a_header_has_a_place(tmp_path, text, place):
+    with pytest.raises(labmouse.Error) as error:
+        header_in(tmp_path, text)
+    assert str(error.value).startswith(f"{tmp_path / 'config-robot.h'}{place}: error: ")
+
+
+def test_tables_have_negative_zeros_negative_straights_and_names_of_firmware(tmp_path):
+    path = tmp_path / "turns.txt"
+    path.write_text("turn speed x y before after\nSS90E 300 92 92 -2 -0.0\n90 500 120 120 -0.0 -0\n")
+    turns = fit.read_turns(path)
+    assert [(turn.name, turn.y, turn.before) for turn in turns] == [("S90", 92.0, -2.0), ("90", 120.0, 0.0)]
+    assert fit.cell_of(turns) == 180.0
+    path.write_text("turn speed y\n90 -500 120\n90 500 -120\n")
+    with pytest.raises(labmouse.Error) as error:
+        fit.read_turns(path)
+    assert [line.split(": ")[0] for line in str(error.value).split("\n")] == [f"{path}:2:4", f"{path}:3:8"]
+
+
 def test_a_robot_beside_its_own_log_does_not_part_and_a_weak_one_does(driven, tmp_path):
     log = fit.read_log(driven, DUTIES)
     same = fit.compare_log(log, "kerise")
@@ -615,3 +778,30 @@ def test_any_text_is_a_table_of_turns_or_refused(text, turn):
             assert all(line.startswith(f"{path}:") for line in str(error).split("\n"))
         else:
             assert turns and all(math.isfinite(one.speed) for one in turns)
+
+
+_NEAR_C = st.lists(
+    st.sampled_from([*"{}[]();,=+-*/.\n\"", " ", "const ", "float ", "#define ", "struct ", "A", "B", " SS90", "// SS90E\n", "sine", "300", "-0.0f", "90", "1e9", "/*", "*/"]),
+    max_size=60,
+).map("".join)
+
+
+@given(text=_NEAR_C, row=st.sampled_from(["", "P t[] = {{300, 1, 2, 90, 287, 2866, 0},  // SS90\n", "const float A = "]))
+@settings(deadline=None, max_examples=300)
+def test_any_text_is_a_header_or_refused(text, row):
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "robot.h"
+        path.write_text(row + text, encoding="utf-8", newline="")
+        try:
+            header = fit.read_header(path)
+        except labmouse.Error as error:
+            assert all(line.startswith(f"{path}:") for line in str(error).split("\n"))
+        else:
+            assert header.turns or header.constants
+            assert all(math.isfinite(value) for value in header.constants.values())
+
+
+@pytest.mark.parametrize("part", ["/*", "const ", "const A = ", "{1,2},", "P t[", "a", "struct s {int a[", "#define A B\n", "{1, 2, 3, 4, 5, 6, 7}, // x\n", "(", "-1"])
+def test_no_long_header_hangs(tmp_path, part):
+    text = "#define A 1\nP t[] = {{300, 1, 2, 90, 287, 2866, 0},  // SS90\n" + part * (500_000 // len(part))
+    assert header_in(tmp_path, text).turns

@@ -16,14 +16,16 @@ from ._comparison import Comparison, compare_log
 from ._counts import CountFit, fit_count
 from ._estimates import Estimate
 from ._gyro import GyroFit, fit_gyro
+from ._headers import Header
 from ._infrared import InfraredFit, fit_infrared
 from ._log_fit import LogFit, fit_log, pooled
 from ._logs import Log, read_log
 from ._motion import Motion, motion_of
 from ._motors import MotorFit
 from ._plots import plot, save_plot
-from ._robots import FittedRobot, base_numbers, cell_of, robot_numbers, robot_of_logs, robot_of_turns
-from ._turns import Turn, TurnFit, fit_turns, read_turns
+from ._robots import FittedRobot, base_numbers, cell_of, robot_numbers, robot_of_header, robot_of_logs, robot_of_turns
+from ._turn import Turn
+from ._turns import TurnFit, fit_turns, read_header, read_turns
 
 __all__ = [
     "Comparison",
@@ -31,6 +33,7 @@ __all__ = [
     "Estimate",
     "FittedRobot",
     "GyroFit",
+    "Header",
     "InfraredFit",
     "Log",
     "LogFit",
@@ -50,8 +53,10 @@ __all__ = [
     "plot",
     "pooled",
     "read_log",
+    "read_header",
     "read_turns",
     "robot_numbers",
+    "robot_of_header",
     "robot_of_logs",
     "robot_of_turns",
     "save_plot",

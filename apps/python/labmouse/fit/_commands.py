@@ -13,11 +13,12 @@ from ._comparison import compare_log
 from ._log_fit import fit_log
 from ._logs import Log, read_log
 from ._plots import save_plot
-from ._robots import FittedRobot, base_numbers, robot_numbers, robot_of_logs, robot_of_turns
-from ._turns import read_turns
+from ._robots import FittedRobot, base_numbers, robot_numbers, robot_of_header, robot_of_logs
+from ._turns import read_header
 
 _COLUMNS = "which column of the log is what: ROLE=COLUMN, with a factor or divisor behind it, separated by commas (docs/how-to/robot-from-a-log.md has the roles)"
 _WAY = "how far the mouse came in the whole log, where no column has a way that is known"
+_TURNS = "table of turns with the columns turn, speed, ms, x, y, before, after; or a C header of firmware with turns or constants, such as config-robot-*.h of UKMARS"
 _CELL = "with --turns: side of a cell; default: what S90 with its straights says, or that of the other robot"
 _ROBOT = "built-in robot, or a file with a slash or .toml in its name (default: classic)"
 _PERIOD = "from one row of the log to the next in ms, where no column has the time"
@@ -73,10 +74,10 @@ def _check_outputs(inputs: Sequence[str], outputs: Sequence[str]) -> None:
 
 def fit(words: Sequence[str]) -> int:
     """Writes a robot file from logs or from turns; returns the exit code. words: the arguments."""
-    parser = _parser("fit", "Write a robot file from published or measured turns, or from logs of a mouse")
+    parser = _parser("fit", "Write a robot file from published or measured turns, from a header of firmware, or from logs of a mouse")
     parser.add_argument("logs", nargs="*", metavar="LOG", help="logs of one mouse, CSV")
     parser.add_argument("--log", metavar="FILE", action="append", default=[], help="a log, too")
-    parser.add_argument("--turns", metavar="TABLE", default="", help="table of turns: columns turn, speed, ms, x, y, before, after")
+    parser.add_argument("--turns", metavar="TABLE", default="", help=_TURNS)
     parser.add_argument("--way", metavar="MM", type=_number(1.0, 1e6), default=0.0, help=_WAY)
     parser.add_argument("--way-error", metavar="MM", type=_number(0.0, 1e4), default=1.0, help="standard error of that (default: 1)")
     parser.add_argument("--base", metavar="ROBOT", default="classic", help="robot that all other numbers are taken from (default: classic)")
@@ -96,7 +97,7 @@ def _fit(options: argparse.Namespace) -> int:
     path = options.turns or ", ".join(paths)
     fitted = _of_turns(options) if options.turns else _of_logs(options, paths)
     if options.plot and not fitted.fits:
-        raise Error(f"{path}: error: has times alone, so there is no fit for --plot; leave it out")
+        raise Error(f"{path}: error: has no turns with speeds, so there is no fit for --plot; leave it out")
     if options.out:
         _native.write_file(options.out, fitted.text)
     else:
@@ -109,10 +110,10 @@ def _fit(options: argparse.Namespace) -> int:
 
 
 def _of_turns(options: argparse.Namespace) -> FittedRobot:
-    turns = read_turns(options.turns)
+    header = read_header(options.turns)
     robot_numbers(options.base)  # an error of the base must not be reported as one of the table
     try:
-        return robot_of_turns(turns, options.base, options.cell)
+        return robot_of_header(header, options.base, options.cell)
     except Error as error:
         raise Error(f"{options.turns}: error: {error}") from None
 

@@ -3,16 +3,19 @@
 import json
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Sequence, Union
 
 from .. import Error, _native
+from ._constants import constants_of
 from ._estimates import Estimate
+from ._headers import Header
 from ._infrared import SENSORS
 from ._log_fit import LogFit, pooled
 from ._motion import Numbers
 from ._motors import MotorFit
-from ._turns import LIMITS, Turn, TurnFit, fit_turns
+from ._turn import TURNS, Turn
+from ._turns import LIMITS, TurnFit, fit_turns
 
 
 @dataclass
@@ -119,7 +122,7 @@ def _motor_words(fit: MotorFit, unit: str) -> str:
 
 def cell_of(turns: Sequence[Turn]) -> float:
     """The side of a cell in mm, derived from the turn S90 and its straight; 0 if turns do not have these."""
-    return next((2.0 * (turn.y + turn.before) for turn in turns if turn.name == "S90" and turn.y > 0.0 and turn.before > 0.0), 0.0)
+    return next((2.0 * (turn.y + turn.before) for turn in turns if turn.name == "S90" and turn.y > 0.0 and turn.before), 0.0)
 
 
 def robot_of_turns(turns: Sequence[Turn], base: "Union[str, os.PathLike[str]]", cell: float = 0.0) -> FittedRobot:
@@ -130,22 +133,57 @@ def robot_of_turns(turns: Sequence[Turn], base: "Union[str, os.PathLike[str]]", 
     Raises Error.
     """
     name, robot = robot_numbers(base)
-    cell = cell or cell_of(turns) or robot["cell"]
+    robot = {key: value for key, value in robot.items() if not _is_hardware(key)}
+    return _robot_of(Header(list(turns)), name, robot, {}, cell)
+
+
+def robot_of_header(header: Header, base: "Union[str, os.PathLike[str]]", cell: float = 0.0) -> FittedRobot:
+    """Makes the robot file of the turns and constants of a C header. All other parameters are those of the base.
+
+    cell: side of a cell in mm; 0: from the header, or else the base's. The text lists what of the header was not used. Raises Error
+    as robot_of_turns does, and if the constants are those of a search and the base has the times of one.
+    """
+    if not header.constants:
+        found = robot_of_turns(header.turns, base, cell)
+        return replace(found, text=_listed(header.notes) + found.text)
+    name, robot = robot_numbers(base)
+    numbers, remarks, notes = constants_of(header.constants, robot)
+    if "search.cell" in robot and any(key.startswith("search.") for key in numbers):
+        raise Error(f"'{name}' gives the times of a search, and the header its speeds; take the rest from a robot with speeds, such as beginner")
+    if not any(_is_hardware(key) for key in numbers):
+        robot = {key: value for key, value in robot.items() if not _is_hardware(key)}
+    robot.update(numbers)
+    found = _robot_of(header, name, robot, remarks, cell or numbers.get("cell", 0.0))
+    return replace(found, text=_listed([*notes, *header.notes]) + found.text)
+
+
+def _listed(notes: Sequence[str]) -> str:
+    return "".join(f"# {_plain(note)}\n" for note in notes) + ("\n" if notes else "")
+
+
+def _is_hardware(key: str) -> bool:
+    return key.split(".")[0] in ("body", "motors", "sensors", "noise")
+
+
+def _robot_of(header: Header, name: str, robot: Numbers, remarks: dict[str, str], cell: float) -> FittedRobot:
+    """A robot with these parameters and the turns of a header; cell 0: from the turn S90, or else the robot's."""
+    turns, own_cell = header.turns, robot["cell"]
+    cell = cell or cell_of(turns) or own_cell
     speeds, fixed = any(turn.speed > 0.0 for turn in turns), "turns.speed" in robot
     if speeds and fixed:
         raise Error(
             f"'{name}' gives the times of its turns, and the table has speeds; take the rest from a robot with limits, such as "
             "classic or kerise"
         )
-    if not speeds and not fixed:
+    if turns and not speeds and not fixed:
         raise Error(
             f"the table has times without speeds, which tell nothing of limits, and '{name}' has limits; take the rest from a robot with "
             "times of turns, such as mm2021"
         )
-    source = f"from {_plain(name)}: turns do not determine it"
-    remarks = {"cell": source if cell == robot["cell"] else "given"}
-    robot = {key: value for key, value in robot.items() if key.split(".")[0] not in ("body", "motors", "sensors", "noise")} | {"cell": cell}
-    fit = None if fixed else _add_limits(turns, robot, remarks, cell)
+    source = f"from {_plain(name)}: {'the header does' if header.constants else 'turns do'} not determine it"
+    remarks = {"cell": source if cell == own_cell else "given", **remarks}
+    robot = robot | {"cell": cell}
+    fit = _add_limits(turns, robot, remarks, cell) if speeds else None
     for turn in turns if fixed else ():
         key = f"turns.{turn.name}"
         if turn.name != "K90" and robot.get(key) is not False:
@@ -179,8 +217,10 @@ def _add_limits(turns: Sequence[Turn], robot: Numbers, remarks: dict[str, str], 
             remarks[f"layout.{turn.name}"] = f"given; the limits miss it by {100 * error:.3f} %"
     limits = [float(robot.get(f"curve.{limit}", 0.0)) for limit in LIMITS]
     kept = [_native.turn_clearance(turn.name, turn.speed, limits, cell) for turn in driven if turn.name not in ("K90", "180")]
-    robot["clearance"] = max(0.0, math.floor(min([cell, *kept]) * 10.0 - 1.0) / 10.0)
-    remarks["clearance"] = "what the paths below keep"
+    clearance = max(0.0, math.floor(min([cell, *kept]) * 10.0 - 1.0) / 10.0)
+    # Turns that the table lacks may pass posts more closely than those that it has.
+    if clearance < robot["clearance"] or {turn.name for turn in driven} >= set(TURNS) - {"K90"}:
+        robot["clearance"], remarks["clearance"] = clearance, "what the paths below keep"
     small = robot.get("layout.S90", 0.0)
     if "search.speed" in robot and not robot.get("search.turn_speed") and 0.0 < small < robot["search.speed"]:
         robot["search.speed"] = small

@@ -14,25 +14,15 @@ import numpy as np
 from .. import Error, _native
 from ._estimates import Array
 from ._files import content_of
+from ._headers import TURN_NAMES, Header, header_of, is_header
+from ._turn import TURNS, Turn
 
 COLUMNS = ("turn", "speed", "ms", "x", "y", "before", "after")
-TURNS = ("45", "90", "135", "180", "V90", "S90", "K90")
 #: The largest table in MiB.
 LARGEST = 1
 #: Limits explain the turns if no size or time has a larger relative error than this.
 _GOOD = 5e-4
 LIMITS = ("lateral_acceleration", "yaw_acceleration", "yaw_speed", "yaw_jerk")
-
-
-@dataclass(frozen=True)
-class Turn:
-    """A turn; a value that the table does not have is 0."""
-
-    name: str  #: of TURNS; K90 is V90 in cells of twice the size
-    speed: float = 0.0  #: mm/s, constant
-    ms: float = 0.0  #: time of the whole turn in ms, from node to node
-    y: float = 0.0  #: lateral distance in mm between both ends of the curve, in the frame of its beginning
-    before: float = 0.0  #: length in mm of the straight before the curve
 
 
 @dataclass
@@ -51,12 +41,27 @@ class TurnFit:
 
 
 def read_turns(path: "Union[str, os.PathLike[str]]") -> list[Turn]:
-    """Reads a table of turns: columns separated by blanks, tabs or commas; the first line names them (COLUMNS).
+    """The turns of read_header. Raises Error if there are none."""
+    turns = read_header(path).turns
+    if not turns:
+        raise Error(f"{path}: error: has no turns")
+    return turns
 
-    "-" is a missing value; lines that begin with # are comments. Raises Error with file, line and column of up to ten
-    problems.
+
+def read_header(path: "Union[str, os.PathLike[str]]") -> Header:
+    """Reads a table of turns, or a C header of firmware with such tables, constants or both.
+
+    Table: columns separated by blanks, tabs or commas; the first line names them (COLUMNS). "-" is a missing value; lines that
+    begin with # are comments. C: `header_of`. Raises Error with file, line and column of up to ten problems.
     """
     text = content_of(path, LARGEST).decode("utf-8", errors="replace")
+    header = header_of(text, os.fspath(path)) if is_header(text) else Header(_table_of(text, path))
+    if not header.turns and not header.constants:
+        raise Error(f"{path}: error: has neither turns nor constants; {' '.join(header.notes[:1]) or 'write a row as in {300, 70, 80, 90.0, 287.0, 2866.0} // SS90E'}")
+    return header
+
+
+def _table_of(text: str, path: "Union[str, os.PathLike[str]]") -> list[Turn]:
     problems: list[str] = []
     turns: list[Turn] = []
     names: list[str] = []
@@ -69,8 +74,9 @@ def read_turns(path: "Union[str, os.PathLike[str]]") -> list[Turn]:
         if not names:
             names = [word for _, word in words]
         elif not problems:
-            values = {name: float(word) for name, (_, word) in list(zip(names, words))[1:] if word != "-"}
-            turns.append(Turn(words[0][1], **{name: values.get(name, 0.0) for name in ("speed", "ms", "y", "before")}))
+            values = {name: float(word) + 0.0 for name, (_, word) in list(zip(names, words))[1:] if word != "-"}
+            turn = TURN_NAMES.get(words[0][1], words[0][1])
+            turns.append(Turn(turn, **{name: values.get(name, 0.0) for name in ("speed", "ms", "y", "before")}))
     if not names:
         problems.append(f"{path}: error: is empty; its first line must name its columns")
     elif not turns and not problems:
@@ -90,18 +96,29 @@ def _wrong_names(words: list[tuple[int, str]]) -> list[tuple[int, str]]:
 def _wrong_turn(words: list[tuple[int, str]], names: list[str]) -> list[tuple[int, str]]:
     if len(words) != len(names):
         return [(words[0][0], f"has {len(words)} columns; the first line names {len(names)}")]
-    if words[0][1] not in TURNS:
-        return [(words[0][0], f"unknown turn '{words[0][1]}'; turns are {', '.join(TURNS)}")]
+    if words[0][1] not in TURNS and words[0][1] not in TURN_NAMES:
+        return [(words[0][0], f"unknown turn '{words[0][1]}'; turns are {', '.join(TURNS)}, and names of UKMARS such as SS90E")]
     wrong = []
     given = {}
     for name, (at, word) in list(zip(names, words))[1:]:
-        decimal = re.fullmatch(r"[0-9]*\.?[0-9]+(e[+-]?[0-9]+)?|[0-9]+\.", word, re.IGNORECASE)
+        decimal = re.fullmatch(r"-?([0-9]*\.?[0-9]+(e[+-]?[0-9]+)?|[0-9]+\.)", word, re.IGNORECASE)
         given[name] = float(word) if decimal else 0.0
-        if word != "-" and not (decimal and (given[name] == 0.0 or 0.001 <= given[name] <= 1e6)):
+        # A curve may begin before the node, or end behind it.
+        size = abs(given[name]) if name in ("x", "before", "after") else given[name]
+        if word != "-" and not (decimal and (size == 0.0 or 0.001 <= size <= 1e6)):
             wrong.append((at, f"'{word}' must be 0, a number from 0.001 to 1000000, or - for none"))
     if not wrong and not given.get("ms") and not (given.get("speed") and given.get("y")):
         wrong.append((words[0][0], "needs its time ('ms'), or its speed with the size of its curve ('speed', 'y')"))
     return wrong
+
+
+def _size_and_ms(name: str, cell: float, turn: Turn) -> tuple[float, float]:
+    """Size in mm and time in ms of a turn. Yaw speed and yaw acceleration give them where the table does not."""
+    if not (turn.speed > 0.0 and turn.yaw_speed > 0.0 and turn.yaw_acceleration > 0.0):
+        return turn.y, turn.ms
+    own = [turn.speed * turn.yaw_speed, turn.yaw_acceleration, 0.0, 0.0]
+    width, _, whole = _native.turn_curve(name, turn.speed, own, cell)
+    return turn.y or width, turn.ms or 1e3 * whole / turn.speed
 
 
 class _Figures:
@@ -110,7 +127,7 @@ class _Figures:
     def __init__(self, turns: Sequence[Turn], cell: float) -> None:
         self.turns = [("V90", 2.0 * cell, turn) if turn.name == "K90" else (turn.name, cell, turn) for turn in turns]
         driven = np.array([turn.speed > 0.0 for turn in turns])
-        size, ms = np.array([[turn.y, turn.ms] for turn in turns]).T
+        size, ms = np.array([_size_and_ms(*turn) for turn in self.turns]).T
         # The straights of a 180 may have any length: without one, its time is unknown.
         any_length = np.array([turn.name == "180" and turn.before <= 0.0 for turn in turns])
         self.known = np.column_stack([driven & (size > 0.0), driven & (ms > 0.0) & ~any_length])
