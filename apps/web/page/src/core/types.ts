@@ -327,13 +327,15 @@ export interface DriveScore {
 
 /** One run of a contest in seconds. Times are microseconds on the maze's clock. */
 export interface DriveRun {
-  kind: 'search' | 'home' | 'fast';
+  kind: 'search' | 'home' | 'fast' | 'laps';
   begin: number;
   end: number;
   /** Left the start cell, first entered a goal, first in the middle of a goal; null where that never came. */
   gate_out: number | null;
   gate_in: number | null;
   centre: number | null;
+  /** Of a run of laps: left the start cell again, after each lap. */
+  laps?: number[];
   /** When it began: times of the fastest route known to exist, and of the fastest that may exist; null for none. */
   known: number | null;
   hoped: number | null;
@@ -415,6 +417,8 @@ export interface Drive {
     touch_penalty: number;
     untouched_bonus: number;
     gate_to_gate: boolean;
+    /** Where laps count, and not runs. */
+    counts?: 'lap';
   };
   decisions: number;
   replanned: number;
