@@ -228,7 +228,7 @@ TEST_F(AHostOfPrograms, RefusesWhatIsNoExternal) {
   is_refused({"race", "--mice", "program:robot.py"}, "'robot.py'", "'python3 robot.py'");
   is_refused({"race", "--mice", "program:./corridor.txt"}, "'./corridor.txt'", "chmod +x ./corridor.txt");
   is_refused({"race", "--mice", "program:~/mouse"}, "'~/mouse'", "full path");
-  is_refused({"race", "--mice", "robot.py"}, "'robot.py'", "'capstone:FILE'");
+  is_refused({"race", "--mice", "robot.py"}, "'robot.py'", "'capstone:robot.py'");
   is_refused({"race", "--mice", "python3 robot.py"}, "'python3 robot.py'", "'capstone:FILE'");
   is_refused({"race", "--mice", "Capstone"}, "'Capstone'", "'capstone:FILE'");
   is_refused({"race", "--mice", "program:a\tb"}, "unprintable");

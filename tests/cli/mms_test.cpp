@@ -156,7 +156,7 @@ TEST_F(AnMmsUser, AnInterruptEndsTheProgram) {
 TEST_F(AnMmsUser, RacesInAWorldOfItsOwn) {
   const Ended ended = labmouse({"race", "--mice", to_the_goal_, "--mazes", "plank.txt"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, Says("world of mms", "1 mouse", "1 maze"));
+  EXPECT_THAT(ended.out, Says("world mms", "1 mouse", "1 maze"));
   EXPECT_THAT(ended.out, ContainsRegex(" 1/1 +1\\.2 "));
   EXPECT_THAT(ended.out, Not(HasSubstr("search steps")));
 }
@@ -167,7 +167,7 @@ TEST_F(AnMmsUser, RacesBesideTheOthersInASecondTable) {
   const Ended ended =
       labmouse({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt", "--world", "each"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_LT(ended.out.find("\nflood "), ended.out.find("world of mms"));
+  EXPECT_LT(ended.out.find("\nflood "), ended.out.find("world mms"));
 }
 
 TEST_F(AnMmsUser, GetsAllStatisticsAsJson) {

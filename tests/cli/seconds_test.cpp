@@ -76,7 +76,7 @@ TEST_F(ADriver, IsToldWhatCannotBeVaried) {
 TEST_F(ADriver, RacesInSeconds) {
   const Ended ended = race_in_seconds({});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr(": world of seconds, "));
+  EXPECT_THAT(ended.out, HasSubstr(": world seconds, "));
   EXPECT_THAT(ended.out, HasSubstr("\nflood "));
   EXPECT_THAT(ended.out, HasSubstr("\ncertify "));
   EXPECT_THAT(ended.out, Says("Robot mm2021", "90 mm"));

@@ -257,7 +257,7 @@ constexpr auto physical_table = joined(
         {{"", "runs", 5, count_text<&P::starts>, "starts", "runs",
           "Runs that began at the start, search runs among them."},
          {"tyres", "slipped", 7, count_text<&P::slid>, "slid", "tyres slipped",
-          "Runs that ended in a crash because the tyres did not hold."},
+          "Runs that ended in a crash because the tyres slipped."},
          {"lost", "position", 8, count_text<&P::position_lost>, "position_lost", "localization errors",
           "Runs that ended in a crash because the mouse had lost its position."},
          {"wall", "errors", 6, count_text<&P::wall_error>, "wall_error", "wall detection errors",

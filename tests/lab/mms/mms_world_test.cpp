@@ -213,7 +213,7 @@ Json group_json(const Race& race) { return Json::parse(json_of(race, {})).at("gr
 
 TEST(MmsTable, ShowsEveryMouseBestFirst) {
   const std::string table = table_of(two_mice(), false);
-  EXPECT_THAT(table, Says("world of mms", "2 mice", "2 mazes"));
+  EXPECT_THAT(table, Says("world mms", "2 mice", "2 mazes"));
   EXPECT_THAT(table, ContainsRegex("\n./good +2/2 +22\\.6 +0\\.0-280\\.9 "));
   EXPECT_THAT(table, ContainsRegex("\npython3 bad.py +1/2 +1002\\.7 +0-13675 +4\\.50 "));
   EXPECT_LT(table.find("\n./good"), table.find("\npython3 bad.py"));
