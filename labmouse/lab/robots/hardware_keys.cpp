@@ -60,7 +60,8 @@ constexpr std::array keys = {
        [](Hardware& h) -> double& { return h.sensors.infrared.beams[side].ahead; }),
     of("sensors.side_aside", "how far from the middle", "mm", 0.0, 500.0,
        [](Hardware& h) -> double& { return h.sensors.infrared.beams[side].aside; }),
-    of("sensors.side_angle", "how far from straight ahead they look", "rad", 0.75, 1.6,
+    // At less than 45 degrees a sensor looks ahead rather than aside: looks_aside().
+    of("sensors.side_angle", "how far from straight ahead they look", "rad", 0.7854, 1.6,
        [](Hardware& h) -> double& { return h.sensors.infrared.beams[side].angle; }),
     of("sensors.front_ahead", "how far before the axle the front sensors sit", "mm", -500.0, 500.0,
        [](Hardware& h) -> double& { return h.sensors.infrared.beams[front].ahead; }),

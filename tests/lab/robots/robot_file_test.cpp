@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/hardware/beam.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
@@ -308,6 +309,13 @@ TEST(RobotFiles, ReadsAFile) {
   EXPECT_TRUE(found.errors.empty());
   EXPECT_EQ(found.robot.name, path);
   EXPECT_EQ(found.model.tables.hash, find_robot("half").model.tables.hash);
+}
+
+TEST(RobotFile, SideSensorsOfAnyAngleLookAsideAndFrontSensorsAhead) {
+  const RobotKey &side = *find_robot_key("sensors.side_angle"), &front = *find_robot_key("sensors.front_angle");
+  for (const double angle : {side.low, side.high}) EXPECT_TRUE(looks_aside(Beam{0.0, 0.0, angle})) << angle;
+  for (const double angle : {front.low, front.high}) EXPECT_FALSE(looks_aside(Beam{0.0, 0.0, angle})) << angle;
+  EXPECT_NEAR(side.low, 3.141592653589793 / 4.0, 1e-4) << "45 degrees";
 }
 
 }  // namespace

@@ -325,9 +325,9 @@ TEST(RobotVariants, TakeAllThatARobotFileTakes) {
   EXPECT_EQ(robot_of(*variants_in(entry_in("seconds"), "sight=1,3").worlds.at(1)).first["sight"], 3);
   EXPECT_EQ(robot_of(*variants_in(entry_in("seconds"), "layout.V90=false").worlds.at(0)).first["layout.V90"], false);
   // 45 and 60 degrees.
-  const RobotVariants angles = variants_in(entry_in("physical"), "sensors.side_angle=0.785,1.047");
+  const RobotVariants angles = variants_in(entry_in("physical"), "sensors.side_angle=0.7854,1.0472");
   EXPECT_EQ(angles.error, "");
-  EXPECT_EQ(robot_of(*angles.worlds.at(0)).first["sensors.side_angle"], 0.785);
+  EXPECT_EQ(robot_of(*angles.worlds.at(0)).first["sensors.side_angle"], 0.7854);
 }
 
 TEST(RobotVariants, HaveTheRemarksThatTheRobotItselfHasNot) {
