@@ -17,7 +17,7 @@ def row(name, crashed=0, wrong=0, cells=500, aside=1.0):
     """A row as `labmouse drive` tells it, of ten drives."""
     readings = {"all": 1000, "wrong": wrong, "share": wrong / 1000}
     return {"name": name, "mazes": 5, "runs": 10, "crashed": crashed, "cells": cells,
-            "truth": {"aside_mm": aside, "along_mm": 1.0, "direction_degrees": 1.0},
+            "truth": {"lateral_mm": aside, "longitudinal_mm": 1.0, "heading_degrees": 1.0},
             "side_readings": readings, "front_readings": {"all": 1000, "wrong": 0, "share": 0.0}}
 
 
