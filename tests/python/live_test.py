@@ -90,8 +90,9 @@ def test_what_it_raises_when_it_is_carried_ends_its_contest(debug):
         def carried(self, seconds):
             raise ValueError("put me down")
 
-    record = labmouse.run(Clumsy, MAZE, world="failures", noise=4, debug=debug)
-    assert record.outcome == "forfeit: died" and "put me down" in record.last_words
+    # Whether it crashes is chance.
+    records = (labmouse.run(Clumsy, MAZE, world="failures", noise=4, seed=seed, debug=debug) for seed in range(1, 31))
+    assert next(one.outcome for one in records if "put me down" in (one.last_words or "")) == "forfeit: died"
 
 
 def test_a_process_that_dies_on_its_way_is_a_forfeit():
