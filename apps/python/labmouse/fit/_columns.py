@@ -20,19 +20,30 @@ class Role:
 
 
 _DUTY = "a duty is a share of what the battery can give: write left=NAME/255, say"
+_MOST_DUTY = 4.0  # duties beyond 1 are limited to 1; larger ones have another unit
+_MILLIVOLTS = "if it is in mV, write {}=NAME/1000"
 _YAW = "if it is in degrees/s, write {}=NAME*0.0174533"
 
 #: The table of docs/how-to/robot-from-a-log.md.
 ROLES = {
     "time": Role("ms", -1e12, 1e12),
-    "left": Role("", -1.0, 1.0, _DUTY),
-    "right": Role("", -1.0, 1.0, _DUTY),
+    "left": Role("", -_MOST_DUTY, _MOST_DUTY, _DUTY),
+    "right": Role("", -_MOST_DUTY, _MOST_DUTY, _DUTY),
+    "duty": Role("", -_MOST_DUTY, _MOST_DUTY, "a duty is a share of what the battery can give: write duty=NAME/255, say"),
+    "forward_volts": Role("V", -100.0, 100.0, _MILLIVOLTS.format("forward_volts")),
+    "rotation_volts": Role("V", -100.0, 100.0, _MILLIVOLTS.format("rotation_volts")),
     "left_count": Role("counts", -1e12, 1e12),
     "right_count": Role("counts", -1e12, 1e12),
     "left_speed": Role("mm/s", -20_000.0, 20_000.0),
     "right_speed": Role("mm/s", -20_000.0, 20_000.0),
+    "left_travel": Role("mm", -1e7, 1e7),
+    "right_travel": Role("mm", -1e7, 1e7),
+    "travel": Role("mm", -1e7, 1e7),
+    "forward_speed": Role("mm/s", -20_000.0, 20_000.0),
+    "heading": Role("degrees", -1e7, 1e7),
+    "rotation_speed": Role("rad/s", -100.0, 100.0, _YAW.format("rotation_speed")),
     "gyro": Role("rad/s", -100.0, 100.0, _YAW.format("gyro")),
-    "volts": Role("V", 0.1, 100.0, "if it is in mV, write volts=NAME/1000"),
+    "volts": Role("V", 0.1, 100.0, _MILLIVOLTS.format("volts")),
     **{name: Role("counts", -1e6, 1e6) for name in ("ir_right", "ir_right_ahead", "ir_left", "ir_left_ahead")},
     **{
         name: Role("mm", 0.0, 5000.0, f"if it is in m, write {name}=NAME*1000", gaps=True)
@@ -43,13 +54,25 @@ ROLES = {
     "turning": Role("rad/s", -100.0, 100.0, _YAW.format("turning")),
 }
 
+#: Roles that go together, and roles of which a log has one.
+_PAIRS = (
+    *((f"left{what}", f"right{what}") for what in ("", "_count", "_travel", "_speed")),
+    ("forward_volts", "rotation_volts"),
+    ("speed", "turning"),
+)
+_SAME = (
+    ("left", "duty", "forward_volts"),
+    ("left_count", "left_travel", "left_speed", "travel", "forward_speed"),
+    ("gyro", "heading", "rotation_speed"),
+)
+
 
 @dataclass(frozen=True)
 class Column:
     """The column of a role.
 
-    name: as in the first line of the log, or "#3" for the third column. factor: converts its values to the unit of the
-    role. wraps: the number of counts after which the counter wraps around; 0 if it does not.
+    name: as in the first line of the log, "#3" for the third column, or an expression of such names (_expressions.py).
+    factor: converts its values to the unit of the role. wraps: the number of counts after which the counter wraps around; 0 if it does not.
     """
 
     name: str
@@ -68,11 +91,13 @@ def read_columns(text: str, period: float = 0.0) -> dict[str, Column]:
         if role in columns:
             raise Error(f"--columns: '{role}' is there twice; name it once")
         columns[role] = column
-    for one, other in (("left", "right"), ("left_count", "right_count"), ("left_speed", "right_speed"), ("speed", "turning")):
+    for one, other in _PAIRS:
         if (one in columns) != (other in columns):
             raise Error(f"--columns: '{one}' and '{other}' go together; name both or neither")
-    if "left_count" in columns and "left_speed" in columns:
-        raise Error("--columns: 'left_count' and 'left_speed' say the same; name one of them")
+    for same in _SAME:
+        given = [role for role in same if role in columns]
+        if len(given) > 1:
+            raise Error(f"--columns: '{given[0]}' and '{given[1]}' say the same; name one of them")
     if ("time" in columns) == (period > 0.0):
         raise Error(
             "--columns: the time is a column and has a period; give one of them"
@@ -86,10 +111,7 @@ def _read_column(part: str) -> tuple[str, Column]:
     text, wraps = _cut_number(part, "%")
     if wraps is not None and not 2.0 <= wraps <= 1e12:
         raise Error(f"--columns: '{part}': a counter wraps at a number from 2 on, such as 65536")
-    text, factor = _cut_number(text, "*")
-    if factor is None:
-        text, divisor = _cut_number(text, "/")
-        factor = 1.0 if divisor is None else 1.0 / divisor if divisor else math.inf
+    text, factor = _cut_factor(text)
     if not 1e-12 <= abs(factor) <= 1e12:
         raise Error(f"--columns: '{part}': the factor must be from 1e-12 to 1e12")
     role, equals, name = (word.strip() for word in text.partition("="))
@@ -102,6 +124,15 @@ def _read_column(part: str) -> tuple[str, Column]:
     if wraps and not role.endswith("_count"):
         raise Error(f"--columns: '{role}' is no counter, so it does not wrap; take the % out")
     return role, Column(name, factor, wraps or 0.0)
+
+
+def _cut_factor(text: str) -> tuple[str, float]:
+    """Cuts a factor or a divisor from a plain name; from expressions, which are read with the names of the log, nothing."""
+    name, factor = _cut_number(text, "*")
+    if factor is None:
+        name, divisor = _cut_number(text, "/")
+        factor = 1.0 if divisor is None else 1.0 / divisor if divisor else math.inf
+    return (text, 1.0) if any(sign in name for sign in "+-*/()") else (name, factor)
 
 
 def _cut_number(text: str, sign: str) -> tuple[str, Optional[float]]:

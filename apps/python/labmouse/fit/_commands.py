@@ -13,14 +13,16 @@ from ._comparison import compare_log
 from ._log_fit import fit_log
 from ._logs import Log, read_log
 from ._plots import save_plot
+from ._presets import PRESETS
 from ._robots import FittedRobot, base_numbers, robot_numbers, robot_of_header, robot_of_logs
 from ._turns import read_header
 
-_COLUMNS = "which column of the log is what: ROLE=COLUMN, with a factor or divisor behind it, separated by commas (docs/how-to/robot-from-a-log.md has the roles)"
+_COLUMNS = "which column of the log is what: ROLE=COLUMN or ROLE=EXPRESSION (+ - * / and parentheses), separated by commas (docs/how-to/robot-from-a-log.md has the roles)"
 _WAY = "how far the mouse came in the whole log, where no column has a way that is known"
 _TURNS = "table of turns with the columns turn, speed, ms, x, y, before, after; or a C header of firmware with turns or constants, such as config-robot-*.h of UKMARS"
 _CELL = "with --turns: side of a cell; default: what S90 with its straights says, or that of the other robot"
 _ROBOT = "built-in robot, or a file with a slash or .toml in its name (default: classic)"
+_PRESET = f"format of the log, instead of --columns: {', '.join(PRESETS)}; without both, its first line says it"
 _PERIOD = "from one row of the log to the next in ms, where no column has the time"
 
 
@@ -43,14 +45,15 @@ class _Parser(argparse.ArgumentParser):
 def _parser(name: str, description: str) -> argparse.ArgumentParser:
     parser = _Parser(prog=f"python3 -m labmouse.{name}", description=description, allow_abbrev=False)
     parser.add_argument("--columns", metavar="LIST", default="", help=_COLUMNS)
+    parser.add_argument("--preset", metavar="NAME", choices=PRESETS, default="", help=_PRESET)
     parser.add_argument("--period", metavar="MS", type=_number(0.05, 50.0), default=0.0, help=_PERIOD)
     return parser
 
 
 def _log(path: str, options: argparse.Namespace) -> Log:
-    if not options.columns:
-        raise Error("--columns must say which column is what, as in time=ms,left=pwm_l/255,gyro*0.001")
-    return read_log(path, options.columns, period=options.period)
+    if options.columns and options.preset:
+        raise Error("--columns and --preset both say which column is what; give one of them")
+    return read_log(path, options.columns, period=options.period, preset=options.preset)
 
 
 def _run(command: Callable[[], int]) -> int:
@@ -75,8 +78,8 @@ def _check_outputs(inputs: Sequence[str], outputs: Sequence[str]) -> None:
 def fit(words: Sequence[str]) -> int:
     """Writes a robot file from logs or from turns; returns the exit code. words: the arguments."""
     parser = _parser("fit", "Write a robot file from published or measured turns, from a header of firmware, or from logs of a mouse")
-    parser.add_argument("logs", nargs="*", metavar="LOG", help="logs of one mouse, CSV")
-    parser.add_argument("--log", metavar="FILE", action="append", default=[], help="a log, too")
+    parser.add_argument("logs", nargs="*", metavar="LOG", help="one or more logs of one mouse, CSV; fitted together")
+    parser.add_argument("--log", metavar="FILE", action="append", default=[], help="a log, too (repeatable)")
     parser.add_argument("--turns", metavar="TABLE", default="", help=_TURNS)
     parser.add_argument("--way", metavar="MM", type=_number(1.0, 1e6), default=0.0, help=_WAY)
     parser.add_argument("--way-error", metavar="MM", type=_number(0.0, 1e4), default=1.0, help="standard error of that (default: 1)")

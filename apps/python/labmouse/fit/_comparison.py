@@ -97,7 +97,8 @@ def compare_log(log: Log, robot: "Union[str, os.PathLike[str]]") -> Comparison:
     _check(log, motion)
     stronger = 0.0
     if motion.left is not None:
-        stronger = fit_log(log, numbers).turn.mixed.value
+        mixed = fit_log(log, numbers).turn.mixed
+        stronger = mixed.value if mixed.sure else 0.0
         rows = np.searchsorted(log.times, np.arange(motion.ticks) + 1e-3, side="right") - 1
         ways, angles = _native.drive_duties(name, stronger, log["left"][rows].copy(), log["right"][rows].copy())
     else:

@@ -61,7 +61,6 @@ def _fit_places(counts: Array, ways: Array) -> CountFit:
         return fit
     fit.missed = float(np.sqrt(line.squares(solved[1]).sum() / places))
     slope = solved[0][0]
-    fit.count = within(slope, max(jackknife(solved[1])[0], jackknife(summed[1])[0]), 0.1 * slope)
-    if not fit.count.known:
-        fit.refusal = "counts and the way that is known do not go together"
+    error = max(jackknife(solved[1])[0], jackknife(summed[1])[0])
+    fit.count = within(slope, error, 0.1 * slope, "counts and the way that is known do not go together", number - 1.0)
     return fit

@@ -1,5 +1,7 @@
 """Estimates with standard errors, and linear least squares with a jackknife."""
 
+import dataclasses
+import math
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any, Optional
@@ -12,20 +14,56 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number and its standard error, in the same unit. An error of 0 means that the number is not determined."""
+    """A number and its standard error, in the same unit. An error of 0 means that there is no estimate.
+
+    freedom: degrees of freedom of the error; few for a short log. positive: the number cannot be 0 or below, so its
+    logarithm has a symmetric interval. unsure: why the number is not reliable, or ''.
+    """
 
     value: float = 0.0
     error: float = 0.0
+    freedom: float = math.inf
+    positive: bool = False
+    unsure: str = ""
 
     @property
     def known(self) -> bool:
-        """Whether the data determine it."""
+        """Whether there is an estimate."""
         return self.error > 0.0
 
+    @property
+    def sure(self) -> bool:
+        """Whether there is an estimate and no reason to doubt it."""
+        return self.known and not self.unsure
 
-def within(value: float, error: float, most: float) -> Estimate:
-    """An estimate that is unknown unless its error is above 0 and at most `most`."""
-    return Estimate(float(value), float(error) if 0.0 < error <= most else 0.0)
+    @property
+    def interval(self) -> tuple[float, float]:
+        """The 95 % interval, by Student's t distribution; without an estimate, (nan, nan)."""
+        if not self.known:
+            return math.nan, math.nan
+        stats: Any = import_module("scipy.stats")
+        width = float(stats.t.ppf(0.975, self.freedom)) * self.error
+        if self.positive and self.value > 0.0:
+            factor = math.exp(min(700.0, width / self.value))
+            return self.value / factor, self.value * factor
+        return self.value - width, self.value + width
+
+    def scaled(self, factor: float) -> "Estimate":
+        """The same number in another unit."""
+        return dataclasses.replace(self, value=factor * self.value, error=abs(factor) * self.error)
+
+    def with_error(self, error: float) -> "Estimate":
+        """With a further, independent standard error, known exactly. Degrees of freedom: Welch 1947, Satterthwaite 1946."""
+        if not self.known:
+            return self
+        total = math.hypot(self.error, error)
+        return dataclasses.replace(self, error=total, freedom=self.freedom * (total / self.error) ** 4)
+
+
+def within(value: float, error: float, most: float, why: str, freedom: float = math.inf, positive: bool = False) -> Estimate:
+    """An estimate that is unsure, with the reason `why`, if its error is above `most`."""
+    unsure = "" if error <= most else why
+    return Estimate(float(value), float(error) if math.isfinite(error) else 0.0, freedom, positive, unsure)
 
 
 def jackknife(without: Any) -> Any:

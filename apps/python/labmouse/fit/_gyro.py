@@ -49,13 +49,9 @@ def fit_gyro(log: Log, motion: Motion) -> GyroFit:
     error = float(np.hypot(jackknife(without), not_white))
     quarters = [(part[:, 1].mean(), (sums[1] - part[:, 1].sum()) / (count - len(part))) for part in parts(4)]
     fit.missed = float(np.sqrt(np.mean([(np.sqrt(own / other) - 1.0) ** 2 if other > 0.0 else 0.0 for own, other in quarters])))
-    fit.noise = within(noise, error, 0.5 * noise)
-    if not fit.noise.known:
-        fit.refusal = (
-            f"its noise at rest comes out as {noise:.2g} +- {error:.2g}: it is not white"
-            if noise > 0.0
-            else "it shows no noise at rest that is more than a unit of it"
-        )
+    fit.noise = within(noise, error, 0.5 * noise, "its noise at rest is not white", 19.0)
+    if not noise > 0.0:
+        fit.noise, fit.refusal = Estimate(), "it shows no noise at rest that is more than a unit of it"
     return fit
 
 

@@ -73,14 +73,10 @@ def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
         result.of_sensor[SENSORS[sensor]] = float(np.exp(fit.law[sensor]))
         result.places += runs[sensor]
     result.readings = kept[["sensor", "farther", "level"]]
-    result.gain = within(fit.gain, fit.gain_error, 0.25 * fit.gain)
-    result.fall = within(fit.fall, fit.fall_error, 0.25 * fit.fall)
-    if not (result.gain.known and result.fall.known):
-        why = "readings follow another law" if result.bends else "distances differ too little"
-        result.refusal = (
-            f"its gain comes out as {fit.gain:.4g} +- {fit.gain_error:.2g}, its fall-off as {fit.fall:.3g} +- {fit.fall_error:.2g} mm: {why}"
-        )
-        result.gain = result.fall = Estimate()
+    why = "readings follow another law" if result.bends else "distances differ too little"
+    freedom = len(problem.blocks) - 1.0
+    result.gain = within(fit.gain, fit.gain_error, 0.25 * fit.gain, why, freedom, True)
+    result.fall = within(fit.fall, fit.fall_error, 0.25 * fit.fall, why, freedom, True)
     return result
 
 

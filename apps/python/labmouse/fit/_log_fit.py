@@ -3,7 +3,7 @@
 import dataclasses
 import math
 from dataclasses import dataclass, field
-from typing import Any, Sequence
+from typing import Any, Optional, Sequence
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from ._estimates import Estimate
 from ._gyro import GyroFit, fit_gyro
 from ._infrared import InfraredFit, fit_infrared
 from ._logs import Log
-from ._motion import Motion, Numbers, motion_of, rates
+from ._motion import Motion, Numbers, motion_of, rates, saturated
 from ._motors import Axis, MotorFit, fit_motors
 
 
@@ -27,19 +27,24 @@ class LogFit:
     turn: MotorFit = field(default_factory=MotorFit)
     gyro: GyroFit = field(default_factory=GyroFit)
     infrared: InfraredFit = field(default_factory=InfraredFit)
+    axes: dict[str, Axis] = field(default_factory=dict)  #: the data of the motors by "drive" and "turn", to fit several logs
+    scales: dict[str, float] = field(default_factory=dict)  #: relative standard error of the rates of each axis
+    saturated: int = 0  #: number of rows with a duty beyond what the battery can give
 
     def numbers(self) -> dict[str, Estimate]:
-        """The fitted parameters by the keys of robot files, in their units; times in ms."""
+        """The estimates by the keys of robot files, in their units; times in ms. Unsure ones are among them."""
         numbers = {"sensors.count": self.count.count, "noise.gyro": self.gyro.noise}
-        for axis, fit in (("drive", self.drive), ("turn", self.turn)):
-            in_ms = Estimate(1e3 * fit.time.value, 1e3 * fit.time.error)
-            numbers |= {f"motors.{axis}_gain": fit.gain, f"motors.{axis}_time": in_ms, f"motors.{axis}_dead_zone": fit.dead_zone}
+        numbers |= _motor_numbers("drive", self.drive) | _motor_numbers("turn", self.turn)
         numbers |= {
-            "motors.turning": self.drive.taking,
             "sensors.infrared_gain": self.infrared.gain,
             "sensors.infrared_fall": self.infrared.fall,
         }
         return {key: number for key, number in numbers.items() if number.known}
+
+
+def _motor_numbers(axis: str, fit: MotorFit) -> dict[str, Estimate]:
+    numbers = {f"motors.{axis}_gain": fit.gain, f"motors.{axis}_time": fit.time.scaled(1e3), f"motors.{axis}_dead_zone": fit.dead_zone}
+    return numbers | ({"motors.turning": fit.taking} if axis == "drive" else {})
 
 
 def fit_log(log: Log, robot: Numbers, *, way: float = 0.0, way_error: float = 1.0) -> LogFit:
@@ -55,50 +60,99 @@ def fit_log(log: Log, robot: Numbers, *, way: float = 0.0, way_error: float = 1.
     fit = LogFit(log, motion_of(log, counted), count)
     fit.gyro = fit_gyro(log, fit.motion)
     fit.infrared = fit_infrared(log, robot)
-    scale = count.count.error / count.count.value if count.count.known else robot["noise.encoder_scale"]
-    _fit_motors(fit, robot, scale)
+    fit.saturated = saturated(log, robot)
+    counted_scale = count.count.error / count.count.value if count.count.known else robot["noise.encoder_scale"]
+    fit.scales = {"drive": counted_scale, "turn": robot["noise.gyro_scale"] if fit.motion.by_gyro else counted_scale}
+    _add_axes(fit, robot)
+    _fit_motors(fit)
     return fit
 
 
-def _fit_motors(fit: LogFit, robot: Numbers, scale: float) -> None:
-    motion = fit.motion
-    if motion.left is None or motion.right is None:
+def _add_axes(fit: LogFit, robot: Numbers) -> None:
+    motion, log = fit.motion, fit.log
+    if motion.interpolated is None:
         fit.drive.refusal = fit.turn.refusal = "the log has no duties"
         return
-    onwards, around = (motion.left + motion.right) / 2.0, motion.right - motion.left
-    base = {axis: {"gain": robot[f"motors.{axis}_gain"], "time": robot[f"motors.{axis}_time"] / 1e3} for axis in ("drive", "turn")}
+    left, right = motion.interpolated
+    onwards, around = (left + right) / 2.0, right - left
+    base = {
+        axis: {
+            "gain": robot[f"motors.{axis}_gain"],
+            "time": robot[f"motors.{axis}_time"] / 1e3,
+            "dead_zone": robot[f"motors.{axis}_dead_zone"],
+            "times": log.times,
+            "spans": motion.spans,
+        }
+        for axis in ("drive", "turn")
+    }
+    about = round(max(10.0, 2.5 * float(np.median(np.diff(log.times)))))
     if motion.way is None:
         fit.drive.refusal = "the log has no encoders"
     else:
-        speed, taken = rates(motion.way), None
+        speed, taken = rates(motion.way, about), None
         if motion.angle is not None:
             # Averaged over about one period of the body's vibration, so that vibration does not count as turning.
-            taken = np.clip(speed, -1.0, 1.0) * np.abs(rates(motion.angle, 16))
-        fit.drive = fit_motors(Axis(motion.way, speed, onwards, around, 40, taken=taken, factor=robot["motors.turning"], **base["drive"]))
-        fit.drive.gain = _less_sure(fit.drive.gain, scale)
-        fit.drive.taking = _less_sure(fit.drive.taking, 0.02)  # vibration limits the turning rate to this accuracy
+            taken = np.clip(speed, -1.0, 1.0) * np.abs(rates(motion.angle, max(16, about)))
+        fit.axes["drive"] = Axis(
+            motion.way,
+            speed,
+            onwards,
+            around,
+            taken=taken,
+            factor=robot["motors.turning"],
+            **base["drive"],
+        )
     if motion.angle is None:
-        fit.turn.refusal = "the log has neither gyro nor encoders"
+        fit.turn.refusal = "the log has neither gyro nor encoders of both wheels"
     else:
-        fit.turn = fit_motors(Axis(motion.angle, rates(motion.angle), around, onwards, 8, **base["turn"]))
-        fit.turn.gain = _less_sure(fit.turn.gain, robot["noise.gyro_scale"] if motion.by_gyro else scale)
+        fit.axes["turn"] = Axis(
+            motion.angle,
+            rates(motion.angle, about),
+            around,
+            onwards,
+            **base["turn"],
+        )
 
 
-def _less_sure(number: Estimate, share: float) -> Estimate:
-    return Estimate(number.value, math.hypot(number.error, share * number.value)) if number.known else number
+def _fit_motors(fit: LogFit) -> None:
+    for name, axis in fit.axes.items():
+        setattr(fit, name, _scaled(fit_motors(axis), fit.scales[name]))
+
+
+def _scaled(motor: MotorFit, scale: float) -> MotorFit:
+    """With the errors of the scale of encoders or gyro."""
+    motor.gain = motor.gain.with_error(scale * motor.gain.value)
+    motor.taking = motor.taking.with_error(0.02 * motor.taking.value)  # vibration limits the turning rate to this accuracy
+    return motor
+
+
+def together(fits: Sequence[LogFit], axis: str) -> Optional[MotorFit]:
+    """The fit of an axis ("drive" or "turn") to all logs together. None if each log determines the motors by itself, so
+    that `pooled` can compare them, or if only one log has that axis."""
+    some = [fit for fit in fits if axis in fit.axes]
+    motors: list[MotorFit] = [getattr(fit, axis) for fit in some]
+    if len(some) < 2 or all(motor.gain.sure and motor.time.sure for motor in motors):
+        return None
+    return _scaled(fit_motors([fit.axes[axis] for fit in some]), max(fit.scales[axis] for fit in some))
 
 
 def pooled(fits: Sequence[LogFit]) -> dict[str, Estimate]:
     """Pools the fits of several logs of one mouse; the keys are those of robot files.
 
-    Means are weighted by inverse variances. If logs differ by more than their errors, the error grows by the Birge
+    Motors that some log does not determine by itself are fitted to all logs together (`together`). Otherwise, means are
+    weighted by inverse variances, and unsure estimates are left out if there are others. If logs differ by more than their errors, the error grows by the Birge
     ratio (Birge 1932), so that it includes the variation between logs.
     """
     by_key: dict[str, list[Estimate]] = {}
     for fit in fits:
         for key, number in fit.numbers().items():
             by_key.setdefault(key, []).append(number)
-    return {key: _pool(numbers) for key, numbers in by_key.items()}
+    numbers = {key: _pool([one for one in some if one.sure] or some[:1]) for key, some in by_key.items()}
+    for axis in ("drive", "turn"):
+        motor = together(fits, axis)
+        if motor is not None and motor.gain.known:
+            numbers |= {key: number for key, number in _motor_numbers(axis, motor).items() if number.known}
+    return numbers
 
 
 def _pool(numbers: list[Estimate]) -> Estimate:
@@ -108,4 +162,5 @@ def _pool(numbers: list[Estimate]) -> Estimate:
     weights: Any = errors**-2.0
     mean = float((weights * values).sum() / weights.sum())
     ratio = math.sqrt(float((weights * (values - mean) ** 2).sum()) / (len(numbers) - 1))
-    return Estimate(mean, float(weights.sum()) ** -0.5 * max(1.0, ratio))
+    error = float(weights.sum()) ** -0.5 * max(1.0, ratio)
+    return dataclasses.replace(numbers[0], value=mean, error=error, freedom=min(one.freedom for one in numbers) + len(numbers) - 1.0)

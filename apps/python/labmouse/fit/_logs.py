@@ -13,10 +13,13 @@ import pandas as pd
 from .. import Error
 from ._columns import ROLES, Column, read_columns
 from ._estimates import Array
+from ._expressions import Expression, UnknownName
 from ._files import content_of
+from ._presets import prepared
 
-#: Limits: length of a log in ms, time from row to row in ms, size of the file in MiB.
+#: Limits: length of a log in ms, time from row to row in ms beyond which the log has a gap, size of the file in MiB.
 LONGEST, LONGEST_GAP, LARGEST = 600_000.0, 50.0, 128
+MOST_GAPS = 0.1  #: share of rows after a gap
 _EMPTY = ["", "-", "nan", "NaN"]
 
 
@@ -25,7 +28,8 @@ class Log:
     """The rows of a log.
 
     times: ms since the first row, increasing, shape (rows,). values: an array (rows,) for each role, in the role's unit
-    (docs/how-to/robot-from-a-log.md); empty fields are NaN. name: of its file, for messages.
+    (docs/how-to/robot-from-a-log.md); empty fields are NaN. name: of its file, for messages. Where rows are more than
+    50 ms apart, the log has a gap.
     """
 
     times: Array
@@ -39,14 +43,21 @@ class Log:
         return self.values[role]
 
 
-def read_log(path: "Union[str, os.PathLike[str]]", columns: str, *, period: float = 0.0) -> Log:
+def read_log(path: "Union[str, os.PathLike[str]]", columns: str = "", *, period: float = 0.0, preset: str = "") -> Log:
     """Reads a log, at most 10 minutes and 128 MiB.
 
-    columns: the roles of the columns, in the form of `--columns` (docs/how-to/robot-from-a-log.md). period: ms from row
-    to row, if no column has the time. Raises Error with file, line and column of the first problem.
+    columns: the roles of the columns, in the form of `--columns` (docs/how-to/robot-from-a-log.md). Without them, the
+    log must have the format `preset` ("ukmars" or "kerise") or, with an empty `preset`, the first line of one of these.
+    period: ms from row to row, if no column has the time. Raises Error with file, line and column of the first problem.
     """
-    wanted = read_columns(columns, period)
+    wanted = read_columns(columns, period) if columns else {}
     text = content_of(path, LARGEST).decode("utf-8-sig", errors="replace")
+    text, of_preset, usual = prepared(os.fspath(path), text, preset)
+    if not columns:
+        if not of_preset:
+            raise Error("--columns must say which column is what, as in time=ms,left=pwm_l/255,gyro*0.001")
+        period = 0.0 if "time=" in of_preset else period or usual
+        wanted = read_columns(of_preset, period)
     return _Reader(os.fspath(path), text, wanted, period).log
 
 
@@ -64,16 +75,16 @@ class _Reader:
         first = self._fields(self.lines[0])
         named = any(one not in _EMPTY and pd.isna(pd.to_numeric(one, errors="coerce")) for one in first)
         self.start = 1 if named else 0
-        places = {role: self._place(role, column, first, named) for role, column in columns.items()}
+        formulas = {role: self._formula(role, column, first, named) for role, column in columns.items()}
         self._check_widths(len(first), cut=text[-1:] != "\n")
         if len(kept) - self.start < 2:
             rows = "no rows below its first line" if len(kept) == self.start else "one row"
             raise Error(f"{name}: error: has {rows}; a fit needs two or more")
-        frame = self._frame(sorted(set(places.values())), na_values=_EMPTY)
+        frame = self._frame(sorted({place for formula in formulas.values() for place in formula.columns} or {0}), na_values=_EMPTY)
         self.problems: list[tuple[int, int, str]] = []
         log = Log(period * np.arange(float(len(frame))), name=name)
-        for role, place in places.items():
-            log.values[role] = self._values(frame[place], role, columns[role], place)
+        for role, formula in formulas.items():
+            log.values[role] = self._values(frame, role, columns[role], formula)
         if "time" in log.values:
             log.times = log.values["time"] - log.values["time"][0]
         self._check_times(log.times)
@@ -105,22 +116,27 @@ class _Reader:
                 reason = f"has {fields} fields, and the first line {width}" + (": the log is cut off here; take this line out" if end else "")
                 raise self._error(i, 0, reason)
 
-    def _place(self, role: str, column: Column, first: list[str], named: bool) -> int:
-        name = _short(column.name)
-        if column.name.startswith("#"):
-            number = column.name[1:]
-            if not number.isdecimal() or not 1 <= int(number) <= len(first):
-                raise self._error(0, 0, f"has no column {name} for '{role}'; its first line has {len(first)}")
-            return int(number) - 1
+    def _formula(self, role: str, column: Column, first: list[str], named: bool) -> Expression:
+        """The expression of a role. Only a name that is nothing else is an error of the first line."""
+        names = first if named else []
+        try:
+            formula = Expression(column.name, names, len(first))
+        except UnknownName as unknown:
+            raise self._unknown(role, unknown.name, first, named) from None
+        for place in formula.columns:
+            again = next((i for i in range(place + 1, len(first)) if named and first[i] == first[place] and f"#{place + 1}" not in column.name), 0)
+            if again:
+                raise self._error(0, again, f"names '{_short(first[place])}' twice; give one by its number, as in {role}=#{again + 1}")
+        return formula
+
+    def _unknown(self, role: str, name: str, first: list[str], named: bool) -> Error:
+        name = _short(name)
+        if name.startswith("#"):
+            return self._error(0, 0, f"has no column {name} for '{role}'; its first line has {len(first)}")
         if not named:
-            raise self._error(0, 0, f"does not name its columns, so none is '{name}'; give them by their numbers, as in {role}=#1")
-        found = [i for i, one in enumerate(first) if one == column.name]
-        if not found:
-            known = ", ".join(map(_short, first[:12])) + (f" and {len(first) - 12} more" if len(first) > 12 else "")
-            raise self._error(0, 0, f"has no column '{name}' for '{role}'; its columns are {known}")
-        if len(found) > 1:
-            raise self._error(0, found[1], f"names '{name}' twice; give one by its number, as in {role}=#{found[1] + 1}")
-        return found[0]
+            return self._error(0, 0, f"does not name its columns, so none is '{name}'; give them by their numbers, as in {role}=#1")
+        known = ", ".join(map(_short, first[:12])) + (f" and {len(first) - 12} more" if len(first) > 12 else "")
+        return self._error(0, 0, f"has no column '{name}' for '{role}'; its columns are {known}")
 
     def _frame(self, places: list[int], **how: Any) -> "pd.DataFrame":
         frame: pd.DataFrame = pd.read_csv(
@@ -136,21 +152,18 @@ class _Reader:
         )
         return frame
 
-    def _values(self, read: "pd.Series[Any]", role: str, column: Column, place: int) -> Array:
+    def _values(self, frame: "pd.DataFrame", role: str, column: Column, formula: Expression) -> Array:
         what = ROLES[role]
-        numbers = read.to_numpy(dtype=float, copy=True) if read.dtype.kind in "fi" else np.full(len(read), np.inf)
-        empty = np.isnan(numbers)
-        if np.isinf(numbers).any() or self.has_tiny:  # read fields again as text: some are not plain numbers
-            texts = self._frame([place], dtype=str, na_filter=False)[place].str.strip(' \t"')
-            numbers = pd.to_numeric(texts, errors="coerce").to_numpy(dtype=float, copy=True)
-            empty = texts.isin(_EMPTY).to_numpy()
-            underflows = (np.abs(numbers) < np.finfo(float).tiny) & texts.str.contains("^[^eE]*[1-9]").to_numpy()
-            numbers[~np.isfinite(numbers) | underflows] = np.nan
-            for row in np.flatnonzero(~empty & np.isnan(numbers))[:1]:
-                comma = "; write decimals as in 0.5" if "," in texts.iloc[row] else ""
-                self.problems.append((row, place, f"'{_short(texts.iloc[row])}' for '{role}' is not a number in range{comma}"))
-        if not what.gaps:
-            for row in np.flatnonzero(empty)[:1]:
+        known = len(self.problems)
+        read = {place: self._numbers(frame[place], role, place) for place in formula.columns}
+        place = formula.columns[0] if formula.columns else 0
+        numbers = np.broadcast_to(np.asarray(formula.of(read), dtype=float), (len(frame),)).copy()
+        if np.isinf(numbers).any():
+            for row in np.flatnonzero(np.isinf(numbers))[:1]:
+                self.problems.append((row, place, f"'{_short(formula.text)}' for '{role}' divides by 0"))
+            numbers[np.isinf(numbers)] = np.nan
+        if not what.gaps and known == len(self.problems):
+            for row in np.flatnonzero(np.isnan(numbers))[:1]:
                 self.problems.append((row, place, f"has no value for '{role}'"))
         if column.wraps:
             steps = np.round(np.diff(numbers, prepend=numbers[0]) / column.wraps)
@@ -162,12 +175,27 @@ class _Reader:
             self.problems.append((row, place, f"'{role}' is {values[row]:g}; it must be {what.low:g} to {what.high:g} {what.unit}".rstrip() + hint))
         return values
 
+    def _numbers(self, read: "pd.Series[Any]", role: str, place: int) -> Array:
+        """The numbers of a column; empty fields are NaN."""
+        numbers = read.to_numpy(dtype=float, copy=True) if read.dtype.kind in "fi" else np.full(len(read), np.inf)
+        if np.isinf(numbers).any() or self.has_tiny:  # read fields again as text: some are not plain numbers
+            texts = self._frame([place], dtype=str, na_filter=False)[place].str.strip(' \t"')
+            numbers = pd.to_numeric(texts, errors="coerce").to_numpy(dtype=float, copy=True)
+            empty = texts.isin(_EMPTY).to_numpy()
+            underflows = (np.abs(numbers) < np.finfo(float).tiny) & texts.str.contains("^[^eE]*[1-9]").to_numpy()
+            numbers[~np.isfinite(numbers) | underflows] = np.nan
+            for row in np.flatnonzero(~empty & np.isnan(numbers))[:1]:
+                comma = "; write decimals as in 0.5" if "," in texts.iloc[row] else ""
+                self.problems.append((row, place, f"'{_short(texts.iloc[row])}' for '{role}' is not a number in range{comma}"))
+        return numbers
+
     def _check_times(self, times: Array) -> None:
         steps = np.diff(times)
         for row in np.flatnonzero(~(steps > 0.0) & np.isfinite(steps))[:1]:
             self.problems.append((row + 1, 0, f"the time goes from {times[row]:g} to {times[row + 1]:g} ms; it must grow"))
-        for row in np.flatnonzero(steps > LONGEST_GAP)[:1]:
-            reason = f"the time goes on by {steps[row]:g} ms; a log has no gaps of more than {LONGEST_GAP:g} ms: "
+        gaps = steps > LONGEST_GAP
+        for row in np.flatnonzero(gaps)[: int(gaps.sum() > MOST_GAPS * len(steps))]:
+            reason = f"the time goes on by {steps[row]:g} ms; rows must be at most {LONGEST_GAP:g} ms apart, except at a few gaps: "
             reason += "cut it here, or give its unit, as in time=NAME*1000"
             self.problems.append((row + 1, 0, reason))
         for row in np.flatnonzero(times > LONGEST)[:1]:

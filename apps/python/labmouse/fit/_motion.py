@@ -7,10 +7,12 @@ import numpy as np
 
 from .. import Error
 from ._estimates import Array
-from ._logs import Log
+from ._logs import LONGEST_GAP, Log
 
 #: Seconds of a tick.
 TICK = 1e-3
+#: ms: up to this, rows are as fine as the steps of a controller, which change the duties.
+_FINE = 1.5
 Numbers = dict[str, Any]
 
 
@@ -19,11 +21,13 @@ class Motion:
     """The motion by ticks. An array is None if the log does not have the quantity."""
 
     ticks: int
-    left: Optional[Array] = None  #: PWM duty of the left motor, scaled to the voltage of a full battery
+    left: Optional[Array] = None  #: PWM duty of the left motor, scaled to the voltage of a full battery; constant from row to row
     right: Optional[Array] = None  #: the same of the right one
+    interpolated: Optional[tuple[Array, Array]] = None  #: both duties, interpolated linearly if rows are above 1.5 ms apart
     way: Optional[Array] = None  #: travel of the middle of the axle in mm, by encoders
     angle: Optional[Array] = None  #: heading in rad, to the left
-    by_gyro: bool = False  #: whether the angle is from the gyro; otherwise it is from encoders
+    by_gyro: bool = False  #: whether the angle is from the gyro; otherwise it is from encoders or the log's own heading
+    spans: list[tuple[int, int]] = field(default_factory=list)  #: spans [begin, end) without a gap between rows
     rests: list[tuple[int, int]] = field(default_factory=list)  #: spans [begin, end) without motion, 0.1 s or longer
 
 
@@ -40,20 +44,29 @@ def motion_of(log: Log, robot: Numbers) -> Motion:
     def between(role: str) -> Array:
         return np.asarray(np.interp(ticks, log.times, log[role]), dtype=float)
 
-    motion = Motion(len(ticks), by_gyro="gyro" in log)
+    motion = Motion(len(ticks), by_gyro="gyro" in log, spans=_spans(log))
     wheels = _wheels(log, between, float(robot["sensors.count"]))
     if wheels is not None:
         motion.way = (wheels[0] + wheels[1]) / 2.0
-    if "left" in log:
-        left, right = log["left"][rows], log["right"][rows]
-        if "volts" in log:  # the voltage under a tick's duties is measured one tick later
-            volts = between("volts")
-            share = np.append(volts[1:], volts[-1]) / robot["motors.volts"]
-        else:
-            share = 1.0 - robot["motors.sag"] * (np.abs(left) + np.abs(right)) / 2.0
-        motion.left, motion.right = left * share, right * share
+    elif "travel" in log:
+        motion.way = between("travel")
+    elif "forward_speed" in log:
+        motion.way = _sums(between("forward_speed"))
+    duties = _duties(log, robot)
+    if duties is not None:
+        motion.left, motion.right = (duty[rows] for duty in duties)
+        share = _voltage(log, robot, between, motion.left, motion.right)
+        motion.left, motion.right = motion.left * share, motion.right * share
+        motion.interpolated = (motion.left, motion.right)
+        if float(np.median(np.diff(log.times))) > _FINE:
+            left, right = (np.interp(ticks, log.times, duty) for duty in duties)
+            motion.interpolated = (left * share, right * share)
     if motion.by_gyro:
         motion.angle = _sums(between("gyro"))
+    elif "heading" in log:
+        motion.angle = np.radians(between("heading"))
+    elif "rotation_speed" in log:
+        motion.angle = _sums(between("rotation_speed"))
     elif wheels is not None:
         motion.angle = (wheels[1] - wheels[0]) / (2.0 * robot["body.half_track"])
     motion.rests = _rests(motion, float(robot["sensors.count"]))
@@ -61,6 +74,47 @@ def motion_of(log: Log, robot: Numbers) -> Motion:
         turned = sum(motion.angle[end - 1] - motion.angle[begin] for begin, end in motion.rests)
         motion.angle -= ticks * turned / sum(end - begin - 1 for begin, end in motion.rests)
     return motion
+
+
+def _spans(log: Log) -> list[tuple[int, int]]:
+    ends = np.flatnonzero(np.diff(log.times) > LONGEST_GAP)
+    first, last = [0, *(ends + 1).tolist()], [*ends.tolist(), len(log.times) - 1]
+    return [(int(np.ceil(log.times[begin] - 1e-3)), int(log.times[end] + 1e-3) + 1) for begin, end in zip(first, last)]
+
+
+def _duties(log: Log, robot: Numbers) -> "Optional[tuple[Array, Array]]":
+    """The duties of both motors by rows, limited to what a battery can give; None if the log has none."""
+    if "left" in log:
+        left, right = log["left"], log["right"]
+    elif "duty" in log:
+        left = right = log["duty"]
+    elif "forward_volts" in log:
+        around = log["rotation_volts"]
+        left, right = (log["forward_volts"] - around) / robot["motors.volts"], (log["forward_volts"] + around) / robot["motors.volts"]
+    else:
+        return None
+    return np.clip(left, -1.0, 1.0), np.clip(right, -1.0, 1.0)
+
+
+def saturated(log: Log, robot: Numbers) -> int:
+    """The number of rows in which a duty or a voltage is beyond what the battery can give."""
+    rows = np.zeros(len(log.times), dtype=bool)
+    for role in ("left", "right", "duty"):
+        if role in log:
+            rows |= np.abs(log[role]) > 1.0
+    if "forward_volts" in log:
+        rows |= np.abs(log["forward_volts"]) + np.abs(log["rotation_volts"]) > robot["motors.volts"]
+    return int(rows.sum())
+
+
+def _voltage(log: Log, robot: Numbers, between: Any, left: Array, right: Array) -> Any:
+    """The voltage under these duties, as a share of that of a full battery."""
+    if "forward_volts" in log:  # duties are voltages already
+        return 1.0
+    if "volts" not in log:
+        return 1.0 - robot["motors.sag"] * (np.abs(left) + np.abs(right)) / 2.0
+    volts = between("volts")  # the voltage under a tick's duties is measured one tick later
+    return np.append(volts[1:], volts[-1]) / robot["motors.volts"]
 
 
 def rates(places: Array, about: int = 10) -> Array:
@@ -78,6 +132,8 @@ def _sums(speeds: Array) -> Array:
 def _wheels(log: Log, between: Any, count: float) -> "Optional[tuple[Array, Array]]":
     if "left_count" in log:
         wheels = (between("left_count") * count, between("right_count") * count)
+    elif "left_travel" in log:
+        wheels = (between("left_travel"), between("right_travel"))
     elif "left_speed" in log:
         wheels = (_sums(between("left_speed")), _sums(between("right_speed")))
     else:
@@ -97,7 +153,10 @@ def _rests(motion: Motion, count: float) -> list[tuple[int, int]]:
     about, shortest = 25, 100
     if motion.ticks <= 2 * about or (motion.way is None and motion.left is None):
         return []
-    still = np.ones(motion.ticks - 2 * about, dtype=bool)
+    rows = np.zeros(motion.ticks, dtype=bool)
+    for begin, end in motion.spans or [(0, motion.ticks)]:
+        rows[begin:end] = True
+    still = rows[about:-about].copy()
     if motion.left is not None and motion.right is not None:
         still &= (np.abs(motion.left) + np.abs(motion.right))[about:-about] <= 0.01
     for places, most in ((motion.way, max(0.15, 2.0 * count)), (motion.angle, 0.01)):

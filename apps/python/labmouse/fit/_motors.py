@@ -1,38 +1,47 @@
 """Estimates gain, time constant and dead zone of the motors from duties and motion, per axis (driving or turning).
 
-Model: T dv/dt = K (u - u0 sign(v)) - v, with rate v, PWM duty u, gain K, time constant T and dead zone u0.
+Model: T dv/dt = K (u - u0 sign(v)) - v, with rate v, PWM duty u, gain K, time constant T and dead zone u0. In some logs,
+the dead zone acts on the input instead: T dv/dt = K (u - clip(u, -u0, u0)) - v.
 """
 
+import math
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 
-from ._estimates import Array, Blocks, Estimate, fits_better, jackknife, within
-from ._motion import TICK
+from ._estimates import Array, Blocks, Estimate, jackknife, within
+from ._motion import TICK, rates
+from ._response import Problem, Series, Solution, covariance_root, windows_of
 
-# The unknowns, in this order: K/T; K/T times the share of the other axis' duty (MotorFit.mixed); K u0/T; K/T times the
-# correction of Axis.factor; 1/T. Extended models have one more: K/T times the lag in s, or K/T times the drag in duty
-# per squared rate.
-_DUTY, _OTHER, _FRICTION, _TAKEN, _RATE, _LAG, _DRAG = range(7)
-# Ticks: the longest and the shortest stretch, and the window over which rates are averaged, including the filter.
-_LONGEST, _SHORTEST, _COMPARED = 300, 80, 56
+# The pushes, by their index: the duty of the axis; that of the other axis (MotorFit.mixed); friction; the correction of
+# Axis.factor. Extended models have one more: the lag in s, or the drag in duty per squared rate.
+_DUTY, _OTHER, _FRICTION, _TAKEN, _LAG, _DRAG = range(6)
+# Ticks: the longest and the shortest stretch.
+_LONGEST, _SHORTEST = 1000, 80
+_MOST_BLOCKS, _LEAST_WINDOWS = 20, 6
+_ALTERNATING = -0.2  # correlation of a residual with the one before
+_FINE = 0.0015  # s: up to this, rows are as fine as the steps of a controller
+_DECIDED = 4.0  # ln of a ratio of likelihoods
+_BETTER = 0.05  # the same for each equation
 _MUCH = 3.0  # residuals above this multiple of the noise count as unexplained
 
 
 @dataclass
 class Axis:
-    """The data of a log for one axis; arrays have the shape (ticks,)."""
+    """The data of a log for one axis. Arrays have the shape (ticks,), except times."""
 
     place: Array  #: position in mm or rad
     rate: Array  #: its derivative per second
     duty: Array  #: of this axis
     other: Array  #: duty of the other axis, since unequal motors mix them
-    filtered: int  #: window of the moving average in ticks, 1 to 40, which removes vibration
+    times: Array  #: of the rows in ms
     gain: float  #: of the base robot; rates below 0.6 % of it count as slow
     time: float  #: time constant of the base robot in s
+    dead_zone: float = 0.0  #: of the base robot
     taken: Optional[Array] = None  #: turning rate in rad/s with the sign of the speed; the duty loses factor * taken
     factor: float = 0.0  #: of the base robot, duty per rad/s
+    spans: Sequence[tuple[int, int]] = ()  #: [begin, end) in ticks, without gaps; empty: all
 
 
 @dataclass
@@ -40,202 +49,277 @@ class MotorFit:
     """The result of fit_motors. Rates are in mm/s (driving) or rad/s (turning)."""
 
     gain: Estimate = Estimate()  #: rate at full duty
-    time: Estimate = Estimate()  #: time constant in s; the base's, with error 0, if the log does not determine it
+    time: Estimate = Estimate()  #: time constant in s
     dead_zone: Estimate = Estimate()  #: duty that friction takes
     taking: Estimate = Estimate()  #: duty that turning takes from driving, per rad/s
     #: Share of the other axis' duty that acts on this axis; for turning, by how much the right motor is stronger.
     mixed: Estimate = Estimate()
-    time_known: bool = True  #: False if the gain was fitted with the base's time constant
-    stretches: int = 0  #: number of stretches of motion in one direction
+    by_input: bool = False  #: whether the dead zone acts on the input; otherwise it is friction
+    stretches: int = 0  #: number of stretches of motion in one direction, at most a second each
     peak: float = 0.0  #: largest rate
-    missed: float = 0.0  #: rms error of the rate on stretches left out of the fit
-    noise: float = 0.0  #: rms of the part of `missed` that is measurement noise
-    changes: float = 0.0  #: rms of the rate without its mean in each stretch: what the model has to explain
+    missed: float = 0.0  #: rms error of the rate on blocks left out of the fit
+    noise: float = 0.0  #: rms of the part of `missed` that the rows before do not predict
     lag: float = 0.0  #: lag in s of a motor of the second order, if that fits better
     drag: float = 0.0  #: duty that drag takes at the peak rate, if that fits better
     refusal: str = ""  #: why there is no fit
 
 
-def fit_motors(axis: Axis) -> MotorFit:
-    """Fits the motors of an axis.
+def fit_motors(axes: "Union[Axis, Sequence[Axis]]") -> MotorFit:
+    """Fits the motors of an axis to one log or several.
 
-    Method: integrated twice, the model gives the position as a sum of known curves, linear in 1/T, K/T and K u0/T. So
-    no measured signal is differentiated (Garnier and Wang, "Identification of continuous-time models from sampled
-    data", 2008). Least squares over short stretches of motion in one direction, each with its own initial position and
-    rate. Errors are those of a jackknife over blocks of stretches. If a model with lag or drag predicts blocks left out
-    of the fit better, the errors include the changes that it would make. If residuals stay well above the noise even
-    then, the errors grow by the unexplained share of the motion.
+    Method: an output-error fit (Ljung, "System Identification", 1999). First-order motors are simulated under the duties
+    of the log; least squares over windows of motion in one direction, each with its own initial position and rate, so
+    six stretches or one are enough. Errors are those of a jackknife over blocks of windows. Residuals that depend on
+    their predecessors (vibration, slip) enter a controller's duties and bias the fit. So a second fit uses their
+    autoregressive covariance; its difference from the first one is part of the errors. If a model with lag or drag
+    halves the squared errors on blocks left out of the fit, the errors include the changes that it would make. The dead
+    zone is friction or that of the input, whichever is more likely.
     """
-    result = MotorFit(peak=float(np.abs(axis.rate).max()))
-    stretches = _one_way_stretches(axis.rate, max(0.05 * result.peak, 0.006 * axis.gain))
-    result.stretches = len(stretches)
-    if len(stretches) < 6:
-        result.refusal = f"it moves one way long enough {len(stretches)} times, and must 6 times"
+    axes = [axes] if isinstance(axes, Axis) else list(axes)
+    result = MotorFit(peak=max(float(np.abs(axis.rate).max()) for axis in axes))
+    stretches = [_one_way_stretches(axis, _slow(axis)) for axis in axes]
+    windows = [window for i, axis in enumerate(axes) for window in windows_of(axis.times, stretches[i], i)]
+    result.stretches = len(windows)
+    if not windows or sum(len(window.rows) - 1 for window in windows) < 12:
+        result.refusal = "it does not move long enough in one direction (0.1 s)"
         return result
-    model = _Model(axis, stretches)
-    fixed, chosen = _choose(model, axis)
-    if chosen is None:
+    fit = _best(axes, stretches, windows)
+    if fit is None:
         result.refusal = "its speeds do not follow from its duties: are these the right columns, with the right signs?"
         return result
-    numbers, errors = chosen.numbers, chosen.errors.copy()
-    result.time_known = _RATE not in fixed
-    result.missed, result.changes = model.rms(chosen.missed.sum()), model.rms(model.changes)
-    result.noise = _noise(axis, stretches)
-    left = model.rms(_widen(model, fixed, chosen, result, errors))
-    if left > _MUCH * result.noise:
-        errors = np.hypot(errors, numbers * left / result.changes)
-    result.gain = within(numbers[0], errors[0], 0.25 * numbers[0])
-    result.time = within(numbers[1], errors[1], 0.25 * numbers[1]) if result.time_known else Estimate(axis.time)
-    result.dead_zone = within(max(0.0, numbers[2]), errors[2], 0.03)
-    result.mixed = within(numbers[3], errors[3], 0.1)
-    result.taking = within(max(0.0, axis.factor + numbers[4]), errors[4], axis.factor)
-    if not result.gain.known or (result.time_known and not result.time.known):
-        result.refusal = _reason(result, numbers, errors)
-        result.gain = result.time = result.dead_zone = result.mixed = result.taking = Estimate()
+    _fill(result, fit, axes[0])
     return result
 
 
-def _one_way_stretches(rate: Array, slow: float) -> list[tuple[int, int]]:
-    """Spans of at least 80 ticks with motion in one direction faster than `slow`, cut into pieces of at most 300."""
-    ways = np.where(rate > slow, 1, np.where(rate < -slow, -1, 0))
-    edges = np.concatenate([[0], np.flatnonzero(np.diff(ways)) + 1, [len(ways)]])
+def _slow(axis: Axis) -> float:
+    """The rate below which a direction is uncertain. Coarse positions make it larger."""
+    rows = np.interp(axis.times, np.arange(len(axis.place)), axis.place)
+    steps = np.abs(np.diff(rows))
+    moved = steps[steps > 1e-9]
+    unit = float(moved.min()) if len(moved) else 0.0
+    around = max(10.0, 2.5 * float(np.median(np.diff(axis.times)))) * TICK
+    return max(0.05 * float(np.abs(axis.rate).max()), 0.006 * axis.gain, unit / (2.0 * around))
+
+
+def _one_way_stretches(axis: Axis, slow: float) -> list[tuple[int, int]]:
+    """Spans of at least 80 ticks with motion in one direction faster than `slow`, cut into pieces of at most 1000."""
+    ways = np.where(axis.rate > slow, 1, np.where(axis.rate < -slow, -1, 0))
     stretches = []
-    for begin, end in zip(edges[:-1].tolist(), edges[1:].tolist()):
-        size = end - begin
-        if ways[begin] and size >= _SHORTEST:
-            parts = -(-size // _LONGEST)
-            stretches += [(begin + i * size // parts, begin + (i + 1) * size // parts) for i in range(parts)]
+    for first, last in axis.spans or [(0, len(ways))]:
+        edges = np.concatenate([[first], first + np.flatnonzero(np.diff(ways[first:last])) + 1, [last]])
+        for begin, end in zip(edges[:-1].tolist(), edges[1:].tolist()):
+            size = end - begin
+            if size >= _SHORTEST and ways[begin]:
+                parts = -(-size // _LONGEST)
+                stretches += [(begin + i * size // parts, begin + (i + 1) * size // parts) for i in range(parts)]
     return stretches
 
 
-def _means(values: Array, filtered: int) -> Array:
-    """Moving average over `filtered` rows, against vibration and encoder errors. It keeps linear equations valid."""
-    sums = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
-    means: Array = (sums[filtered:] - sums[:-filtered]) / filtered
-    return means
-
-
-def _rate_changes(places: Array, filtered: int) -> Array:
-    over = _COMPARED - filtered
-    return (places[over:] - places[:-over]) / (over * TICK)
-
-
-def _curves(axis: Axis, begin: int, end: int) -> Array:
-    """The contribution of each unknown to the position, and the position itself, shape (ticks, 8). Filtered, without
-    the best straight line: that removes the initial position and rate."""
-    span = slice(begin, end)
-    size, sign = end - begin, 1.0 if axis.rate[(begin + end) // 2] > 0.0 else -1.0
-    place, rate = axis.place[span] - axis.place[begin], axis.rate[span]
-    taken = np.zeros(size) if axis.taken is None else axis.taken[span]
-    pushes = np.zeros((size, 8))
-    pushes[:, _DUTY], pushes[:, _OTHER] = axis.duty[span] - axis.factor * taken, axis.other[span]
-    pushes[:, _FRICTION], pushes[:, _TAKEN], pushes[:, _DRAG] = -sign, -taken, -rate * np.abs(rate)
-    # As in the simulated body: the duty of a tick changes the rate of the next one, and that rate the position.
-    once = np.concatenate([np.zeros((1, 8)), np.cumsum(pushes[:-1] * TICK, axis=0)])
-    curves = np.cumsum(once * TICK, axis=0)
-    curves[:, _RATE] = -np.concatenate([[0.0], np.cumsum(place[:-1] * TICK)])
-    curves[:, _LAG] = -once[:, _DUTY]
-    curves[:, 7] = place
-    means = _means(curves, axis.filtered)
-    line = np.linspace(-1.0, 1.0, len(means))
-    means -= means.mean(axis=0) + np.outer(line, line @ means) / (line @ line)
-    return means
+def _series(axis: Axis, stretches: list[tuple[int, int]]) -> Series:
+    duty, other = axis.duty, axis.other
+    ticks = len(axis.place)
+    rate = rates(axis.place, 31)  # without vibration, which would be explained by itself
+    sign, taken = np.zeros(ticks), np.zeros(ticks) if axis.taken is None else axis.taken
+    for begin, end in stretches:
+        sign[begin:end] = 1.0 if axis.rate[(begin + end) // 2] > 0.0 else -1.0
+    pushes = np.column_stack([duty - axis.factor * taken, other, -sign, -taken, -np.diff(duty, prepend=duty[0]) / TICK, -rate * np.abs(rate)])
+    place = np.interp(axis.times, np.arange(ticks), axis.place)
+    return Series(place, axis.times * TICK, pushes, duty)
 
 
 @dataclass
-class _ModelFit:
-    answer: Array
-    numbers: Array  # gain, time, dead zone, mixed, taken
+class _Fit:
+    """A fit of a problem by a jackknife. The numbers are ln gain, ln time, dead zone, mixed, taken."""
+
+    problem: Problem
+    chosen: list[int]
+    solution: Solution
+    numbers: Array
     errors: Array
-    missed: Array  # by block: sum of squared rate errors, predicted without that block
+    missed: Array  # by block: sum of squared errors, predicted without that block
+    blocks: int
+    root: Optional[Array]  # of the covariance that the fit used; None: residuals counted as independent
+    likely: float = 0.0  # ln of the likelihood, by the part of the residuals that their predecessors do not predict
 
 
-class _Model:
-    def __init__(self, axis: Axis, stretches: list[tuple[int, int]]) -> None:
-        self.count = min(20, len(stretches))
-        block = [i * self.count // len(stretches) for i in range(len(stretches))]
-        curves = [_curves(axis, begin, end) for begin, end in stretches]
-        numbers = np.repeat(block, [len(one) for one in curves])
-        whole = np.concatenate(curves)
-        self.blocks = Blocks(whole[:, :7], whole[:, 7], numbers)
-        changes = [_rate_changes(one, axis.filtered) for one in curves]
-        #: The normal equations of the rates by block, from which the rate errors of a solution follow.
-        every = np.concatenate(changes)
-        self.rates = Blocks(every[:, :7], every[:, 7], np.repeat(block, [len(one) for one in changes]))
-        self.ticks, self.changes = len(every), float((every[:, 7] ** 2).sum())
+def _numbers(chosen: list[int], answer: Array, unknowns: Array, by_input: bool, dead_zone: float) -> Array:
+    """The numbers of a solution, or of several: shape (..., 5). Only for a positive gain."""
+    gain = answer[..., chosen.index(_DUTY)]
 
-    def fit(self, fixed: dict[int, float]) -> Optional[_ModelFit]:
-        """Fits the model. None if the log does not determine it, or if gain or time constant are not positive."""
-        solved = self.blocks.solve(fixed)
-        if solved is None:
-            return None
-        answers = np.vstack([solved[0], solved[1]])
-        if not ((answers[:, _DUTY] > 0.0) & (answers[:, _RATE] > 0.0) & (answers[:, _RATE] < 1.0 / TICK)).all():
-            return None
-        duty, rate = answers[:, _DUTY], answers[:, _RATE]
-        # Discrete time: each tick, a rate approaches its steady value by the factor 1 - exp(-tick/T).
-        time = -TICK / np.log1p(-rate * TICK)
-        numbers = np.column_stack([duty / rate, time, answers[:, _FRICTION] / duty, answers[:, _OTHER] / duty, answers[:, _TAKEN] / duty])
-        return _ModelFit(solved[0], numbers[0], jackknife(numbers[1:]), self.rates.squares(solved[1]))
+    def share(push: int) -> Any:
+        return answer[..., chosen.index(push)] / gain if push in chosen else np.zeros_like(gain)
 
-    def rms(self, squares: Any) -> float:
-        return float(np.sqrt(squares / self.ticks))
+    zone = unknowns[..., 1] if by_input else share(_FRICTION) if _FRICTION in chosen else np.full_like(gain, dead_zone)
+    return np.stack([np.log(gain), unknowns[..., 0], zone, share(_OTHER), share(_TAKEN)], axis=-1)
 
 
-def _choose(model: _Model, axis: Axis) -> "tuple[dict[int, float], Optional[_ModelFit]]":
-    """The fixed unknowns and the fit of the first model that the log determines well; if none, those of the last model.
+def _fit(problem: Problem, chosen: list[int], start: Array, dead_zone: float, root: Optional[Array] = None) -> Optional[_Fit]:
+    """Fits the chosen pushes. None if the log does not determine them, or if the gain is not positive."""
+    solution = problem.solve(chosen, start, root)
+    jacobian = np.column_stack([solution.equations, problem.slopes(solution, chosen, root)])
+    windows = len(problem.windows)
+    if windows >= _LEAST_WINDOWS:
+        count = min(_MOST_BLOCKS, windows)
+        block = np.repeat(np.arange(windows) * count // windows, problem.sizes)
+    else:
+        count = int(min(_MOST_BLOCKS, max(4, len(problem) // (15 if root is None else 8))))
+        block = np.arange(len(problem)) * count // len(problem)
+    blocks = Blocks(jacobian, solution.rest, block)
+    solved = blocks.solve({})
+    if solved is None:
+        return None
+    size = len(chosen)
+    answers = solution.answer + solved[1][:, :size]
+    if solution.answer[0] <= 0.0 or (answers[:, 0] <= 0.0).any():
+        return None
+    numbers = _numbers(chosen, solution.answer, solution.unknowns, problem.by_input, dead_zone)
+    others = _numbers(chosen, answers, solution.unknowns + solved[1][:, size:], problem.by_input, dead_zone)
+    errors = jackknife(others) if windows >= _LEAST_WINDOWS else _errors(problem, chosen, solution, jacobian, root, dead_zone)
+    return _Fit(problem, chosen, solution, numbers, errors, blocks.squares(solved[1]), count, root)
 
-    The time constant is fitted first; if the log does not determine it, the base robot's is used. The duty that turning
-    takes (`MotorFit.taking`) is handled in the same way.
+
+def _errors(problem: Problem, chosen: list[int], solution: Solution, jacobian: Array, root: Optional[Array], dead_zone: float) -> Array:
+    """Standard errors of the numbers if there are too few windows for a jackknife: by the covariance of residuals, which
+    an autoregressive model describes (Newey and West 1987 use the same formula with another covariance)."""
+    units = np.linalg.norm(jacobian, axis=0)
+    plain, size = jacobian / units, len(chosen)
+    left = len(jacobian) - jacobian.shape[1] - len(problem.windows)
+    variance = float(solution.rest @ solution.rest) / max(1, left)
+    middle = plain.T @ plain
+    if root is None:
+        own = covariance_root(problem.split(solution.rest))[0]
+        parts = [own[: len(part), : len(part)].T @ part for part in problem.split(plain)]
+        middle = sum(part.T @ part for part in parts)
+    inverse = np.linalg.inv(plain.T @ plain)
+    covariance = variance * inverse @ middle @ inverse / np.outer(units, units)
+    slopes = []
+    for i in range(jacobian.shape[1]):
+        step = np.zeros(jacobian.shape[1])
+        step[i] = 1e-4 * (abs(solution.answer[i]) if i < size else 1.0) + 1e-12
+        ends = [
+            _numbers(chosen, solution.answer + sign * step[:size], solution.unknowns + sign * step[size:], problem.by_input, dead_zone)
+            for sign in (1.0, -1.0)
+        ]
+        slopes.append((ends[0] - ends[1]) / (2.0 * step[i]))
+    errors: Array = np.sqrt(np.maximum(0.0, np.einsum("in,ij,jn->n", np.array(slopes), covariance, np.array(slopes))))
+    return errors
+
+
+def _weighted(fit: _Fit, dead_zone: float) -> _Fit:
+    """The fit with the weights that its residuals call for.
+
+    Coarse positions make residuals alternate: the noise of a position enters two steps with opposite signs. Then the
+    inverse of their covariance as weights makes a far better fit. Otherwise, equal weights are robust.
     """
-    fixed: dict[int, float] = {}
-    fit: Optional[_ModelFit] = None
-    for time in ({}, {_RATE: -np.expm1(-TICK / axis.time) / TICK}):
-        fixed = {_LAG: 0.0, _DRAG: 0.0, **time}
-        fit = model.fit(fixed)
-        if fit is None or not fit.errors[4] < axis.factor:
-            fixed[_TAKEN] = 0.0
-            fit = model.fit(fixed)
-        if fit is not None and (fit.errors[:2] <= 0.25 * fit.numbers[:2]).all():
-            break
-    return fixed, fit
+    rest = fit.solution.rest
+    root, innovation = covariance_root(fit.problem.split(rest))
+    if float(rest[1:] @ rest[:-1]) < _ALTERNATING * float(rest @ rest):
+        better = _fit(fit.problem, fit.chosen, fit.solution.unknowns, dead_zone, root)
+        if better is not None:
+            fit = better
+            innovation = covariance_root(fit.problem.split(fit.problem.rest(fit.solution, fit.chosen)))[1]
+    fit.likely = -len(rest) * float(np.log(max(innovation, 1e-300)))
+    return fit
 
 
-def _widen(model: _Model, fixed: dict[int, float], chosen: _ModelFit, result: MotorFit, errors: Array) -> float:
-    """Increases the errors by the changes under better models with lag or drag. Returns the smallest sum of squares."""
-    least = float(chosen.missed.sum())
-    for more in (_LAG, _DRAG):
-        other = model.fit({unknown: value for unknown, value in fixed.items() if unknown != more})
-        if other is None or not fits_better(other.missed, chosen.missed):
+def _pushes(problem: Problem, axis: Axis) -> "list[list[int]]":
+    """The sets of pushes to try, from all to the duty alone; those that do not occur in the windows are left out."""
+    rows = [problem.series[one.series].pushes for one in problem.windows]
+    ever = np.max([np.abs(one).max(axis=0) for one in rows], axis=0) > 1e-9
+    every = [push for push in (_DUTY, _OTHER, _FRICTION, _TAKEN) if ever[push] and not (problem.by_input and push == _FRICTION)]
+    sets = [every]
+    for dropped in ((_TAKEN,), (_TAKEN, _OTHER), (_TAKEN, _OTHER, _FRICTION)):
+        fewer = [push for push in every if push not in dropped]
+        if fewer != sets[-1]:
+            sets.append(fewer)
+    return sets
+
+
+def _determined(problem: Problem, axis: Axis) -> Optional[_Fit]:
+    """The fit of the first set of pushes that the log determines."""
+    for chosen in _pushes(problem, axis):
+        fit = _fit(problem, chosen, problem.start(axis.time), axis.dead_zone)
+        if fit is None or (_TAKEN in chosen and not fit.errors[4] < axis.factor):
             continue
-        least = min(least, float(other.missed.sum()))
-        errors[:] = np.hypot(errors, other.numbers - chosen.numbers)
-        size = float(other.answer[more] / other.answer[_DUTY])
+        if _OTHER in chosen and len(chosen) > 2 and not fit.errors[0] < 1.0:
+            continue
+        return _weighted(fit, axis.dead_zone)
+    return None
+
+
+def _best(axes: "list[Axis]", stretches: "list[list[tuple[int, int]]]", windows: Any) -> Optional[_Fit]:
+    """The most likely fit of both kinds of dead zone. If the log does not decide, the errors include the difference."""
+    series = [_series(axis, some) for axis, some in zip(axes, stretches)]
+    best = _determined(Problem(series, windows), axes[0])
+    other = _determined(Problem(series, windows, by_input=True), axes[0])
+    if best is None or other is None:
+        return best or other
+    better = other.likely - best.likely
+    if better > max(_DECIDED, _BETTER * len(other.problem)):
+        return other
+    if better > -_DECIDED and _FRICTION in best.chosen:
+        best.errors = np.hypot(best.errors, other.numbers - best.numbers)
+    return best
+
+
+def _fill(result: MotorFit, fit: _Fit, axis: Axis) -> None:
+    problem, errors = fit.problem, fit.errors.copy()
+    rest = problem.rest(fit.solution, fit.chosen)
+    root, innovation = covariance_root(problem.split(rest))
+    if fit.root is None:
+        errors = np.hypot(errors, _with_covariance(fit, root, axis) - fit.numbers)
+    result.by_input = problem.by_input
+    result.missed = float(np.sqrt((fit.missed.sum() if fit.root is None else rest @ rest) / len(rest))) / problem.seconds
+    result.noise = innovation / problem.seconds
+    # Between coarse rows, duties may have changed at any time: half a row early or late, evenly distributed.
+    row = float(np.median(np.diff(axis.times))) * TICK
+    errors[1] = math.hypot(errors[1], row * (1.0 / math.sqrt(12.0) if row > _FINE else 0.1) / math.exp(fit.numbers[1]))
+    _widen(fit, result, errors, axis)
+    gain, time = float(np.exp(fit.numbers[0])), float(np.exp(fit.numbers[1]))
+    freedom = float(fit.blocks - 1)
+    friction = problem.by_input or _FRICTION in fit.chosen
+    why = _reason(result, friction)
+    most = 0.25 if friction else 0.0
+    result.gain = within(gain, gain * errors[0], most * gain, why, freedom, True)
+    result.time = within(time, time * errors[1], most * time, why, freedom, True)
+    if friction:
+        result.dead_zone = within(max(0.0, fit.numbers[2]), errors[2], 0.03, why, freedom)
+    result.mixed = within(fit.numbers[3], errors[3], 0.1, "the duties of both axes change together", freedom) if _OTHER in fit.chosen else Estimate()
+    if _TAKEN in fit.chosen:
+        result.taking = within(max(0.0, axis.factor + fit.numbers[4]), errors[4], axis.factor, "it hardly turns while it drives", freedom)
+
+
+def _with_covariance(fit: _Fit, root: Array, axis: Axis) -> Array:
+    """The numbers of the fit that uses the covariance of residuals."""
+    solution = fit.problem.solve(fit.chosen, fit.solution.unknowns, root)
+    if solution.answer[0] <= 0.0:
+        return fit.numbers + 1.0
+    return _numbers(fit.chosen, solution.answer, solution.unknowns, fit.problem.by_input, axis.dead_zone)
+
+
+def _widen(fit: _Fit, result: MotorFit, errors: Array, axis: Axis) -> None:
+    """Increases the errors by the changes under models with lag or drag, if they fit better."""
+    for more in (_LAG, _DRAG):
+        other = _fit(fit.problem, [*fit.chosen, more], fit.solution.unknowns, axis.dead_zone, fit.root)
+        if other is None or other.missed.sum() > 0.5 * fit.missed.sum():
+            continue
+        size = float(other.solution.answer[-1] / other.solution.answer[0])
+        if more == _DRAG and size <= 0.0:
+            continue
+        errors[:] = np.hypot(errors, other.numbers - fit.numbers)
         if more == _LAG:
             result.lag = size
         else:
             result.drag = size * result.peak**2
-    return least
 
 
-def _noise(axis: Axis, stretches: list[tuple[int, int]]) -> float:
-    """The measurement noise as a rate: the median rms residual of a cubic fitted to pieces of 120 ticks."""
-    piece, squares = 120, []
-    for begin, end in stretches:
-        for start in range(begin, end - piece + 1, piece):
-            places = _means(axis.place[start : start + piece] - axis.place[start], axis.filtered)
-            x = np.linspace(-1.0, 1.0, len(places))
-            rest = places - np.polynomial.legendre.legval(x, np.polynomial.legendre.legfit(x, places, 3))
-            squares.append(float((_rate_changes(rest, axis.filtered) ** 2).mean()))
-    return float(np.sqrt(sorted(squares)[len(squares) // 2])) if squares else 0.0
-
-
-def _reason(fit: MotorFit, numbers: Array, errors: Array) -> str:
-    unsure = f"its gain comes out as {numbers[0]:.4g} +- {errors[0]:.2g}"
+def _reason(fit: MotorFit, friction: bool) -> str:
+    if not friction:
+        return "its dead zone is that of the base robot: it moves at one duty alone"
     if fit.lag:
-        return f"{unsure}: it is no motor of the first order, but lags by {1e3 * fit.lag:.1f} ms more"
+        return f"it is no motor of the first order, but lags by {1e3 * fit.lag:.1f} ms more"
     if fit.drag:
-        return f"{unsure}: something brakes it more, the faster it goes"
+        return "something brakes it more, the faster it goes"
     if fit.noise > 0.0 and fit.missed > _MUCH * fit.noise:
-        return f"{unsure}: it misses stretches left out by {fit.missed / fit.noise:.0f} times the noise"
-    return f"{unsure}: speeds and duties differ too little"
+        return "the motion does not follow from the duties alone"
+    return "speeds and duties differ too little"

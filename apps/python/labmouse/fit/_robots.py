@@ -6,12 +6,16 @@ import os
 from dataclasses import dataclass, replace
 from typing import Any, Sequence, Union
 
+import numpy as np
+
 from .. import Error, _native
 from ._constants import constants_of
 from ._estimates import Estimate
 from ._headers import Header
 from ._infrared import SENSORS
-from ._log_fit import LogFit, pooled
+from ._log_fit import LogFit, pooled, together
+from ._logs import LONGEST_GAP
+from ._missing import missing
 from ._motion import Numbers
 from ._motors import MotorFit
 from ._turn import TURNS, Turn
@@ -45,29 +49,78 @@ def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") 
     Raises Error if the base has no hardware.
     """
     name, robot = robot_numbers(base)
-    head, warnings = "", []
+    head, parts = "", []
     for fit in fits:
         lines = _head(fit, robot)
-        head += f"# Fitted to {_plain(fit.log.name)}; all else is from {_plain(name)}. +- is a standard error.\n"
-        head += "".join(f"# {line}\n" for line, _ in lines)
-        warnings += [line.replace(": nothing fitted, ", ": ", 1) for line, is_warning in lines if is_warning]
+        head += f"# Fitted to {_plain(fit.log.name)}; all else is from {_plain(name)}. Intervals are 95 % intervals.\n"
+        head += "".join(f"# {part}: {words}\n" if part else f"# {words}\n" for part, words, _ in lines)
+        parts += lines
     numbers, remarks = pooled(fits), {}
+    head += _joint(fits)
     ranges = _native.robot_ranges()
     for key, number in numbers.items():
         value, (low, high) = _rounded(number.value), ranges[key]
-        if low <= value <= high:
+        found = f"{_interval(number)}" + (f", unsure: {number.unsure}" if number.unsure else "")
+        if low <= value <= high and not number.error > max(number.value, _LEAST_DOUBT.get(key, 0.0)):
             robot[key] = value
-            remarks[key] = f"fitted, +- {number.error:.2g}"
+            remarks[key] = f"fitted, {found}"
         else:
-            remarks[key] = f"from {_plain(name)}: the log says {value:g}, which it cannot be"
-    for axis, motor in (("drive", [fit.drive for fit in fits]), ("turn", [fit.turn for fit in fits])):
-        if f"motors.{axis}_gain" in numbers and not any(one.time.known for one in motor):
-            remarks[f"motors.{axis}_gain"] += ", for the time below"
-            remarks[f"motors.{axis}_time"] = f"from {_plain(name)}: the log does not tell it from the gain"
+            remarks[key] = f"from {_plain(name)}: the log says {value:g}, {found}" + ("" if low <= value <= high else ", which it cannot be")
+    head += _per_volt(fits, numbers, robot)
+    lacking = missing(fits, numbers)
+    head += "".join(f"# missing: {line}\n" for line in lacking)
+    warnings = _warnings(parts, numbers)
     text, problem = _native.robot_file(json.dumps(robot), remarks, f"from {_plain(name)}: the log does not determine it")
     if problem and not warnings:
         warnings.append(f"the robot is refused as it stands: {problem}")
     return FittedRobot(f"{head}\n{text}", warnings[0] if warnings else "", numbers, fits)
+
+
+#: A dead zone near 0 may have an error above its value, in duty; so may the duty that turning takes.
+_LEAST_DOUBT = {"motors.drive_dead_zone": 0.03, "motors.turn_dead_zone": 0.03, "motors.turning": 0.001}
+
+
+def _interval(number: Estimate) -> str:
+    low, high = number.interval
+    return f"95 % {low:.4g} to {high:.4g}"
+
+
+def _joint(fits: Sequence[LogFit]) -> str:
+    """Lines on the fits to all logs together."""
+    head = ""
+    for axis, part, unit in (("drive", "driving", "mm/s"), ("turn", "turning", "rad/s")):
+        motor = together(fits, axis)
+        if motor is not None:
+            head += f"# {part}, all logs together: {motor.refusal or _motor_words(motor, unit)}\n"
+    return head
+
+
+def _per_volt(fits: Sequence[LogFit], numbers: dict[str, Estimate], robot: Numbers) -> str:
+    """Lines with the gains per volt, if a log has voltages. A turning gain is that of the voltage of each motor."""
+    if not any("forward_volts" in fit.log for fit in fits):
+        return ""
+    volts, degrees = robot["motors.volts"], math.degrees(2.0)
+    lines = ""
+    for key, what, factor, unit in (
+        ("motors.drive_gain", "driving", 1.0 / volts, "mm/s per V"),
+        ("motors.turn_gain", "turning", degrees / volts, "degrees/s per V, right motor + and left motor -"),
+        ("motors.drive_dead_zone", "dead zone of driving", volts, "V"),
+        ("motors.turn_dead_zone", "dead zone of turning", 0.5 * volts, "V, right motor + and left motor -"),
+    ):
+        if key in numbers:
+            number = numbers[key].scaled(factor)
+            lines += f"# {what}: {number.value:.4g} {unit}, {_interval(number)}" + (", unsure\n" if number.unsure else "\n")
+    return lines
+
+
+def _warnings(parts: "list[tuple[str, str, bool]]", numbers: dict[str, Estimate]) -> list[str]:
+    """Parts that a log has columns for and that no log determines, and motors that are unsure."""
+    found = {part for part, _, refused in parts if part and not refused}
+    warnings = [f"{part}: {words.replace('nothing fitted, ', '', 1)}" for part, words, refused in parts if refused and part not in found]
+    for key, what in (("motors.drive_gain", "driving"), ("motors.turn_gain", "turning")):
+        if key in numbers and numbers[key].unsure:
+            warnings.append(f"{what}: its gain is unsure ({_interval(numbers[key])}): {numbers[key].unsure}")
+    return warnings
 
 
 def base_numbers(base: "Union[str, os.PathLike[str]]") -> Numbers:
@@ -78,27 +131,32 @@ def base_numbers(base: "Union[str, os.PathLike[str]]") -> Numbers:
     return robot
 
 
-def _head(fit: LogFit, robot: Numbers) -> list[tuple[str, bool]]:
-    """Lines on the quality of each fit or its refusal. True marks a warning: the log has columns for that part."""
+def _head(fit: LogFit, robot: Numbers) -> "list[tuple[str, str, bool]]":
+    """Lines on the quality of each fit or its refusal: part, words, and whether it is refused in spite of its columns."""
     log = fit.log
     steps = [after - before for before, after in zip(log.times, log.times[1:])]
-    mean, most = log.times[-1] / len(steps), max(steps)
+    gaps = [step for step in steps if step > LONGEST_GAP]
+    mean, most = float(np.median(steps)), max(steps)
     missing = f", where some are missing {most:.3g} ms" if most > 1.5 * mean else ""
-    lines = [(f"log: {log.times[-1] / 1e3:.3g} s; rows are {mean:.3g} ms apart{missing}", False)]
+    if gaps:
+        missing = f"; {len(gaps)} gaps of up to {most:.3g} ms separate its parts"
+    lines = [("", f"log: {log.times[-1] / 1e3:.3g} s; rows are {mean:.3g} ms apart{missing}", False)]
+    if fit.saturated:
+        lines.append(("", f"{fit.saturated} rows have duties beyond 1; the battery gives no more, so they count as 1", False))
 
     def tell(part: str, refusal: str, asked: bool, words: str) -> None:
-        lines.append((f"{part}: " + (f"nothing fitted, {refusal}" if refusal else words), asked and bool(refusal)))
+        lines.append((part, f"nothing fitted, {refusal}" if refusal else words, asked and bool(refusal)))
 
-    duties, wheels = "left" in log, "left_count" in log or "left_speed" in log
+    duties = fit.motion.left is not None
     known = f"misses places left out by {fit.count.missed:.2g} mm" if fit.count.missed else "as a whole, so that nothing could be left out"
     tell("encoders", fit.count.refusal, "way" in log or fit.count.way > 0.0, f"{fit.count.way:.0f} mm known{';' if fit.count.missed else ''} {known}")
-    tell("driving", fit.drive.refusal, duties and wheels, _motor_words(fit.drive, "mm/s"))
-    tell("turning", fit.turn.refusal, duties and (wheels or "gyro" in log), _motor_words(fit.turn, "rad/s"))
+    tell("driving", fit.drive.refusal, duties and fit.motion.way is not None, _motor_words(fit.drive, "mm/s"))
+    tell("turning", fit.turn.refusal, duties and fit.motion.angle is not None, _motor_words(fit.turn, "rad/s"))
     mixed = fit.turn.mixed
-    if mixed.known and abs(mixed.value) > 2.0 * mixed.error:
+    if mixed.sure and abs(mixed.value) > 2.0 * mixed.error:
         than = "stronger" if mixed.value > 0.0 else "weaker"
         words = f"the right motor is {100 * abs(mixed.value):.1f} % {than} than the left one, +- {100 * mixed.error:.2g} %"
-        lines.append((f"{words}; a robot's motors are alike", False))
+        lines.append(("", f"{words}; a robot's motors are alike", False))
     tell("gyro", fit.gyro.refusal, "gyro" in log, f"{fit.gyro.rest:.2g} s at rest; quarters of it left out differ by {100 * fit.gyro.missed:.1f} %")
     gains = ", ".join(f"{name.replace('_', ' ')} {fit.infrared.of_sensor[name]:.3g}" for name in SENSORS if name in fit.infrared.of_sensor)
     bends = "; readings follow another law: errors contain what that would change" if fit.infrared.bends else ""
@@ -113,6 +171,8 @@ def _motor_words(fit: MotorFit, unit: str) -> str:
         f"{fit.stretches} stretches of moving; misses the speed on those left out by {fit.missed:.2g} of {fit.peak:.4g} {unit} "
         f"({share:.1f} %), {min(fit.noise, fit.missed):.2g} of it noise"
     )
+    if fit.by_input:
+        words += "; the dead zone is that of the input, not friction"
     if fit.lag:
         words += f"; a lag of {1e3 * fit.lag:.1f} ms fits better: errors contain what it would change"
     if fit.drag:
