@@ -75,6 +75,10 @@ def _add_axes(fit: LogFit, robot: Numbers) -> None:
         return
     left, right = motion.interpolated
     onwards, around = (left + right) / 2.0, right - left
+    unloaded: dict[str, Any] = {"drive": None, "turn": None}
+    if motion.unloaded is not None:
+        straight, turned = (motion.unloaded[0] + motion.unloaded[1]) / 2.0, motion.unloaded[1] - motion.unloaded[0]
+        unloaded = {"drive": (straight, turned), "turn": (turned, straight)}
     base = {
         axis: {
             "gain": robot[f"motors.{axis}_gain"],
@@ -82,6 +86,8 @@ def _add_axes(fit: LogFit, robot: Numbers) -> None:
             "dead_zone": robot[f"motors.{axis}_dead_zone"],
             "times": log.times,
             "spans": motion.spans,
+            "steps": motion.steps,
+            "unloaded": unloaded[axis],
         }
         for axis in ("drive", "turn")
     }

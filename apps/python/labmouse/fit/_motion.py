@@ -23,7 +23,10 @@ class Motion:
     ticks: int
     left: Optional[Array] = None  #: PWM duty of the left motor, scaled to the voltage of a full battery; constant from row to row
     right: Optional[Array] = None  #: the same of the right one
-    interpolated: Optional[tuple[Array, Array]] = None  #: both duties, interpolated linearly if rows are above 1.5 ms apart
+    #: Both duties; if rows are above 1.5 ms apart and a controller changes the duties between them, interpolated linearly.
+    interpolated: Optional[tuple[Array, Array]] = None
+    unloaded: Optional[tuple[Array, Array]] = None  #: the same without sag, if the log has no voltages
+    steps: bool = False  #: whether the duties are set in steps, not by a controller
     way: Optional[Array] = None  #: travel of the middle of the axle in mm, by encoders
     angle: Optional[Array] = None  #: heading in rad, to the left
     by_gyro: bool = False  #: whether the angle is from the gyro; otherwise it is from encoders or the log's own heading
@@ -57,10 +60,13 @@ def motion_of(log: Log, robot: Numbers) -> Motion:
         motion.left, motion.right = (duty[rows] for duty in duties)
         share = _voltage(log, robot, between, motion.left, motion.right)
         motion.left, motion.right = motion.left * share, motion.right * share
-        motion.interpolated = (motion.left, motion.right)
-        if float(np.median(np.diff(log.times))) > _FINE:
-            left, right = (np.interp(ticks, log.times, duty) for duty in duties)
-            motion.interpolated = (left * share, right * share)
+        plain = (duties[0][rows], duties[1][rows])
+        motion.steps = _in_steps(duties)
+        if float(np.median(np.diff(log.times))) > _FINE and not motion.steps:
+            plain = (np.interp(ticks, log.times, duties[0]), np.interp(ticks, log.times, duties[1]))
+        motion.interpolated = (plain[0] * share, plain[1] * share)
+        if "volts" not in log and "forward_volts" not in log and robot["motors.sag"] > 0.0:
+            motion.unloaded = plain
     if motion.by_gyro:
         motion.angle = _sums(between("gyro"))
     elif "heading" in log:
@@ -94,6 +100,13 @@ def _duties(log: Log, robot: Numbers) -> "Optional[tuple[Array, Array]]":
     else:
         return None
     return np.clip(left, -1.0, 1.0), np.clip(right, -1.0, 1.0)
+
+
+def _in_steps(duties: tuple[Array, Array]) -> bool:
+    """Whether the duties are set in steps, not by a controller: while they are not 0, most rows repeat the duties before."""
+    same = (np.diff(duties[0]) == 0.0) & (np.diff(duties[1]) == 0.0)
+    driven = (duties[0][1:] != 0.0) | (duties[1][1:] != 0.0)
+    return bool(same[driven].mean() > 0.5) if driven.any() else True
 
 
 def saturated(log: Log, robot: Numbers) -> int:

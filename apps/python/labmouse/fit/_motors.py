@@ -15,12 +15,14 @@ from ._motion import TICK, rates
 from ._response import Problem, Series, Solution, covariance_root, windows_of
 
 # The pushes, by their index: the duty of the axis; that of the other axis (MotorFit.mixed); friction; the correction of
-# Axis.factor. Extended models have one more: the lag in s, or the drag in duty per squared rate.
-_DUTY, _OTHER, _FRICTION, _TAKEN, _LAG, _DRAG = range(6)
+# Axis.factor. Extended models have one more: the lag in s, or the drag in duty per squared rate. The last one replaces the
+# duty if friction is not fitted: the duty without the dead zone of the base. A duty comes first in a set of pushes.
+_DUTY, _OTHER, _FRICTION, _TAKEN, _LAG, _DRAG, _REDUCED = range(7)
 # Ticks: the longest and the shortest stretch.
 _LONGEST, _SHORTEST = 1000, 80
 _MOST_BLOCKS, _LEAST_WINDOWS = 20, 6
 _ALTERNATING = -0.2  # correlation of a residual with the one before
+_LEAST_ZONE = 0.03  # duty: standard error of a dead zone that is assumed
 _FINE = 0.0015  # s: up to this, rows are as fine as the steps of a controller
 _DECIDED = 4.0  # ln of a ratio of likelihoods
 _BETTER = 0.05  # the same for each equation
@@ -39,8 +41,10 @@ class Axis:
     gain: float  #: of the base robot; rates below 0.6 % of it count as slow
     time: float  #: time constant of the base robot in s
     dead_zone: float = 0.0  #: of the base robot
+    unloaded: Optional[tuple[Array, Array]] = None  #: duty and other if the battery did not sag; None: voltages are known
     taken: Optional[Array] = None  #: turning rate in rad/s with the sign of the speed; the duty loses factor * taken
     factor: float = 0.0  #: of the base robot, duty per rad/s
+    steps: bool = False  #: whether the duties are set in steps, so that a delay of the log can be fitted
     spans: Sequence[tuple[int, int]] = ()  #: [begin, end) in ticks, without gaps; empty: all
 
 
@@ -87,7 +91,7 @@ def fit_motors(axes: "Union[Axis, Sequence[Axis]]") -> MotorFit:
     if fit is None:
         result.refusal = "its speeds do not follow from its duties: are these the right columns, with the right signs?"
         return result
-    _fill(result, fit, axes[0])
+    _fill(result, fit, axes)
     return result
 
 
@@ -123,6 +127,7 @@ def _series(axis: Axis, stretches: list[tuple[int, int]]) -> Series:
     for begin, end in stretches:
         sign[begin:end] = 1.0 if axis.rate[(begin + end) // 2] > 0.0 else -1.0
     pushes = np.column_stack([duty - axis.factor * taken, other, -sign, -taken, -np.diff(duty, prepend=duty[0]) / TICK, -rate * np.abs(rate)])
+    pushes = np.column_stack([pushes, pushes[:, _DUTY] - axis.dead_zone * sign])
     place = np.interp(axis.times, np.arange(ticks), axis.place)
     return Series(place, axis.times * TICK, pushes, duty)
 
@@ -144,7 +149,7 @@ class _Fit:
 
 def _numbers(chosen: list[int], answer: Array, unknowns: Array, by_input: bool, dead_zone: float) -> Array:
     """The numbers of a solution, or of several: shape (..., 5). Only for a positive gain."""
-    gain = answer[..., chosen.index(_DUTY)]
+    gain = answer[..., 0]
 
     def share(push: int) -> Any:
         return answer[..., chosen.index(push)] / gain if push in chosen else np.zeros_like(gain)
@@ -170,11 +175,13 @@ def _fit(problem: Problem, chosen: list[int], start: Array, dead_zone: float, ro
         return None
     size = len(chosen)
     answers = solution.answer + solved[1][:, :size]
-    if solution.answer[0] <= 0.0 or (answers[:, 0] <= 0.0).any():
+    if solution.answer[0] <= 0.0 or (windows >= _LEAST_WINDOWS and (answers[:, 0] <= 0.0).any()):
         return None
     numbers = _numbers(chosen, solution.answer, solution.unknowns, problem.by_input, dead_zone)
-    others = _numbers(chosen, answers, solution.unknowns + solved[1][:, size:], problem.by_input, dead_zone)
-    errors = jackknife(others) if windows >= _LEAST_WINDOWS else _errors(problem, chosen, solution, jacobian, root, dead_zone)
+    if windows >= _LEAST_WINDOWS:
+        errors = jackknife(_numbers(chosen, answers, solution.unknowns + solved[1][:, size:], problem.by_input, dead_zone))
+    else:
+        errors = _errors(problem, chosen, solution, jacobian, root, dead_zone)
     return _Fit(problem, chosen, solution, numbers, errors, blocks.squares(solved[1]), count, root)
 
 
@@ -222,16 +229,25 @@ def _weighted(fit: _Fit, dead_zone: float) -> _Fit:
     return fit
 
 
+def _row(axis: Axis) -> float:
+    """Seconds from row to row."""
+    return float(np.median(np.diff(axis.times))) * TICK
+
+
 def _pushes(problem: Problem, axis: Axis) -> "list[list[int]]":
     """The sets of pushes to try, from all to the duty alone; those that do not occur in the windows are left out."""
     rows = [problem.series[one.series].pushes for one in problem.windows]
+    late = (_LAG,) if axis.steps and _row(axis) > _FINE else ()
     ever = np.max([np.abs(one).max(axis=0) for one in rows], axis=0) > 1e-9
-    every = [push for push in (_DUTY, _OTHER, _FRICTION, _TAKEN) if ever[push] and not (problem.by_input and push == _FRICTION)]
-    sets = [every]
-    for dropped in ((_TAKEN,), (_TAKEN, _OTHER), (_TAKEN, _OTHER, _FRICTION)):
+    every = [push for push in (_DUTY, _OTHER, _FRICTION, _TAKEN, *late) if ever[push] and not (problem.by_input and push == _FRICTION)]
+    sets: list[list[int]] = []
+    without = [(*late, *more) for late in ((), (_LAG,)) for more in ((), (_TAKEN,), (_TAKEN, _OTHER))]
+    for dropped in [*without, (_LAG, _TAKEN, _OTHER, _FRICTION)]:
         fewer = [push for push in every if push not in dropped]
-        if fewer != sets[-1]:
+        if fewer not in sets:
             sets.append(fewer)
+    if not problem.by_input:
+        sets[-1] = [_REDUCED]
     return sets
 
 
@@ -239,7 +255,7 @@ def _determined(problem: Problem, axis: Axis) -> Optional[_Fit]:
     """The fit of the first set of pushes that the log determines."""
     for chosen in _pushes(problem, axis):
         fit = _fit(problem, chosen, problem.start(axis.time), axis.dead_zone)
-        if fit is None or (_TAKEN in chosen and not fit.errors[4] < axis.factor):
+        if fit is None or (_LAG in chosen and not fit.errors[0] < 0.25) or (_TAKEN in chosen and not fit.errors[4] < axis.factor):
             continue
         if _OTHER in chosen and len(chosen) > 2 and not fit.errors[0] < 1.0:
             continue
@@ -262,8 +278,8 @@ def _best(axes: "list[Axis]", stretches: "list[list[tuple[int, int]]]", windows:
     return best
 
 
-def _fill(result: MotorFit, fit: _Fit, axis: Axis) -> None:
-    problem, errors = fit.problem, fit.errors.copy()
+def _fill(result: MotorFit, fit: _Fit, axes: "list[Axis]") -> None:
+    axis, problem, errors = axes[0], fit.problem, fit.errors.copy()
     rest = problem.rest(fit.solution, fit.chosen)
     root, innovation = covariance_root(problem.split(rest))
     if fit.root is None:
@@ -271,13 +287,19 @@ def _fill(result: MotorFit, fit: _Fit, axis: Axis) -> None:
     result.by_input = problem.by_input
     result.missed = float(np.sqrt((fit.missed.sum() if fit.root is None else rest @ rest) / len(rest))) / problem.seconds
     result.noise = innovation / problem.seconds
-    # Between coarse rows, duties may have changed at any time: half a row early or late, evenly distributed.
-    row = float(np.median(np.diff(axis.times))) * TICK
-    errors[1] = math.hypot(errors[1], row * (1.0 / math.sqrt(12.0) if row > _FINE else 0.1) / math.exp(fit.numbers[1]))
+    # Between coarse rows, a controller changes the duties at any time: half a row early or late, evenly distributed.
+    known = _LAG in fit.chosen or _row(axis) <= _FINE
+    errors[1] = math.hypot(errors[1], _row(axis) * (0.1 if known else 1.0 / math.sqrt(12.0)) / math.exp(fit.numbers[1]))
+    errors = np.hypot(errors, _without_sag(fit, axes) - fit.numbers)
     _widen(fit, result, errors, axis)
     gain, time = float(np.exp(fit.numbers[0])), float(np.exp(fit.numbers[1]))
     freedom = float(fit.blocks - 1)
     friction = problem.by_input or _FRICTION in fit.chosen
+    if not friction:  # at one duty, gain and dead zone cannot be told apart
+        duty = float(np.abs(axis.duty[np.abs(axis.rate) > 0.5 * result.peak]).mean())
+        errors[0] = math.hypot(errors[0], max(axis.dead_zone, _LEAST_ZONE) / max(duty - axis.dead_zone, _LEAST_ZONE))
+        without = _fit(problem, [_DUTY], fit.solution.unknowns, 0.0)
+        errors[1] = math.hypot(errors[1], without.numbers[1] - fit.numbers[1]) if without else math.inf
     why = _reason(result, friction)
     most = 0.25 if friction else 0.0
     result.gain = within(gain, gain * errors[0], most * gain, why, freedom, True)
@@ -287,6 +309,26 @@ def _fill(result: MotorFit, fit: _Fit, axis: Axis) -> None:
     result.mixed = within(fit.numbers[3], errors[3], 0.1, "the duties of both axes change together", freedom) if _OTHER in fit.chosen else Estimate()
     if _TAKEN in fit.chosen:
         result.taking = within(max(0.0, axis.factor + fit.numbers[4]), errors[4], axis.factor, "it hardly turns while it drives", freedom)
+
+
+def _without_sag(fit: _Fit, axes: "list[Axis]") -> Array:
+    """The numbers if the battery did not sag, as it is assumed to where the log has no voltages."""
+    if all(axis.unloaded is None for axis in axes):
+        return fit.numbers
+    series = []
+    for axis, one in zip(axes, fit.problem.series):
+        pushes, duty = one.pushes, one.duty
+        if axis.unloaded is not None:
+            change = np.zeros_like(pushes)
+            change[:, _DUTY] = change[:, _REDUCED] = axis.unloaded[0] - axis.duty
+            change[:, _OTHER] = axis.unloaded[1] - axis.other
+            pushes, duty = pushes + change, axis.unloaded[0]
+        series.append(Series(one.place, one.times, pushes, duty))
+    problem = Problem(series, fit.problem.windows, by_input=fit.problem.by_input)
+    solution = problem.solve(fit.chosen, fit.solution.unknowns, fit.root)
+    if solution.answer[0] <= 0.0:
+        return fit.numbers
+    return _numbers(fit.chosen, solution.answer, solution.unknowns, problem.by_input, axes[0].dead_zone)
 
 
 def _with_covariance(fit: _Fit, root: Array, axis: Axis) -> Array:
@@ -299,7 +341,7 @@ def _with_covariance(fit: _Fit, root: Array, axis: Axis) -> Array:
 
 def _widen(fit: _Fit, result: MotorFit, errors: Array, axis: Axis) -> None:
     """Increases the errors by the changes under models with lag or drag, if they fit better."""
-    for more in (_LAG, _DRAG):
+    for more in (_DRAG,) if _LAG in fit.chosen else (_LAG, _DRAG):
         other = _fit(fit.problem, [*fit.chosen, more], fit.solution.unknowns, axis.dead_zone, fit.root)
         if other is None or other.missed.sum() > 0.5 * fit.missed.sum():
             continue
