@@ -33,7 +33,7 @@ class Estimate:
 
     @property
     def sure(self) -> bool:
-        """Whether there is an estimate and no reason to doubt it."""
+        """Whether there is a reliable estimate."""
         return self.known and not self.unsure
 
     @property

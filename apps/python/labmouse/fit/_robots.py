@@ -61,7 +61,7 @@ def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") 
     for key, number in numbers.items():
         value, (low, high) = _rounded(number.value), ranges[key]
         found = f"{_interval(number)}" + (f", unsure: {number.unsure}" if number.unsure else "")
-        if low <= value <= high and not number.error > max(number.value, _LEAST_DOUBT.get(key, 0.0)):
+        if low <= value <= high and not number.error > max(number.value, _LEAST_ERROR.get(key, 0.0)):
             robot[key] = value
             remarks[key] = f"fitted, {found}"
         else:
@@ -77,12 +77,17 @@ def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") 
 
 
 #: A dead zone near 0 may have an error above its value, in duty; so may the duty that turning takes.
-_LEAST_DOUBT = {"motors.drive_dead_zone": 0.03, "motors.turn_dead_zone": 0.03, "motors.turning": 0.001}
+_LEAST_ERROR = {"motors.drive_dead_zone": 0.03, "motors.turn_dead_zone": 0.03, "motors.turning": 0.001}
 
 
 def _interval(number: Estimate) -> str:
     low, high = number.interval
     return f"95 % {low:.4g} to {high:.4g}"
+
+
+def _percent(number: Estimate) -> str:
+    low, high = sorted(abs(100.0 * end) for end in number.interval)
+    return f"95 % {low:.3g} to {high:.3g} %"
 
 
 def _joint(fits: Sequence[LogFit]) -> str:
@@ -155,7 +160,7 @@ def _head(fit: LogFit, robot: Numbers) -> "list[tuple[str, str, bool]]":
     mixed = fit.turn.mixed
     if mixed.sure and abs(mixed.value) > 2.0 * mixed.error:
         than = "stronger" if mixed.value > 0.0 else "weaker"
-        words = f"the right motor is {100 * abs(mixed.value):.1f} % {than} than the left one, +- {100 * mixed.error:.2g} %"
+        words = f"the right motor is {100 * abs(mixed.value):.1f} % {than} than the left one ({_percent(mixed)})"
         lines.append(("", f"{words}; a robot's motors are alike", False))
     tell("gyro", fit.gyro.refusal, "gyro" in log, f"{fit.gyro.rest:.2g} s at rest; quarters of it left out differ by {100 * fit.gyro.missed:.1f} %")
     gains = ", ".join(f"{name.replace('_', ' ')} {fit.infrared.of_sensor[name]:.3g}" for name in SENSORS if name in fit.infrared.of_sensor)
