@@ -12,7 +12,7 @@ from pathlib import Path
 import labmouse
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 pytest.importorskip("scipy")
 pytest.importorskip("matplotlib")
@@ -787,6 +787,7 @@ _NEAR_C = st.lists(
 ).map("".join)
 
 
+@example(text="{,} SS90", row="")
 @given(text=_NEAR_C, row=st.sampled_from(["", "P t[] = {{300, 1, 2, 90, 287, 2866, 0},  // SS90\n", "const float A = "]))
 @settings(deadline=None, max_examples=300)
 def test_any_text_is_a_header_or_refused(text, row):

@@ -153,6 +153,8 @@ class _Rows:
 
     def _read(self, row: "re.Match[str]") -> None:
         elements = [(row.start(1) + found.start(), found.group().strip()) for found in re.finditer(r"[^,]+", row[1]) if found.group().strip()]
+        if not elements:
+            return
         columns = self._columns(row.start())
         name = self._name(row, elements)
         if not all(column in columns for column in _NEEDED) or (not name and len(elements) != len(columns)):
