@@ -270,7 +270,7 @@ std::string unknown_mouse(std::string_view name) {
   if (const auto equals = name.find('='); equals != std::string_view::npos && find_mouse(name.substr(equals + 1)))
     return fmt::format("'{}' is no name for a mouse; a name in NAME=SPEC has no blank, '/', ':' or ','",
                        name.substr(0, equals));
-  if (name.ends_with(".py") && name.find(" ") == std::string_view::npos)
+  if (name.ends_with(".py") && name.find(' ') == std::string_view::npos)
     return fmt::format(
         "unknown mouse '{0}'; write 'capstone:{0}' for a capstone robot, 'program:python3 {0}' for a program or "
         "'mms:python3 "

@@ -143,7 +143,7 @@ std::string replay_physically(const DriveRecordFile& file) {
   if (file.physical->notes.foreign_parts)
     return "parts of its controller were somebody's own, and the record lacks what they answered; it can be shown and "
            "not driven again";
-  if (const std::string wrong = wrong_tables(file); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_tables(file); !wrong.empty()) return wrong;
   DriveRecordFile again = file;
   PhysicalRecord driven = drive_again(file, file.physical->conditions.trace_every);
   again.record = std::move(driven.drive);
@@ -153,7 +153,7 @@ std::string replay_physically(const DriveRecordFile& file) {
 }
 
 std::string replay_laps(const DriveRecordFile& file) {
-  if (const std::string wrong = wrong_tables(file); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_tables(file); !wrong.empty()) return wrong;
   DriveRecordFile again = file;
   Script script(file.maze->size(), {});
   again.record = drive(*file.maze, file.rules, *file.model, script);
