@@ -2,7 +2,7 @@
 """Measures how often the 95 % intervals of labmouse.fit contain the true number, on logs of the physical world.
 
 usage: PATH=build/release:$PATH PYTHONPATH=build/release/python build/python-tools/bin/python bench/fit_intervals.py
-           [--cases N] [--rates HZ,HZ...] [--jobs N]
+           [--cases N] [--first N] [--rates HZ,HZ...] [--jobs N]
 
 A case is one drive of the fastest route of a built-in maze. Its robot is kerise, classic or beginner with motors drawn at
 random: gains vary by 15 % and time constants by 20 % (standard deviations), dead zones are 0 to 8 %. The fit gets the log with
@@ -92,12 +92,13 @@ def table(cases):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--cases", type=int, default=200)
+    parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--rates", default="1000,500,100")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
     rates = [int(rate) for rate in options.rates.split(",")]
     with Pool(options.jobs) as pool:
-        cases = pool.map(case, [(number, rates) for number in range(options.cases)], chunksize=1)
+        cases = pool.map(case, [(number, rates) for number in range(options.first, options.first + options.cases)], chunksize=1)
     lines, good = table(cases)
     print("\n".join(lines))
     return 0 if good else 1

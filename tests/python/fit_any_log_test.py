@@ -96,6 +96,7 @@ def test_columns_of_a_log_may_be_expressions(tmp_path):
     assert log["left"].tolist() == pytest.approx([0.1, 0.1])
     assert log["right"].tolist() == pytest.approx([0.1, 0.3])
     assert log["gyro"].tolist() == pytest.approx([math.pi, math.pi / 2.0])
+    assert fit.read_log(path, "time=ms,duty=fwd_mv/7000+rot_mv/700*2")["duty"].tolist() == pytest.approx([0.1, 2.2])
     with pytest.raises(labmouse.Error, match=f"{path}:3:12: error: "):
         fit.read_log(path, "time=ms,duty=gz/(fwd_mv-1400)")
     with pytest.raises(labmouse.Error, match="'fwdmv'"):
@@ -118,6 +119,16 @@ def test_slow_rows_give_intervals_that_contain_the_truth(robot, row):
     fine, coarse = (fit.fit_log(driven(ROUND, row=one), robot).drive for one in (1, row))
     assert within(coarse.gain, 4000.0) and within(coarse.time, 0.15)
     assert coarse.time.error > 0.9 * fine.time.error
+
+
+@pytest.mark.parametrize("late", [0, 1])
+def test_duties_of_a_row_may_be_those_of_the_row_before(robot, late):
+    log = driven(ROUND, row=10)
+    for side in ("left", "right"):
+        log.values[side] = np.concatenate([np.zeros(late), log[side][: len(log.times) - late]])
+    drive = fit.fit_log(log, robot).drive
+    assert within(drive.gain, 4000.0) and within(drive.time, 0.15)
+    assert drive.time.error < 0.004
 
 
 def test_a_dead_zone_of_the_input_is_recognised(robot):
@@ -183,6 +194,13 @@ def test_logs_that_determine_little_alone_do_so_together(robot):
     together = fit.pooled(short)["motors.drive_gain"]
     assert together.sure and within(together, 4000.0)
     assert together.error < min(one.drive.gain.error for one in short)
+
+
+def test_logs_that_are_too_short_alone_are_fitted_together(robot):
+    short = [fit.fit_log(driven(stairs(0.0, level, 0.0, each=60), row=10, seed=i), robot) for i, level in enumerate(np.linspace(0.13, 0.2, 10))]
+    assert all(one.drive.refusal for one in short)
+    together = fit.pooled(short)["motors.drive_gain"]
+    assert within(together, 4000.0) and together.error < together.value
 
 
 def test_an_axis_that_one_log_lacks_comes_from_the_other(robot):

@@ -87,6 +87,7 @@ def _add_axes(fit: LogFit, robot: Numbers) -> None:
             "times": log.times,
             "spans": motion.spans,
             "steps": motion.steps,
+            "resolution": motion.resolution,
             "unloaded": unloaded[axis],
         }
         for axis in ("drive", "turn")

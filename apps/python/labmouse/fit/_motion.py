@@ -27,6 +27,7 @@ class Motion:
     interpolated: Optional[tuple[Array, Array]] = None
     unloaded: Optional[tuple[Array, Array]] = None  #: the same without sag, if the log has no voltages
     steps: bool = False  #: whether the duties are set in steps, not by a controller
+    resolution: float = 0.0  #: 0.01 or 0.001 if the duties have so few digits
     way: Optional[Array] = None  #: travel of the middle of the axle in mm, by encoders
     angle: Optional[Array] = None  #: heading in rad, to the left
     by_gyro: bool = False  #: whether the angle is from the gyro; otherwise it is from encoders or the log's own heading
@@ -61,7 +62,7 @@ def motion_of(log: Log, robot: Numbers) -> Motion:
         share = _voltage(log, robot, between, motion.left, motion.right)
         motion.left, motion.right = motion.left * share, motion.right * share
         plain = (duties[0][rows], duties[1][rows])
-        motion.steps = _in_steps(duties)
+        motion.steps, motion.resolution = _in_steps(duties), _resolution(duties)
         if float(np.median(np.diff(log.times))) > _FINE and not motion.steps:
             plain = (np.interp(ticks, log.times, duties[0]), np.interp(ticks, log.times, duties[1]))
         motion.interpolated = (plain[0] * share, plain[1] * share)
@@ -107,6 +108,13 @@ def _in_steps(duties: tuple[Array, Array]) -> bool:
     same = (np.diff(duties[0]) == 0.0) & (np.diff(duties[1]) == 0.0)
     driven = (duties[0][1:] != 0.0) | (duties[1][1:] != 0.0)
     return bool(same[driven].mean() > 0.5) if driven.any() else True
+
+
+def _resolution(duties: tuple[Array, Array]) -> float:
+    for step in (0.01, 0.001):
+        if all(np.abs(duty / step - np.round(duty / step)).max() < 1e-6 for duty in duties):
+            return step
+    return 0.0
 
 
 def saturated(log: Log, robot: Numbers) -> int:

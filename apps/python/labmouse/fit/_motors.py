@@ -41,6 +41,7 @@ class Axis:
     gain: float  #: of the base robot; rates below 0.6 % of it count as slow
     time: float  #: time constant of the base robot in s
     dead_zone: float = 0.0  #: of the base robot
+    resolution: float = 0.0  #: step from a duty to the next one that the log can tell
     unloaded: Optional[tuple[Array, Array]] = None  #: duty and other if the battery did not sag; None: voltages are known
     taken: Optional[Array] = None  #: turning rate in rad/s with the sign of the speed; the duty loses factor * taken
     factor: float = 0.0  #: of the base robot, duty per rad/s
@@ -119,8 +120,9 @@ def _one_way_stretches(axis: Axis, slow: float) -> list[tuple[int, int]]:
     return stretches
 
 
-def _series(axis: Axis, stretches: list[tuple[int, int]]) -> Series:
-    duty, other = axis.duty, axis.other
+def _series(axis: Axis, stretches: list[tuple[int, int]], ahead: int = 0) -> Series:
+    """The data of a log for its simulation. ahead: ticks by which duties act before their row."""
+    duty, other = _moved(axis.duty, ahead), _moved(axis.other, ahead)
     ticks = len(axis.place)
     rate = rates(axis.place, 31)  # without vibration, which would be explained by itself
     sign, taken = np.zeros(ticks), np.zeros(ticks) if axis.taken is None else axis.taken
@@ -129,7 +131,11 @@ def _series(axis: Axis, stretches: list[tuple[int, int]]) -> Series:
     pushes = np.column_stack([duty - axis.factor * taken, other, -sign, -taken, -np.diff(duty, prepend=duty[0]) / TICK, -rate * np.abs(rate)])
     pushes = np.column_stack([pushes, pushes[:, _DUTY] - axis.dead_zone * sign])
     place = np.interp(axis.times, np.arange(ticks), axis.place)
-    return Series(place, axis.times * TICK, pushes, duty)
+    return Series(place, axis.times * TICK, pushes, duty, ahead)
+
+
+def _moved(values: Array, ahead: int) -> Array:
+    return np.append(values[ahead:], np.full(ahead, values[-1]))
 
 
 @dataclass
@@ -144,6 +150,7 @@ class _Fit:
     missed: Array  # by block: sum of squared errors, predicted without that block
     blocks: int
     root: Optional[Array]  # of the covariance that the fit used; None: residuals counted as independent
+    at_zero: bool = False  # whether the dead zone is 0 because it came out as negative
     likely: float = 0.0  # ln of the likelihood, by the part of the residuals that their predecessors do not predict
 
 
@@ -154,7 +161,8 @@ def _numbers(chosen: list[int], answer: Array, unknowns: Array, by_input: bool, 
     def share(push: int) -> Any:
         return answer[..., chosen.index(push)] / gain if push in chosen else np.zeros_like(gain)
 
-    zone = unknowns[..., 1] if by_input else share(_FRICTION) if _FRICTION in chosen else np.full_like(gain, dead_zone)
+    fixed = np.full_like(gain, dead_zone if _REDUCED in chosen else 0.0)
+    zone = unknowns[..., 1] if by_input else share(_FRICTION) if _FRICTION in chosen else fixed
     return np.stack([np.log(gain), unknowns[..., 0], zone, share(_OTHER), share(_TAKEN)], axis=-1)
 
 
@@ -234,10 +242,26 @@ def _row(axis: Axis) -> float:
     return float(np.median(np.diff(axis.times))) * TICK
 
 
+def _without_friction(fit: _Fit, dead_zone: float) -> _Fit:
+    """The fit with a dead zone of 0 in place of a negative one, which no motor has. Its errors include the difference."""
+    chosen = [push for push in fit.chosen if push != _FRICTION]
+    other = _fit(fit.problem, chosen, fit.solution.unknowns, dead_zone, fit.root)
+    if other is None:
+        return fit
+    other.errors = np.hypot(other.errors, other.numbers - fit.numbers)
+    other.errors[2], other.likely, other.at_zero = fit.errors[2], fit.likely, True
+    return other
+
+
+def _stepwise(axis: Axis) -> bool:
+    """Whether the duties are set in steps and the rows are coarse, so that the time of a step is to be fitted."""
+    return axis.steps and _row(axis) > _FINE
+
+
 def _pushes(problem: Problem, axis: Axis) -> "list[list[int]]":
     """The sets of pushes to try, from all to the duty alone; those that do not occur in the windows are left out."""
     rows = [problem.series[one.series].pushes for one in problem.windows]
-    late = (_LAG,) if axis.steps and _row(axis) > _FINE else ()
+    late = (_LAG,) if _stepwise(axis) else ()
     ever = np.max([np.abs(one).max(axis=0) for one in rows], axis=0) > 1e-9
     every = [push for push in (_DUTY, _OTHER, _FRICTION, _TAKEN, *late) if ever[push] and not (problem.by_input and push == _FRICTION)]
     sets: list[list[int]] = []
@@ -255,25 +279,36 @@ def _determined(problem: Problem, axis: Axis) -> Optional[_Fit]:
     """The fit of the first set of pushes that the log determines."""
     for chosen in _pushes(problem, axis):
         fit = _fit(problem, chosen, problem.start(axis.time), axis.dead_zone)
-        if fit is None or (_LAG in chosen and not fit.errors[0] < 0.25) or (_TAKEN in chosen and not fit.errors[4] < axis.factor):
+        if fit is None:
             continue
-        if _OTHER in chosen and len(chosen) > 2 and not fit.errors[0] < 1.0:
-            continue
-        return _weighted(fit, axis.dead_zone)
+        fit = _weighted(fit, axis.dead_zone)
+        if not problem.by_input and _FRICTION in chosen and fit.numbers[2] < 0.0:
+            fit = _without_friction(fit, axis.dead_zone)
+        little = (_LAG in chosen and not fit.errors[0] < 0.25) or (_OTHER in chosen and len(chosen) > 2 and not fit.errors[0] < 1.0)
+        if not little and (_TAKEN not in chosen or fit.errors[4] < axis.factor):
+            return fit
     return None
 
 
 def _best(axes: "list[Axis]", stretches: "list[list[tuple[int, int]]]", windows: Any) -> Optional[_Fit]:
-    """The most likely fit of both kinds of dead zone. If the log does not decide, the errors include the difference."""
-    series = [_series(axis, some) for axis, some in zip(axes, stretches)]
-    best = _determined(Problem(series, windows), axes[0])
-    other = _determined(Problem(series, windows, by_input=True), axes[0])
+    """The most likely fit of both kinds of dead zone. If the log does not decide, the errors include the difference.
+
+    Some loggers write the duties of the time before a row: where duties are set in steps, that is tried, too.
+    """
+    shifts = [0, round(_row(axes[0]) / TICK)] if _stepwise(axes[0]) else [0]
+    courses = [[_series(axis, some, ahead) for axis, some in zip(axes, stretches)] for ahead in shifts]
+
+    def likeliest(by_input: bool) -> Optional[_Fit]:
+        fits = [_determined(Problem(series, windows, by_input=by_input), axes[0]) for series in courses]
+        return max((fit for fit in fits if fit is not None), key=lambda fit: fit.likely, default=None)
+
+    best, other = likeliest(False), likeliest(True)
     if best is None or other is None:
         return best or other
     better = other.likely - best.likely
     if better > max(_DECIDED, _BETTER * len(other.problem)):
         return other
-    if better > -_DECIDED and _FRICTION in best.chosen:
+    if better > -_DECIDED and (_FRICTION in best.chosen or best.at_zero):
         best.errors = np.hypot(best.errors, other.numbers - best.numbers)
     return best
 
@@ -287,14 +322,15 @@ def _fill(result: MotorFit, fit: _Fit, axes: "list[Axis]") -> None:
     result.by_input = problem.by_input
     result.missed = float(np.sqrt((fit.missed.sum() if fit.root is None else rest @ rest) / len(rest))) / problem.seconds
     result.noise = innovation / problem.seconds
-    # Between coarse rows, a controller changes the duties at any time: half a row early or late, evenly distributed.
-    known = _LAG in fit.chosen or _row(axis) <= _FINE
-    errors[1] = math.hypot(errors[1], _row(axis) * (0.1 if known else 1.0 / math.sqrt(12.0)) / math.exp(fit.numbers[1]))
+    # Within coarse rows, duties may change at any time: half a row early or late, evenly distributed.
+    row = _row(axis) * (1.0 / math.sqrt(12.0) if _row(axis) > _FINE else 0.1)
+    errors[1] = math.hypot(errors[1], row / math.exp(fit.numbers[1]))
+    errors[2] = math.hypot(errors[2], axis.resolution / math.sqrt(12.0))
     errors = np.hypot(errors, _without_sag(fit, axes) - fit.numbers)
     _widen(fit, result, errors, axis)
     gain, time = float(np.exp(fit.numbers[0])), float(np.exp(fit.numbers[1]))
     freedom = float(fit.blocks - 1)
-    friction = problem.by_input or _FRICTION in fit.chosen
+    friction = problem.by_input or _FRICTION in fit.chosen or fit.at_zero
     if not friction:  # at one duty, gain and dead zone cannot be told apart
         duty = float(np.abs(axis.duty[np.abs(axis.rate) > 0.5 * result.peak]).mean())
         errors[0] = math.hypot(errors[0], max(axis.dead_zone, _LEAST_ZONE) / max(duty - axis.dead_zone, _LEAST_ZONE))
@@ -320,10 +356,11 @@ def _without_sag(fit: _Fit, axes: "list[Axis]") -> Array:
         pushes, duty = one.pushes, one.duty
         if axis.unloaded is not None:
             change = np.zeros_like(pushes)
-            change[:, _DUTY] = change[:, _REDUCED] = axis.unloaded[0] - axis.duty
-            change[:, _OTHER] = axis.unloaded[1] - axis.other
-            pushes, duty = pushes + change, axis.unloaded[0]
-        series.append(Series(one.place, one.times, pushes, duty))
+            duty = _moved(axis.unloaded[0], one.ahead)
+            change[:, _DUTY] = change[:, _REDUCED] = duty - one.duty
+            change[:, _OTHER] = _moved(axis.unloaded[1] - axis.other, one.ahead)
+            pushes = pushes + change
+        series.append(Series(one.place, one.times, pushes, duty, one.ahead))
     problem = Problem(series, fit.problem.windows, by_input=fit.problem.by_input)
     solution = problem.solve(fit.chosen, fit.solution.unknowns, fit.root)
     if solution.answer[0] <= 0.0:
@@ -341,6 +378,8 @@ def _with_covariance(fit: _Fit, root: Array, axis: Axis) -> Array:
 
 def _widen(fit: _Fit, result: MotorFit, errors: Array, axis: Axis) -> None:
     """Increases the errors by the changes under models with lag or drag, if they fit better."""
+    if len(fit.problem.windows) < _LEAST_WINDOWS:
+        return  # too little is left out to compare models
     for more in (_DRAG,) if _LAG in fit.chosen else (_LAG, _DRAG):
         other = _fit(fit.problem, [*fit.chosen, more], fit.solution.unknowns, axis.dead_zone, fit.root)
         if other is None or other.missed.sum() > 0.5 * fit.missed.sum():

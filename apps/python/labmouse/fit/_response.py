@@ -34,6 +34,7 @@ class Series:
     times: Array
     pushes: Array
     duty: Array  #: of the axis, by ticks
+    ahead: int = 0  #: ticks by which duties act before their row
 
 
 def windows_of(times: Array, stretches: "list[tuple[int, int]]", series: int) -> list[Window]:
