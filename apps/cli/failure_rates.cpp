@@ -82,8 +82,9 @@ int failure_rates(const FailureOptions& options) {
   FailureOrder order;
   order.model = std::make_shared<DriveModel>(std::move(model));
   order.rules = find_rules_or_refuse(options.rules);
-  if (order.rules.counts == Counted::lap)
-    throw UsageError(fmt::format("error: --rules: {} counts laps; choose rules that count runs", shown(options.rules)));
+  if (order.rules.counts != Counted::run)
+    throw UsageError(fmt::format("error: --rules: {} has counts = \"{}\"; choose rules that count runs",
+                                 shown(options.rules), name_of(order.rules.counts)));
   order.conditions = options.conditions;
   order.conditions.map = *map_kind_of(today_value(options.map));
   order.noises = numbers_of(noise_row.setting, options.noise);

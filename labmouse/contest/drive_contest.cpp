@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "labmouse/contest/dead_ends.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/contest/lap_contest.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
@@ -40,6 +41,9 @@ class DriveContest {
     driver_.put_at_start();
     make_runs();
     DriveRecord& drive = record_.drive;
+    // A mouse may enter the goal of a search a moment after that has ended.
+    if (rules_.counts == Counted::dead_end)
+      for (DriveRun& run : drive.runs) run.dead_ends = dead_ends_of(run, maze_);
     const bool scored = score(drive, rules_).best.has_value();
     // In worlds with errors, a mouse that gives up keeps its score.
     if (drive.outcome == DriveOutcome::forfeit && !(errs_ && scored)) return;

@@ -40,6 +40,16 @@ struct SearchMove {
   friend bool operator==(const SearchMove&, const SearchMove&) = default;
 };
 
+/// The dead ends of a maze, and how many of them a search saw before it entered a goal.
+struct DeadEndCount {
+  int seen = 0;
+  int all = 0;
+  int steps = 0;         ///< cells that it entered, each time counted
+  int fewest_steps = 0;  ///< of the shortest way from the start to a goal
+
+  friend bool operator==(const DeadEndCount&, const DeadEndCount&) = default;
+};
+
 /// One run of a contest: a search (which may go on behind the goal), the way home, a speed run over what is known, or
 /// in a time trial a run of several laps.
 struct DriveRun {
@@ -48,14 +58,15 @@ struct DriveRun {
   Kind kind = Kind::search;
   MazeTime begin = 0;
   MazeTime end = 0;
-  std::optional<MazeTime> gate_out;  ///< left the start cell
-  std::optional<MazeTime> gate_in;   ///< first entered a goal; never in a run of laps
-  std::optional<MazeTime> centre;    ///< first in the middle of a goal cell; never in a run of laps
-  std::vector<MazeTime> laps;        ///< of a run of laps: when it left the start cell again, after each lap
-  bool touched = false;              ///< whether the mouse had been touched in the maze before this run
-  double pace = 1.0;                 ///< pace of the run, as a share of the usual one
-  std::vector<SearchMove> moves;     ///< of a search and a way home
-  DriveRoute route;                  ///< of a speed run or a run of laps; its times count from `begin`
+  std::optional<MazeTime> gate_out;       ///< left the start cell
+  std::optional<MazeTime> gate_in;        ///< first entered a goal; never in a run of laps
+  std::optional<MazeTime> centre;         ///< first in the middle of a goal cell; never in a run of laps
+  std::vector<MazeTime> laps;             ///< of a run of laps: when it left the start cell again, after each lap
+  std::optional<DeadEndCount> dead_ends;  ///< of a search that entered a goal, if the rules count them
+  bool touched = false;                   ///< whether the mouse had been touched in the maze before this run
+  double pace = 1.0;                      ///< pace of the run, as a share of the usual one
+  std::vector<SearchMove> moves;          ///< of a search and a way home
+  DriveRoute route;                       ///< of a speed run or a run of laps; its times count from `begin`
   /// Walls known at the beginning, and the times of the fastest route over open walls and over walls not known to be
   /// closed; no_time if there is none.
   WallSet open;

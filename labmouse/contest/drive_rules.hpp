@@ -4,11 +4,20 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace labmouse {
 
-/// What the rules score: a run from the start to a goal, or in a time trial a lap of the outermost ring of the maze.
-enum class Counted : std::uint8_t { run, lap };
+/// What the rules score: a run from the start to a goal; in a time trial, a lap of the outermost ring of the maze; or
+/// the dead ends that a search sees before it enters a goal.
+enum class Counted : std::uint8_t { run, lap, dead_end };
+
+constexpr std::string_view name_of(Counted counted) {
+  return counted == Counted::run ? "run" : counted == Counted::lap ? "lap" : "dead end";
+}
+
+/// Full marks that rules may give.
+inline constexpr int most_marks = 10'000;
 
 struct DriveRules {
   std::string name;
@@ -18,6 +27,8 @@ struct DriveRules {
   Counted counts = Counted::run;
   /// Runs that may begin at the start, searches among them. If laps count: laps that may be completed.
   int most_runs = 5;
+  /// If dead ends count: full marks. The score is what a mouse loses of them, so lower is better here, too.
+  int marks = 100;
   /// A run counts its own time and this part of the time in the maze before it began: 0, or 1/30.
   int maze_time_divisor = 0;  ///< 30 for a thirtieth; 0 if the maze time does not count
   /// Whether the clock runs from gate to gate (leaves the start cell, enters a goal cell) or from rest to the centre of

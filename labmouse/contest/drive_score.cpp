@@ -21,6 +21,7 @@ DriveRunScore times_of(const DriveRun& run, const DriveRules& rules) {
 bool counts(const DriveRun& run, const DriveRules& rules) {
   if (run.kind == DriveRun::Kind::home) return false;
   if (rules.counts == Counted::lap) return run.kind == DriveRun::Kind::laps;
+  if (rules.counts == Counted::dead_end && !run.dead_ends) return false;
   const auto& end = rules.gate_to_gate ? run.gate_in : run.centre;
   return end && *end <= rules.time_limit;
 }
@@ -31,6 +32,10 @@ std::optional<DriveRunScore> score_of(const DriveRun& run, const DriveRules& rul
   DriveRunScore score = times_of(run, rules);
   const auto& time = rules.gate_to_gate ? score.gate_to_gate : score.rest_to_centre;
   if (!time) return std::nullopt;
+  if (rules.counts == Counted::dead_end) {
+    score.value = marks_lost(*run.dead_ends, rules);
+    return score;
+  }
   score.maze_time = maze_time_part(run.begin, rules);
   score.bonus = run.touched ? 0 : rules.untouched_bonus;
   score.penalty = run.touched ? rules.touch_penalty : 0;
@@ -59,6 +64,13 @@ int starts_of(const DriveRecord& record) {
 MazeTime maze_time_part(MazeTime before, const DriveRules& rules) {
   const int divisor = rules.maze_time_divisor;
   return divisor == 0 ? 0 : (before + divisor / 2) / divisor;
+}
+
+std::int64_t marks_lost(const DeadEndCount& count, const DriveRules& rules) {
+  const std::int64_t full = rules.marks * std::int64_t{1'000'000};
+  const std::int64_t whole = std::int64_t{count.all} * std::max({count.steps, count.fewest_steps, 1});
+  const std::int64_t part = std::int64_t{count.seen} * count.fewest_steps;
+  return whole == 0 ? full : full - (full * part + whole / 2) / whole;
 }
 
 DriveScore score(const DriveRecord& record, const DriveRules& rules) {

@@ -9,7 +9,8 @@
 
 namespace labmouse {
 
-/// One run that counts, in microseconds. A run of laps has the score of its fastest lap.
+/// One run that counts, in microseconds. A run of laps has the score of its fastest lap. If dead ends count, the value
+/// is in millionths of a mark.
 struct DriveRunScore {
   std::size_t run = 0;  ///< its index in the record
   int lap = 0;          ///< number of the lap in the run, from 1; 0 where runs count
@@ -18,7 +19,7 @@ struct DriveRunScore {
   MazeTime maze_time = 0;  ///< the part of the time in the maze before it that is added
   MazeTime bonus = 0;      ///< subtracted because the mouse was not touched
   MazeTime penalty = 0;    ///< added because it was
-  MazeTime value = 0;      ///< the total by the rules
+  MazeTime value = 0;      ///< the total by the rules; lower is better
 
   friend bool operator==(const DriveRunScore&, const DriveRunScore&) = default;
 };
@@ -30,7 +31,7 @@ struct DriveScore {
   /// Index in `runs` of the best one, the first of equals; none if no run counts.
   std::optional<std::size_t> best;
 
-  /// Value of the best one, in microseconds.
+  /// Value of the best one.
   std::optional<MazeTime> value() const { return best ? std::optional(runs[*best].value) : std::nullopt; }
 
   friend bool operator==(const DriveScore&, const DriveScore&) = default;
@@ -50,6 +51,10 @@ int starts_of(const DriveRecord& record);
 
 /// The part of the time in the maze before a run that counts, rounded to a microsecond.
 MazeTime maze_time_part(MazeTime before, const DriveRules& rules);
+
+/// What a search loses of full marks, in millionths of a mark: full marks count by the share of dead ends that were
+/// seen, and by the quotient of fewest steps and steps.
+std::int64_t marks_lost(const DeadEndCount& count, const DriveRules& rules);
 
 /// Scores a record.
 DriveScore score(const DriveRecord& record, const DriveRules& rules);

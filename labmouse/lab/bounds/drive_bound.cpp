@@ -143,6 +143,10 @@ DriveBound drive_bound_of(const Maze& maze, const DriveRules& rules, const Drive
   routes.route_from(start_of(maze).pose, run.route);
   DriveBound bound;
   bound.score = shortest_search(maze, rules, model.search);
+  if (rules.counts == Counted::dead_end) {
+    if (bound.score) bound.score = 0;
+    return bound;
+  }
   if (run.route.time < no_time) {
     bound.fastest = run.route.time;
     run.begin = shortest_search_home(maze, model.search).value_or(0);

@@ -110,14 +110,15 @@ constexpr std::array<MouseField, 2> share_means = {
       [](const Race& r, const Standing& s) { return value_of(mean_of_all(r, s, visited_share)); }}}};
 
 constexpr Column scored_column = {"", "finished", 8, columns::finished};
-constexpr Column score_column = {"score,",
-                                 "s",
-                                 7,
-                                 columns::mean_all,
-                                 "mean_score",
-                                 "score",
-                                 "Mean score in seconds, over the contests that have one.",
-                                 3};
+constexpr Column score_column = {.first = "score,",
+                                 .second = "",
+                                 .width = 7,
+                                 .text = columns::mean_all,
+                                 .key = "mean_score",
+                                 .title = "score",
+                                 .meaning = "Mean score over the contests that have one: seconds, or marks lost.",
+                                 .digits = 3,
+                                 .in_unit = true};
 constexpr std::array<Column, 2> time_columns = {
     {{"search", "run, s", 7,
       [](const Race& r, const Standing& s) { return columns::number(mean_seconds<&D::search>(r, s), 1); },
@@ -250,8 +251,10 @@ constexpr auto physical_table = joined(
          score_column,
          {"failures", "at limit", 8,
           [](const Race& r, const Standing& s) { return columns::number(mean_par1(r, s), 3); }, "mean_par1",
-          "failures at limit, s",
-          "Mean score over all contests, in seconds; one without a score counts the time limit.", 3}}},
+          "failures at limit",
+          "Mean score over all contests, in seconds or marks lost; one without a score counts the time limit, or all "
+          "marks.",
+          3}}},
     time_columns,
     std::array<Column, 7>{
         {{"", "runs", 5, count_text<&P::starts>, "starts", "runs",

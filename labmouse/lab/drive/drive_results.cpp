@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "labmouse/contest/dead_ends.hpp"
 #include "labmouse/contest/lap_route.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
@@ -73,12 +74,21 @@ std::string refuse_laps_in(const Maze& maze, const DriveModel& model) {
                      shown(model.robot.name));
 }
 
+/// Why dead ends are not counted in a maze; empty where they are.
+std::string refuse_dead_ends_in(const Maze& maze) {
+  return dead_ends_in(maze).empty() ? "has no dead ends besides start and goal, and the rules count those: choose "
+                                      "another maze or other --rules"
+                                    : "";
+}
+
 }  // namespace
 
 std::string refuse_to_drive_in(const Maze& maze, const DriveRules& rules, const DriveModel& model) {
   const Size size = maze.size();
   if (size.width <= max_drive_side && size.height <= max_drive_side)
-    return rules.counts == Counted::lap ? refuse_laps_in(maze, model) : "";
+    return rules.counts == Counted::lap        ? refuse_laps_in(maze, model)
+           : rules.counts == Counted::dead_end ? refuse_dead_ends_in(maze)
+                                               : "";
   return fmt::format("is {}x{}; the world in seconds takes mazes up to {}x{}", size.width, size.height, max_drive_side,
                      max_drive_side);
 }
@@ -98,6 +108,12 @@ std::optional<double> mean_bound(const Race& race) {
 }
 
 std::string formula_of(const DriveRules& rules) {
+  if (rules.counts == Counted::dead_end)
+    return fmt::format(
+        "what a search loses of {0} marks: {0} * dead ends seen / all * cells of the shortest way / steps to the goal, "
+        "in "
+        "{1:g} s; the best of at most {2}",
+        rules.marks, in_seconds(rules.time_limit), counted(rules.most_runs, "run", "runs"));
   const bool laps = rules.counts == Counted::lap;
   std::string text = fmt::format("the best of at most {} in {:g} s, {}",
                                  counted(rules.most_runs, laps ? "lap" : "run", laps ? "laps" : "runs"),

@@ -80,6 +80,7 @@ ContestOutput DriveWorld::hold(const Race& race, ContestResult& result, Keep kee
 }
 
 std::string DriveWorld::bound_words(const Race& race) const {
+  if (counts_dead_ends()) return "No mouse loses 0 marks, as each dead end costs steps.";
   return fmt::format("Best possible: {} s on average, {}.", columns::number(mean_bound(race), 3),
                      rules_.counts == Counted::lap ? "the fastest lap without errors"
                      : is_stochastic() ? "by a mouse without errors that knows the maze but must first search a route"
@@ -92,9 +93,13 @@ std::vector<Condition> DriveWorld::drive_conditions(RobotParts parts) const {
           {"tables", hash_text(model_->tables.hash)}};
 }
 
-double DriveWorld::limit_score() const { return in_seconds(rules_.time_limit); }
+double DriveWorld::limit_score() const { return counts_dead_ends() ? rules_.marks : in_seconds(rules_.time_limit); }
 
-ScorePlace DriveWorld::score_place() const { return {"score", "value", 1e-6, -in_seconds(rules_.untouched_bonus)}; }
+ScorePlace DriveWorld::score_place() const {
+  ScorePlace place = {"score", "value", 1e-6, -in_seconds(rules_.untouched_bonus)};
+  if (counts_dead_ends()) place.most = rules_.marks;
+  return place;
+}
 
 ContestOutput DriveWorld::kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven,
                                Keep keep) const {

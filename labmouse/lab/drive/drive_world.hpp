@@ -37,7 +37,7 @@ class DriveWorld : public World {
   std::string refuse(const Maze& maze) const override;
   using World::refuse;
   Settings settings(const Contestant& mouse) const override;
-  std::string_view unit() const override { return "s"; }
+  std::string_view unit() const override { return counts_dead_ends() ? "marks lost" : "s"; }
   MazeFacts facts(const Maze& maze) const override;
   ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override;
   double limit_score() const override;
@@ -47,6 +47,7 @@ class DriveWorld : public World {
 
  protected:
   const DriveRules& rules() const { return rules_; }
+  bool counts_dead_ends() const { return rules_.counts == Counted::dead_end; }
   const DriveModel& model() const { return *model_; }
   /// What the best possible score is, as a sentence.
   std::string bound_words(const Race& race) const;

@@ -62,9 +62,9 @@ class PhysicalWorld : public DriveWorld {
       return rules().counts == Counted::run
                  ? ""
                  : fmt::format(
-                       "'{}' controls motors; rules that count laps are only for mice that this project's "
+                       "'{}' controls motors; rules with counts = \"{}\" are only for mice that this project's "
                        "controller drives: choose other --rules",
-                       shown(mouse.name));
+                       shown(mouse.name), name_of(rules().counts));
     return refuse_to_drive({&mouse, 1}, Driving::with_errors);
   }
   using DriveWorld::refuse;
@@ -75,10 +75,10 @@ class PhysicalWorld : public DriveWorld {
   std::string notes(const Race& race) const override {
     return fmt::format(
         "Rules {}: {}. Lower is better; mice that finished more contests come first.\nRobot {}, cells of {:g} mm, {}. "
-        "'score' is the mean of finished contests; 'failures at limit' counts the others as {:g} s.\nCrashes: the "
+        "'score' is the mean of finished contests; 'failures at limit' counts the others as {:g} {}.\nCrashes: the "
         "tyres slipped, the mouse lost its position, or it hit a wall that its map had as open.\n{}\n",
-        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, noise_text(),
-        in_seconds(rules().time_limit), bound_words(race));
+        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, noise_text(), limit_score(),
+        unit(), bound_words(race));
   }
 
  protected:
@@ -154,7 +154,7 @@ class PhysicalWorld : public DriveWorld {
       figures->contradictions = notes.contradictions;
     }
     figures->severity = notes.severity;
-    figures->par1 = in_seconds(score.value().value_or(rules().time_limit));
+    figures->par1 = score.value() ? in_seconds(*score.value()) : limit_score();
     if (!score.best) figures->ended_by = name_of(end_of(record, notes));
     return figures;
   }

@@ -177,9 +177,9 @@ std::string draw_contest(const DriveRecordFile& file) {
       drives.searches.push_back(std::move(points));
   }
   const DriveScore result = score(file.record, file.rules);
-  drives.title = fmt::format("{} in {}: {}", file.mouse, stem_of(file.maze_name),
-                             result.best ? fmt::format("{:.3f} s", static_cast<double>(*result.value()) / 1e6)
-                                         : std::string(name_of(file.record.outcome)));
+  drives.title =
+      fmt::format("{} in {}: {}", file.mouse, stem_of(file.maze_name),
+                  result.best ? value_text(*result.value(), file.rules) : std::string(name_of(file.record.outcome)));
   drives.description = result_line(file);
   return picture(*file.maze, drives);
 }

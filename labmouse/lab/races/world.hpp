@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -86,8 +87,9 @@ struct Column {
   std::string_view meaning = {};  ///< a sentence
   int digits = 0;                 ///< decimals on the page
   bool higher_is_better = false;
-  double factor = 1.0;  ///< by which the page multiplies the field: 100 makes a share a percentage
-  bool rare = false;    ///< only printed with `--columns all`
+  double factor = 1.0;   ///< by which the page multiplies the field: 100 makes a share a percentage
+  bool rare = false;     ///< only printed with `--columns all`
+  bool in_unit = false;  ///< whether the unit of the world is the second line of its heading
 };
 
 /// A column that is only printed with `--columns all`.
@@ -143,9 +145,10 @@ std::vector<Condition> conditions_of(const Rows& rows, const Conditions& conditi
 /// Where the score of a contest stands in the JSON of its result, as this world writes it.
 struct ScorePlace {
   std::string_view key = "score";
-  std::string_view inner;  ///< where the score is an object, its field
-  double unit = 1.0;       ///< factor from the number in JSON to the world's unit
-  double least = 0.0;      ///< no score is below
+  std::string_view inner;                                 ///< where the score is an object, its field
+  double unit = 1.0;                                      ///< factor from the number in JSON to the world's unit
+  double least = 0.0;                                     ///< no score is below
+  double most = std::numeric_limits<double>::infinity();  ///< no score is above
 };
 
 class World {
@@ -204,5 +207,10 @@ class World {
   /// What a maze without a bound is like, behind "1 maze": "whose goal cannot be reached".
   virtual std::string_view why_no_bound() const { return "whose goal cannot be reached"; }
 };
+
+/// The second line of the heading of a column.
+inline std::string_view second_line_of(const Column& column, const World& world) {
+  return column.in_unit ? world.unit() : column.second;
+}
 
 }  // namespace labmouse

@@ -11,9 +11,14 @@ Json rules_json(const DriveRules& rules) {
                {"gate_to_gate", rules.gate_to_gate},
                {"touch_penalty", rules.touch_penalty},
                {"untouched_bonus", rules.untouched_bonus}};
-  // Without laps the field is left out, which keeps records and stores of earlier versions unchanged.
-  if (rules.counts == Counted::lap) json["counts"] = "lap";
+  // If runs count, the fields are left out, which keeps records and stores of earlier versions unchanged.
+  if (rules.counts != Counted::run) json["counts"] = name_of(rules.counts);
+  if (rules.counts == Counted::dead_end) json["marks"] = rules.marks;
   return json;
+}
+
+Json dead_ends_json(const DeadEndCount& count) {
+  return {{"seen", count.seen}, {"all", count.all}, {"steps", count.steps}, {"fewest_steps", count.fewest_steps}};
 }
 
 Json score_json(const DriveScore& score) {

@@ -28,5 +28,6 @@ Json rules_json(const DriveRules& rules);
 
 /// The best run under the rules with the parts of its score; runs are numbered from 1. Null where no run has a score.
 Json score_json(const DriveScore& score);
+Json dead_ends_json(const DeadEndCount& count);
 
 }  // namespace labmouse

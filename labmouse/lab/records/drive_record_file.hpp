@@ -72,5 +72,7 @@ std::string summary_of(const DriveRecordFile& file);
 /// The result of a contest in one line without a line feed: the mouse, the maze, and the score with its parts or the
 /// reason why there is none.
 std::string result_line(const DriveRecordFile& file);
+/// The value of a score with its unit: "8.196 s", "51.786 marks lost".
+std::string value_text(MazeTime value, const DriveRules& rules, int digits = 3);
 
 }  // namespace labmouse

@@ -46,6 +46,18 @@ auto optional_of(const ReadJson& json, const char* key, Read read) -> std::optio
   return read();
 }
 
+DeadEndCount read_dead_ends(const ReadJson& json, JsonFields& outer) {
+  constexpr int most = max_side * max_side;
+  JsonFields fields(json, "dead_ends");
+  DeadEndCount count;
+  count.seen = fields.whole("seen", 0, most);
+  count.all = fields.whole("all", 0, most);
+  count.steps = fields.whole("steps", 0, static_cast<int>(most_moves));
+  count.fewest_steps = fields.whole("fewest_steps", 0, most);
+  outer.reject(fields.error());
+  return count;
+}
+
 DriveRunScore read_score(const ReadJson& json, JsonFields& fields) {
   const auto time = [&](const char* key) { return fields.long_whole(key, -longest_time, longest_time); };
   DriveRunScore score;
@@ -146,6 +158,8 @@ std::string Reading::end_run(const ReadJson& json) {
   run.centre = moment("centre");
   if (run.kind == DriveRun::Kind::laps)
     for (const ReadJson& lap : fields.list("laps")) run.laps.push_back(fields.long_whole(lap, "laps", 0, longest_time));
+  if (run.kind == DriveRun::Kind::search && fields.has("dead_ends"))
+    run.dead_ends = read_dead_ends(json["dead_ends"], fields);
   if (file_.physical) file_.physical->notes.ends.push_back(read_run_end(fields));
   running_ = false;
   return fields.error();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "labmouse/contest/dead_ends.hpp"
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/ideal_drive.hpp"
 #include "labmouse/contest/search_parts.hpp"
@@ -16,6 +17,14 @@ namespace {
 
 std::string seconds(MazeTime time) { return fmt::format("{:.6f} s", static_cast<double>(time) / 1e6); }
 std::string seconds(const std::optional<MazeTime>& time) { return time ? seconds(*time) : "never"; }
+std::string score_text(const std::optional<MazeTime>& value, const DriveRules& rules) {
+  return value ? value_text(*value, rules, 6) : "none";
+}
+std::string dead_end_words(const std::optional<DeadEndCount>& count) {
+  return count ? fmt::format("{} of {} dead ends seen in {} steps (fewest: {})", count->seen, count->all, count->steps,
+                             count->fewest_steps)
+               : "no count of dead ends";
+}
 std::string route_time(DriveTime time) { return time < no_time ? seconds(time) : "none"; }
 
 std::string pose_words(const Pose& pose) {
@@ -65,6 +74,7 @@ class Replay {
     const bool cut_short = last && (file_.record.outcome == DriveOutcome::forfeit || driver_.out_of_time());
     if (run.kind == DriveRun::Kind::search && whole && !cut_short && goal_entered())
       note_stop(played, *file_.maze, file_.model->search.half_cell, driver_.place(), driver_.clock());
+    if (whole && file_.rules.counts == Counted::dead_end) played.dead_ends = dead_ends_of(played, *file_.maze);
     return whole ? compare_gates(run) : "";
   }
 
@@ -163,6 +173,9 @@ class Replay {
     const DriveRun& played = played_.runs.back();
     if (run.end != played.end)
       return fmt::format("recorded as ending at {}; replayed, it ends at {}", seconds(run.end), seconds(played.end));
+    if (run.dead_ends != played.dead_ends)
+      return fmt::format("recorded with {}; replayed, {}", dead_end_words(run.dead_ends),
+                         dead_end_words(played.dead_ends));
     if (run.gate_out == played.gate_out && run.gate_in == played.gate_in && run.centre == played.centre) return "";
     return fmt::format(
         "recorded as leaving the start at {}, entering a goal at {} and reaching its centre at {}; replayed, at {}, {} "
@@ -192,7 +205,8 @@ class Replay {
     const auto best = played.best ? std::optional(played.runs[*played.best]) : std::nullopt;
     if (best != file_.recorded_score) {
       const auto recorded = file_.recorded_score ? std::optional(file_.recorded_score->value) : std::nullopt;
-      return fmt::format("the recorded score is {}; replayed, it is {}{}", seconds(recorded), seconds(played.value()),
+      return fmt::format("the recorded score is {}; replayed, it is {}{}", score_text(recorded, file_.rules),
+                         score_text(played.value(), file_.rules),
                          recorded == played.value() ? ", with different parts" : "");
     }
     const bool in_time = best.has_value();

@@ -24,9 +24,18 @@ std::string run_line(const DriveRun& run, std::size_t index) {
                      number(run.hoped));
 }
 
+/// "48.214 of 100 marks = 9/12 dead ends * 18/28 steps"
+std::string mark_words(const DeadEndCount& count, const DriveRules& rules) {
+  return fmt::format("{:.3f} of {} marks = {}/{} dead ends * {}/{} steps",
+                     rules.marks - in_seconds(marks_lost(count, rules)), rules.marks, count.seen, count.all,
+                     count.fewest_steps, count.steps);
+}
+
 /// "8.123 s = 5.123 s gate to gate + 3.000 s of 90.000 s in the maze"
 std::string score_words(const DriveScore& score, const DriveRecord& record, const DriveRules& rules) {
   const DriveRunScore& best = score.runs[*score.best];
+  if (rules.counts == Counted::dead_end)
+    return mark_words(*record.runs[best.run].dead_ends, rules) + fmt::format(" in run {}", best.run + 1);
   const auto time = rules.gate_to_gate ? best.gate_to_gate : best.rest_to_centre;
   std::string words = fmt::format("{:.3f} s = {:.3f} s {}", in_seconds(best.value), in_seconds(*time),
                                   rules.gate_to_gate ? "gate to gate" : "rest to centre");
@@ -39,6 +48,10 @@ std::string score_words(const DriveScore& score, const DriveRecord& record, cons
 }
 
 }  // namespace
+
+std::string value_text(MazeTime value, const DriveRules& rules, int digits) {
+  return fmt::format("{:.{}f} {}", in_seconds(value), digits, rules.counts == Counted::dead_end ? "marks lost" : "s");
+}
 
 std::string result_line(const DriveRecordFile& file) {
   const DriveRecord& record = file.record;

@@ -60,6 +60,7 @@ Json run_end_json(const DriveRun& run) {
                {"gate_in", or_null(run.gate_in)},
                {"centre", or_null(run.centre)}};
   if (run.kind == DriveRun::Kind::laps) json["laps"] = run.laps;
+  if (run.dead_ends) json["dead_ends"] = dead_ends_json(*run.dead_ends);
   return json;
 }
 

@@ -45,6 +45,7 @@ void cut_runs_like(DriveRecord& record, const DriveRecord& kept, bool last_break
     last.gate_in = was.gate_in;
     last.centre = was.centre;
     last.laps = was.laps;
+    last.dead_ends = was.dead_ends;
   }
   cut_to(record.walls, kept.walls);
   record.outcome = kept.outcome;

@@ -107,6 +107,7 @@ Json run_json(const DriveRun& run) {
                {"known", time_json(run.known)},
                {"hoped", time_json(run.hoped)}};
   if (run.kind == DriveRun::Kind::laps) json["laps"] = run.laps;
+  if (run.dead_ends) json["dead_ends"] = dead_ends_json(*run.dead_ends);
   return json;
 }
 
@@ -165,13 +166,18 @@ Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std:
   return drive;
 }
 
-/// What the page says of all contests in seconds, or of all that count laps.
+/// What the page says of all contests in seconds, by what counts.
 Json traits_of(const DriveRules& rules) {
   if (rules.counts == Counted::lap)
     return traits_json({.in_steps = false,
                         .unit = "s",
                         .bound = "the best possible score: the fastest lap without errors",
                         .runs = {"search", "way home", "speed run", "laps"}});
+  if (rules.counts == Counted::dead_end)
+    return traits_json({.in_steps = false,
+                        .unit = "marks lost",
+                        .bound = "no marks lost",
+                        .runs = {"search", "way home", "speed run"}});
   return traits_json({.in_steps = false,
                       .unit = "s",
                       .bound = "the best possible score: that of the fastest run, made at once",

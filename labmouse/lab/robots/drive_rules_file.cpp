@@ -27,13 +27,15 @@ struct RulesNumber {
 constexpr RulesNumber time_limit = {.name = "time_limit", .low = 1, .high = 7200, .needed = true};
 constexpr RulesNumber runs = {.name = "runs", .low = 1, .high = 100, .whole = true, .needed = true};
 constexpr RulesNumber laps = {.name = "laps", .low = 1, .high = 20, .whole = true, .needed = true};
+constexpr RulesNumber marks = {.name = "marks", .low = 1, .high = most_marks, .whole = true, .needed = true};
 constexpr RulesNumber maze_time_divisor = {.name = "maze_time_divisor", .low = 1, .high = 1000, .whole = true};
 constexpr RulesNumber touch_penalty = {.name = "touch_penalty", .high = 600};
 constexpr RulesNumber untouched_bonus = {.name = "untouched_bonus", .high = 600};
 
-constexpr std::array<std::string_view, 9> rule_keys = {
-    "source", "time_limit", "counts", "runs", "laps", "maze_time_divisor", "touch_penalty", "untouched_bonus", "clock"};
-constexpr std::string_view counts_runs = "run", counts_laps = "lap";
+constexpr std::array<std::string_view, 10> rule_keys = {
+    "source",        "time_limit",      "counts", "runs", "laps", "marks", "maze_time_divisor",
+    "touch_penalty", "untouched_bonus", "clock"};
+constexpr std::array all_counted = {Counted::run, Counted::lap, Counted::dead_end};
 constexpr std::string_view gate_to_gate = "gate to gate", rest_to_centre = "rest to centre";
 
 std::string range_of(const RulesNumber& number) {
@@ -77,22 +79,28 @@ class RulesReader {
 
   /// "run" if the key is missing.
   Counted counts() {
-    constexpr std::string_view meaning = "\"run\" or \"lap\"";
+    constexpr std::string_view meaning = "\"run\", \"lap\" or \"dead end\"";
     if (!table_.contains("counts")) return Counted::run;
     const std::string value = text("counts", meaning);
-    if (!value.empty() && value != counts_runs && value != counts_laps)
-      add(table_.get("counts")->source().begin, fmt::format("'counts' must be {}", meaning));
-    return value == counts_laps ? Counted::lap : Counted::run;
+    for (const Counted counted : all_counted)
+      if (value == name_of(counted)) return counted;
+    if (!value.empty()) add(table_.get("counts")->source().begin, fmt::format("'counts' must be {}", meaning));
+    return Counted::run;
   }
 
   /// The limit of runs or of laps; the key of the other one is refused.
   int limit(Counted counts) {
     const bool lap = counts == Counted::lap;
     const RulesNumber &key = lap ? laps : runs, &other = lap ? runs : laps;
-    if (const toml::node* node = table_.get(other.name))
-      add(node->source().begin, fmt::format("'{}' does not go with counts = \"{}\"; give '{}'", other.name,
-                                            lap ? counts_laps : counts_runs, key.name));
+    refuse(other, counts, fmt::format("; give '{}'", key.name));
     return static_cast<int>(number(key));
+  }
+
+  /// A number that only goes with some of what rules can count; 0 with the others, where its key is refused.
+  double number_if(bool goes, const RulesNumber& key, Counted counts) {
+    if (goes) return number(key);
+    refuse(key, counts, "");
+    return 0.0;
   }
 
   bool clock(Counted counts) {
@@ -100,14 +108,21 @@ class RulesReader {
     const std::string value = text("clock", meaning);
     if (!value.empty() && value != gate_to_gate && value != rest_to_centre)
       add(table_.get("clock")->source().begin, fmt::format("'clock' must be {}", meaning));
-    if (value == rest_to_centre && counts == Counted::lap)
-      add(table_.get("clock")->source().begin, "'clock' must be \"gate to gate\" if laps count");
+    if (value == rest_to_centre && counts != Counted::run)
+      add(table_.get("clock")->source().begin,
+          fmt::format("'clock' must be \"gate to gate\" with counts = \"{}\"", name_of(counts)));
     return value == gate_to_gate;
   }
 
   std::vector<Problem> problems() const { return in_order(problems_); }
 
  private:
+  void refuse(const RulesNumber& key, Counted counts, const std::string& instead) {
+    if (const toml::node* node = table_.get(key.name))
+      add(node->source().begin,
+          fmt::format("'{}' does not go with counts = \"{}\"{}", key.name, name_of(counts), instead));
+  }
+
   void add(const toml::source_position& place, std::string reason) {
     problems_.push_back(problem_at(place, std::move(reason)));
   }
@@ -130,9 +145,13 @@ DriveRulesResult read_drive_rules(std::string_view text, std::string_view name) 
   rules.time_limit = whole_microseconds(reader.number(time_limit));
   rules.counts = reader.counts();
   rules.most_runs = reader.limit(rules.counts);
-  rules.maze_time_divisor = static_cast<int>(reader.number(maze_time_divisor));
-  rules.touch_penalty = whole_microseconds(reader.number(touch_penalty));
-  rules.untouched_bonus = whole_microseconds(reader.number(untouched_bonus));
+  const bool in_marks = rules.counts == Counted::dead_end;
+  if (const double full = reader.number_if(in_marks, marks, rules.counts); in_marks)
+    rules.marks = static_cast<int>(full);
+  const auto in_time = [&](const RulesNumber& key) { return reader.number_if(!in_marks, key, rules.counts); };
+  rules.maze_time_divisor = static_cast<int>(in_time(maze_time_divisor));
+  rules.touch_penalty = whole_microseconds(in_time(touch_penalty));
+  rules.untouched_bonus = whole_microseconds(in_time(untouched_bonus));
   rules.gate_to_gate = reader.clock(rules.counts);
   if (auto problems = reader.problems(); !problems.empty()) return {std::nullopt, std::move(problems)};
   return {std::move(rules), {}};

@@ -6,7 +6,10 @@ namespace labmouse {
 std::vector<Declaration> drive_shapes() {
   using namespace shapes;
   return {
-      {"DriveScore", "What a run of a contest in seconds is worth by the rules, in microseconds.",
+      {"DriveScore",
+       "What a run of a contest in seconds is worth by the rules, in microseconds; where dead ends count, `value` is "
+       "the marks "
+       "lost, in millionths.",
        object({field("gate_to_gate", or_null(number)), field("rest_to_centre", or_null(number)),
                field("maze_time", number,
                      "The part of the time in the maze before it that counts, and what is taken off for a mouse that "
@@ -21,6 +24,11 @@ std::vector<Declaration> drive_shapes() {
                   "came."),
             field("gate_in", or_null(number)), field("centre", or_null(number)),
             maybe("laps", list(number), "Of a run of laps: left the start cell again, after each lap."),
+            maybe(
+                "dead_ends",
+                object({field("seen", number), field("all", number), field("steps", number),
+                        field("fewest_steps", number)}),
+                "Of a search that entered a goal, where dead ends count: what it saw before that, in how many steps."),
             field("known", or_null(number),
                   "When it began: times of the fastest route known to exist, and of the fastest that may exist; "
                   "null for none."),

@@ -65,10 +65,10 @@ std::string trimmed(const std::string& text) {
 }
 
 /// Both lines of its heading as one; a word hyphenated between them is joined.
-std::string title_of(const Column& column) {
+std::string title_of(const Column& column, const World& world) {
   if (column.first.ends_with('-'))
     return std::string(column.first.substr(0, column.first.size() - 1)) + std::string(column.second);
-  return trimmed(fmt::format("{} {}", column.first, column.second));
+  return trimmed(fmt::format("{} {}", column.first, second_line_of(column, world)));
 }
 
 /// What a program that does not know this world needs to show its race.
@@ -80,7 +80,7 @@ void describe_world(const Race& race, Json& json) {
   json["failure_score"] = world.failure_score() ? Json(*world.failure_score()) : Json(nullptr);
   json["limit_score"] = world.limit_score();
   json["columns"] = Json::array();
-  for (const Column* column : own_columns(race)) json["columns"].push_back(title_of(*column));
+  for (const Column* column : own_columns(race)) json["columns"].push_back(title_of(*column, world));
 }
 
 Json cells_json(const Race& race, const Standing& standing) {

@@ -41,7 +41,7 @@ std::vector<std::vector<std::string>> cells_of(const Race& race, bool all) {
   std::vector<std::vector<std::string>> rows = {{""}, {"mouse"}};
   for (const Column* column : columns) {
     rows[0].emplace_back(column->first);
-    rows[1].emplace_back(column->second);
+    rows[1].emplace_back(second_line_of(*column, race.world()));
   }
   for (const Standing& standing : standings_of(race)) {
     std::vector<std::string>& row = rows.emplace_back(1, names.of[standing.mouse]);
@@ -61,12 +61,15 @@ std::string leaderboard_of(const Race& race, bool colours, bool all) {
   const auto best = std::find_if(standings.begin(), standings.end(), [&](const Standing& standing) {
     return !race.mice[standing.mouse].reference && standing.finished > 0;
   });
+  std::vector<std::size_t> widths;
+  for (const Column* column : columns)
+    widths.push_back(std::max<std::size_t>(column->width, second_line_of(*column, race.world()).size()));
   std::string text;
   std::ptrdiff_t line_number = -2;  // two lines of headings
   for (const std::vector<std::string>& row : cells_of(race, all)) {
     // Padded by characters, which fmt counts, and not by bytes.
     std::string line = fmt::format("{:<{}}", row.front(), width);
-    for (std::size_t i = 0; i < columns.size(); ++i) line += fmt::format(" {:>{}}", row[i + 1], columns[i]->width);
+    for (std::size_t i = 0; i < columns.size(); ++i) line += fmt::format(" {:>{}}", row[i + 1], widths[i]);
     const bool heading = line_number < 0;
     const bool is_best = !heading && standings.size() > 1 && line_number == best - standings.begin();
     ++line_number;

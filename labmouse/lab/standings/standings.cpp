@@ -23,11 +23,11 @@ std::vector<MazeSum> sums_of(const std::vector<MazeScores>& scores, Of of) {
 void set_intervals(const Race& race, Standing& standing) {
   const std::vector<MazeScores> scores = maze_scores(race, standing.mouse);
   const auto at_limit = sums_of(scores, [](const MazeScores& maze) { return MazeSum{maze.sum, 1.0 * maze.contests}; });
-  const double least = race.world().score_place().least + 0.0;  // + 0.0 turns -0.0 into 0
+  const ScorePlace place = race.world().score_place();
   const auto interval = [&](const std::vector<MazeSum>& sums, const std::optional<double>& mean) {
     if (!mean) return Interval();
     const Interval found = interval_of(sums, race.order.seed);
-    return including({std::max(found.low, least), found.high}, *mean);  // no score is below the least
+    return including(among_scores(found, place), *mean);
   };
   const bool counts_failures = race.world().failure_score().has_value();
   if (standing.runs > 0) standing.mean_at_limit = counts_failures ? standing.mean_all : mean_of(at_limit);
@@ -66,6 +66,11 @@ Standing standing_of(const Race& race, std::size_t mouse) {
 }
 
 }  // namespace
+
+Interval among_scores(const Interval& interval, const ScorePlace& place) {
+  // + 0.0 turns -0.0 into 0.
+  return {std::max(interval.low, place.least + 0.0), std::min(interval.high, place.most)};
+}
 
 std::vector<std::optional<double>> scores_by_maze(const Race& race, std::size_t mouse) {
   std::vector<std::vector<double>> scores(race.mazes.size());

@@ -13,6 +13,9 @@ namespace labmouse {
 /// number of finished contests. Ties are broken by the world's tie breaker, then by name.
 std::vector<Standing> standings_of(const Race& race);
 
+/// An interval of scores without the part that no score is in.
+Interval among_scores(const Interval& interval, const ScorePlace& place);
+
 /// A mouse's mean in each maze (by position) of what its contests count, where it has one.
 std::vector<std::optional<double>> scores_by_maze(const Race& race, std::size_t mouse);
 

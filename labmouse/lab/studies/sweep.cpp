@@ -22,7 +22,7 @@ std::optional<Interval> interval_of(const Race& race, const Standing& standing) 
     if (counts(race, contest)) scores.push_back(contest.counted.value_or(limit));
   if (scores.size() < 2) return std::nullopt;
   const Interval found = mean_interval(scores, race.order.seed);
-  return including({std::max(found.low, race.world().score_place().least), found.high}, *standing.mean_at_limit);
+  return including(among_scores(found, race.world().score_place()), *standing.mean_at_limit);
 }
 
 /// The point of a sweep from the race of one mouse.

@@ -214,7 +214,7 @@ TEST(TimeTrial, IsOnlyForMiceThatOurControllerDrives) {
     return physical_world(find_rules(rules).rules, test::drive_model("kerise"), conditions);
   };
   EXPECT_EQ(world("uk")->refuse(mice.front()), "");
-  EXPECT_THAT(world("time-trial")->refuse(mice.front()), Says("laps", "--rules"));
+  EXPECT_THAT(world("time-trial")->refuse(mice.front()), Says("lap", "--rules"));
 }
 
 TEST(TimeTrial, IsShownAsOtherContestsAre) {

@@ -365,7 +365,7 @@ TEST(DriveRecordReplay, ComparesAllPartsOfTheScore) {
               AllOf(Says("score", "1.000000 s", "0.707515 s"), Not(parts)));
   DriveRecordFile none = file;
   none.recorded_score.reset();
-  EXPECT_THAT(replay(none), AllOf(Says("score", "never", "0.707515 s"), Not(parts)));
+  EXPECT_THAT(replay(none), AllOf(Says("score", "none", "0.707515 s"), Not(parts)));
 }
 
 TEST(DriveRecordReplay, ComparesTheOutcome) {

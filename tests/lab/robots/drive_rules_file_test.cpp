@@ -94,7 +94,7 @@ TEST(DriveRulesFile, MayCountLaps) {
   EXPECT_EQ(result.rules->counts, Counted::lap);
   EXPECT_EQ(result.rules->most_runs, 3);
   EXPECT_THAT(complaints(laps + "clock = \"rest to centre\"\n"),
-              ElementsAre(SaysAt("my.toml:5:9", "'clock'", "\"gate to gate\"", "laps")));
+              ElementsAre(SaysAt("my.toml:5:9", "'clock'", "\"gate to gate\"", "\"lap\"")));
   EXPECT_THAT(complaints(laps + "clock = \"gate to gate\"\nruns = 5\n"),
               ElementsAre(SaysAt("my.toml:6:8", "'runs'", "'laps'", "\"lap\"")));
   EXPECT_THAT(complaints(changed("runs = 7", "runs = 7\nlaps = 5")),
@@ -122,8 +122,8 @@ TEST(Rules, ComeWithTheProgram) {
   std::vector<std::string_view> names;
   for (const BuiltinRules& rules : builtin_rules()) names.push_back(rules.name);
   EXPECT_EQ(names, (std::vector<std::string_view>{"aamc", "all-japan", "all-japan-freshmen", "all-japan-half",
-                                                  "all-japan-heats", "apec", "ieee-r6", "portugal", "taiwan",
-                                                  "thirtieth", "time-trial", "uk", "uk-2018"}));
+                                                  "all-japan-heats", "apec", "coverage", "ieee-r6", "portugal",
+                                                  "taiwan", "thirtieth", "time-trial", "uk", "uk-2018"}));
   for (const std::string_view name : names) {
     const FoundRules found = find_rules(std::string(name));
     EXPECT_TRUE(found.errors.empty()) << name;

@@ -311,7 +311,10 @@ export interface Play {
   again?: { with: { world: string; conditions: Fields }; mice: string[] };
 }
 
-/** What a run of a contest in seconds is worth by the rules, in microseconds. */
+/**
+ * What a run of a contest in seconds is worth by the rules, in microseconds; where dead ends count, `value` is the
+ * marks lost, in millionths.
+ */
 export interface DriveScore {
   gate_to_gate: number | null;
   rest_to_centre: number | null;
@@ -336,6 +339,8 @@ export interface DriveRun {
   centre: number | null;
   /** Of a run of laps: left the start cell again, after each lap. */
   laps?: number[];
+  /** Of a search that entered a goal, where dead ends count: what it saw before that, in how many steps. */
+  dead_ends?: { seen: number; all: number; steps: number; fewest_steps: number };
   /** When it began: times of the fastest route known to exist, and of the fastest that may exist; null for none. */
   known: number | null;
   hoped: number | null;

@@ -27,12 +27,12 @@ const hasRuns = ({ track }: Side) => track.play.traits.runs.length > 1;
 
 type Played = Side['track']['play'];
 
-/** A score of a contest; those of mice that drive are in seconds. */
+/** A score of a contest, with its unit if it has one. */
 const scoreRow = (label: string, value: Row['value'], meaning?: Row['meaning']): Row => ({
   label,
   meaning,
   value,
-  text: (side, score) => (score === null ? absent : `${decimal(score, digits(side))}${side.track.drive ? ' s' : ''}`),
+  text: (side, score) => (score === null ? absent : [decimal(score, digits(side)), side.track.play.traits.unit].filter(Boolean).join(' ')),
   score: true,
 });
 const countOf = (label: string, value: (play: Played) => number | null, more: Partial<Row> = {}): Row => ({

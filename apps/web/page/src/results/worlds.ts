@@ -52,6 +52,7 @@ function columnOf({ key, title, meaning, digits, factor = 1, higher_is_better }:
   };
 }
 
+const text = (value: unknown) => (typeof value === 'string' ? value : undefined);
 const texts = (list: unknown): string[] => (Array.isArray(list) ? list.map(String) : []);
 /** Those that results name, of a world that is not in the tables: their texts stand in the line of each mouse. */
 const namedColumns = ({ columns }: RaceGroup): Column<Fields>[] =>
@@ -91,7 +92,9 @@ function robotOf({ robot }: RaceGroup): string {
 export function worldOf(group: RaceGroup, among: RaceGroup[] = []): RacedWorld {
   const table = (tables as ShownWorlds).find(({ names }) => names.includes(group.world))?.table;
   const said = table ?? (group as Partial<ShownWorld>);
-  const { unit = 'points', bound = 'bound', failure_score } = said;
+  const { bound = 'bound', failure_score } = said;
+  // The rules of a race can have a unit of their own.
+  const unit = text(group.unit) ?? said.unit ?? 'points';
   const {
     key = 'score',
     inner: field = '',
