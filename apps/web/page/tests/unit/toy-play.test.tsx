@@ -165,7 +165,7 @@ describe('a world whose clock counts seconds, with one kind of run', () => {
     expect(timeText(side.track, 2)).toBe('2.00 s');
     const facts = factsOf(play, 2);
     expect(facts.get('time')).toBe('2.0 of 4.0 s');
-    expect(facts.get('best possible')).toBe('3.13');
+    expect(facts.get('best possible')).toBe('3.13 craters');
     expect(facts.has('speed run')).toBe(false);
   });
   it('has a list and marks of that', () => {
