@@ -144,7 +144,7 @@ void check_races(const RaceOptions& options, const std::vector<Entry>& entries) 
 void report_curves(const RaceOptions& options, const std::vector<Race>& races) {
   const std::vector<NoiseCurve> curves = noise_curves(races);
   if (curves.empty()) return;
-  if (options.format == "table") print("\n" + table_of(curves));
+  if (options.format == "table") print("\n" + table_of(curves, races.back().world()));
   if (options.curves.empty()) return;
   const Race& race = races.back();
   const std::string title = fmt::format("Contests finished: world {}, {}", race.world().name(),

@@ -1,17 +1,10 @@
 #include "labmouse/contest/dead_ends.hpp"
 
-#include <algorithm>
-
+#include "labmouse/maze/inspect.hpp"
 #include "labmouse/maze/routes.hpp"
 
 namespace labmouse {
 namespace {
-
-bool is_dead_end(const Maze& maze, Cell cell) {
-  const auto open = std::count_if(all_headings.begin(), all_headings.end(),
-                                  [&](Heading heading) { return maze.is_open(cell, heading); });
-  return open == 1 && cell != maze.start() && !maze.is_goal(cell);
-}
 
 /// Enters the cells of a move. Returns false behind the first goal.
 bool enter_cells(const SearchMove& move, const Maze& maze, DeadEndCount& count, CellSet& unseen) {
@@ -32,7 +25,7 @@ bool enter_cells(const SearchMove& move, const Maze& maze, DeadEndCount& count, 
 CellSet dead_ends_in(const Maze& maze) {
   CellSet cells;
   reachable_cells(maze).for_each([&](Cell cell) {
-    if (is_dead_end(maze, cell)) cells.insert(cell);
+    if (open_sides(maze, cell) == 1 && cell != maze.start() && !maze.is_goal(cell)) cells.insert(cell);
   });
   return cells;
 }

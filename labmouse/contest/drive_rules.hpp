@@ -2,7 +2,9 @@
 // ones.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,9 +14,21 @@ namespace labmouse {
 /// the dead ends that a search sees before it enters a goal.
 enum class Counted : std::uint8_t { run, lap, dead_end };
 
+inline constexpr std::array all_counted = {Counted::run, Counted::lap, Counted::dead_end};
+
 constexpr std::string_view name_of(Counted counted) {
   return counted == Counted::run ? "run" : counted == Counted::lap ? "lap" : "dead end";
 }
+
+/// What has this name; nothing if nothing has.
+constexpr std::optional<Counted> counted_named(std::string_view name) {
+  for (const Counted counted : all_counted)
+    if (name_of(counted) == name) return counted;
+  return std::nullopt;
+}
+
+/// The unit of a score.
+constexpr std::string_view unit_of(Counted counted) { return counted == Counted::dead_end ? "marks lost" : "s"; }
 
 /// Full marks that rules may give.
 inline constexpr int most_marks = 10'000;
@@ -28,7 +42,7 @@ struct DriveRules {
   /// Runs that may begin at the start, searches among them. If laps count: laps that may be completed.
   int most_runs = 5;
   /// If dead ends count: full marks. The score is what a mouse loses of them, so lower is better here, too.
-  int marks = 100;
+  int marks = 0;
   /// A run counts its own time and this part of the time in the maze before it began: 0, or 1/30.
   int maze_time_divisor = 0;  ///< 30 for a thirtieth; 0 if the maze time does not count
   /// Whether the clock runs from gate to gate (leaves the start cell, enters a goal cell) or from rest to the centre of

@@ -7,19 +7,24 @@ namespace {
 
 // Dead ends, junctions and loops, counted from the open sides of each reachable cell.
 void count_shapes(const Maze& maze, Inspection& found) {
-  int open_sides = 0;
+  int sides = 0;
   found.reachable.for_each([&](Cell cell) {
-    int open = 0;
-    for (const Heading side : all_headings) open += maze.is_open(cell, side) ? 1 : 0;
+    const int open = open_sides(maze, cell);
     found.dead_ends += open == 1 ? 1 : 0;
     found.junctions += open >= 3 ? 1 : 0;
-    open_sides += open;
+    sides += open;
   });
   // A passage out of a reachable cell leads to another one, so each was counted from both of its sides.
-  found.loops = open_sides / 2 - found.reachable.count() + 1;
+  found.loops = sides / 2 - found.reachable.count() + 1;
 }
 
 }  // namespace
+
+int open_sides(const Maze& maze, Cell cell) {
+  int open = 0;
+  for (const Heading side : all_headings) open += maze.is_open(cell, side) ? 1 : 0;
+  return open;
+}
 
 Inspection inspect(const Maze& maze, int longest_stride) {
   Inspection found;

@@ -26,6 +26,9 @@ struct Inspection {
   std::vector<RuleFinding> contest_rules;
 };
 
+/// How many of the four sides of a cell are open.
+int open_sides(const Maze& maze, Cell cell);
+
 /// Inspects the maze; `longest_stride` (at least 1) is the most cells that one step may cover.
 Inspection inspect(const Maze& maze, int longest_stride = 3);
 

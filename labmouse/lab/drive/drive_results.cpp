@@ -111,8 +111,7 @@ std::string formula_of(const DriveRules& rules) {
   if (rules.counts == Counted::dead_end)
     return fmt::format(
         "what a search loses of {0} marks: {0} * dead ends seen / all * cells of the shortest way / steps to the goal, "
-        "in "
-        "{1:g} s; the best of at most {2}",
+        "in {1:g} s; the best of at most {2}",
         rules.marks, in_seconds(rules.time_limit), counted(rules.most_runs, "run", "runs"));
   const bool laps = rules.counts == Counted::lap;
   std::string text = fmt::format("the best of at most {} in {:g} s, {}",

@@ -37,7 +37,7 @@ class DriveWorld : public World {
   std::string refuse(const Maze& maze) const override;
   using World::refuse;
   Settings settings(const Contestant& mouse) const override;
-  std::string_view unit() const override { return counts_dead_ends() ? "marks lost" : "s"; }
+  std::string_view unit() const override { return unit_of(rules_.counts); }
   MazeFacts facts(const Maze& maze) const override;
   ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override;
   double limit_score() const override;

@@ -101,11 +101,12 @@ std::vector<NoiseCurve> noise_curves(std::span<const Race> races) {
   return curves;
 }
 
-std::string table_of(std::span<const NoiseCurve> curves) {
+std::string table_of(std::span<const NoiseCurve> curves, const World& world) {
   std::string text = lines_of(curves, "Finished, % of contests (95 %)", finished_text);
-  text +=
-      "\n" + lines_of(curves, "Mean score in s; an unfinished contest counts as the time limit",
-                      [](const NoisePoint& point) { return point.par1 ? fmt::format("{:.3f}", *point.par1) : "-"; });
+  text += "\n" +
+          lines_of(curves,
+                   fmt::format("Mean score in {0}; a failed contest counts {1:g}", world.unit(), world.limit_score()),
+                   [](const NoisePoint& point) { return point.par1 ? fmt::format("{:.3f}", *point.par1) : "-"; });
   for (const RunEnd end : all_run_ends) {
     const auto place = static_cast<std::size_t>(end);
     const auto any = [&](const NoiseCurve& curve) {

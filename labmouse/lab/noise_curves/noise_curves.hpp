@@ -19,7 +19,7 @@ struct NoisePoint {
   int contests = 0;
   int finished = 0;                              ///< with a score
   Interval interval;                             ///< 95 % interval of the share finished, over mazes
-  std::optional<double> par1;                    ///< mean seconds, unfinished contests counted as the time limit
+  std::optional<double> par1;                    ///< mean score; one without a score counts World::limit_score()
   std::array<int, all_run_ends.size()> ended{};  ///< unfinished contests by what ended them (RunEnd)
 };
 
@@ -32,8 +32,8 @@ struct NoiseCurve {
 /// the physical world or the failure model. Empty if fewer than two races have a noise, or two have the same.
 std::vector<NoiseCurve> noise_curves(std::span<const Race> races);
 
-/// Text tables of the shares, the mean times and what ended the others.
-std::string table_of(std::span<const NoiseCurve> curves);
+/// Text tables of the shares, the mean scores in the unit of `world`, one of theirs, and what ended the others.
+std::string table_of(std::span<const NoiseCurve> curves, const World& world);
 /// One self-contained SVG picture. `title` should name mice and mazes.
 std::string draw_curves(std::span<const NoiseCurve> curves, const std::string& title);
 

@@ -115,8 +115,9 @@ void read_drive_rules_json(const ReadJson& json, DriveRules& rules, JsonFields& 
   rules.touch_penalty = fields.long_whole("touch_penalty", 0, longest_time);
   rules.untouched_bonus = fields.long_whole("untouched_bonus", 0, longest_time);
   if (fields.has("counts")) {
-    rules.counts = fields.text("counts") == name_of(Counted::lap) ? Counted::lap : Counted::dead_end;
-    if (fields.text("counts") != name_of(rules.counts)) fields.fail("has a 'counts' that this version does not know");
+    const std::optional<Counted> counts = counted_named(fields.text("counts"));
+    if (!counts) fields.fail("has a 'counts' that this version does not know");
+    rules.counts = counts.value_or(Counted::run);
     if (rules.counts == Counted::dead_end) rules.marks = fields.whole("marks", 1, most_marks);
   }
   outer.reject(fields.error());

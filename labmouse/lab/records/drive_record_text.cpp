@@ -50,7 +50,7 @@ std::string score_words(const DriveScore& score, const DriveRecord& record, cons
 }  // namespace
 
 std::string value_text(MazeTime value, const DriveRules& rules, int digits) {
-  return fmt::format("{:.{}f} {}", in_seconds(value), digits, rules.counts == Counted::dead_end ? "marks lost" : "s");
+  return fmt::format("{:.{}f} {}", in_seconds(value), digits, unit_of(rules.counts));
 }
 
 std::string result_line(const DriveRecordFile& file) {

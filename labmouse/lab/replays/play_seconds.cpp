@@ -168,20 +168,16 @@ Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std:
 
 /// What the page says of all contests in seconds, by what counts.
 Json traits_of(const DriveRules& rules) {
-  if (rules.counts == Counted::lap)
-    return traits_json({.in_steps = false,
-                        .unit = "s",
-                        .bound = "the best possible score: the fastest lap without errors",
-                        .runs = {"search", "way home", "speed run", "laps"}});
-  if (rules.counts == Counted::dead_end)
-    return traits_json({.in_steps = false,
-                        .unit = "marks lost",
-                        .bound = "no marks lost",
-                        .runs = {"search", "way home", "speed run"}});
-  return traits_json({.in_steps = false,
-                      .unit = "s",
-                      .bound = "the best possible score: that of the fastest run, made at once",
-                      .runs = {"search", "way home", "speed run"}});
+  PlayTraits traits = {.in_steps = false,
+                       .unit = unit_of(rules.counts),
+                       .bound = "the best possible score: that of the fastest run, made at once",
+                       .runs = {"search", "way home", "speed run"}};
+  if (rules.counts == Counted::lap) {
+    traits.bound = "the best possible score: the fastest lap without errors";
+    traits.runs.emplace_back("laps");
+  }
+  if (rules.counts == Counted::dead_end) traits.bound = "no marks lost";
+  return traits_json(traits);
 }
 
 Json header_json(const DriveRecordFile& contest, const DriveRun& best) {

@@ -1,5 +1,7 @@
 #include "labmouse/lab/studies/tune.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -7,6 +9,7 @@
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
 #include "labmouse/lab/standings/maze_scores.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -146,14 +149,19 @@ Tune hold_tune(std::string_view spec, const std::vector<ParameterRange>& ranges,
   Tune tune;
   tune.order = order;
   tune.ranges = ranges;
-  for (const NamedMaze& maze : mazes)
-    if (order.race.world->facts(maze.maze).bound)
-      ++tune.mazes;
-    else
-      ++tune.routeless;
   SpecResult mouse = read_variant(spec, {});
   if (tune.error = mouse.error; !tune.error.empty()) return tune;
   if (ranges.empty()) tune.error = "no parameters to tune are named";
+  for (const NamedMaze& maze : mazes) {
+    const std::optional<double> bound = order.race.world->facts(maze.maze).bound;
+    if (bound)
+      ++tune.mazes;
+    else
+      ++tune.routeless;
+    if (order.objective == Objective::ratio && bound && *bound <= 0.0)
+      tune.error = fmt::format("the best possible score in '{}' is {:g}, so no ratio to it exists: tune the score",
+                               shown(maze.name), *bound);
+  }
   if (tune.mazes == 0) tune.error = "nothing to tune on: the goal cannot be reached in any of the mazes";
   if (tune.error.empty()) Tuner(std::move(mouse.contestants.front()), mazes, hooks, tune).search();
   return tune;

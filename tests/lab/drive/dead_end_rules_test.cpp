@@ -8,6 +8,7 @@
 #include "labmouse/contest/script.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/noise_curves/noise_curves.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/replays/play_seconds.hpp"
@@ -157,17 +158,17 @@ TEST(DeadEndRules, AreReadFromAFile) {
               Says("'marks'", "\"run\""));
 }
 
-/// A race of flood in the physical world, where it crashes in some contests.
-Race crashing_race() {
+/// A race of flood in the physical world. At noise 4 it crashes in some contests.
+Race race_at(double noise) {
   RaceOrder order;
-  order.world = physical_world(coverage(), test::drive_model("kerise"), at_noise(4.0));
+  order.world = physical_world(coverage(), test::drive_model("kerise"), at_noise(noise));
   order.runs = 20;
   order.jobs = 1;
   return hold_race(read_specs("flood").contestants, {{"branches", branches()}}, order);
 }
 
 TEST(DeadEndRules, CountAFailedContestAsAllMarksLost) {
-  const Race race = crashing_race();
+  const Race race = race_at(4.0);
   const Standing standing = standings_of(race).front();
   ASSERT_LT(standing.finished, standing.runs);
   ASSERT_GT(standing.finished, 0);
@@ -178,8 +179,10 @@ TEST(DeadEndRules, CountAFailedContestAsAllMarksLost) {
 }
 
 TEST(DeadEndRules, NameTheirUnitInTables) {
-  const Race race = crashing_race();
+  const Race race = race_at(4.0);
   EXPECT_THAT(table_of(race, false, false), Says("marks lost", "100 marks"));
+  const std::vector<Race> races = {race_at(0.0), race};
+  EXPECT_THAT(table_of(noise_curves(races), race.world()), Says("marks lost", "counts 100"));
   // All lines of the leaderboard are equally long.
   std::vector<std::size_t> lengths;
   std::istringstream lines(leaderboard_of(race, false, true));

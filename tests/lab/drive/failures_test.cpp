@@ -646,7 +646,7 @@ TEST(NoiseCurves, ShowWhatBecomesOfMiceAsNoiseGrows) {
     EXPECT_EQ(last.finished + ended, 30);
     EXPECT_GE(*last.par1, *curve.points[0].par1);
   }
-  EXPECT_THAT(table_of(curves), Says("flood", "certify", "100.0"));
+  EXPECT_THAT(table_of(curves, races.back().world()), Says("flood", "certify", "100.0", "in s;", "counts 300"));
   const std::string picture = draw_curves(curves, "A <title>");
   EXPECT_THAT(picture, Says("<svg", "certify", "&lt;title&gt;"));
   EXPECT_THAT(noise_curves(std::span(races).first(1)), IsEmpty());

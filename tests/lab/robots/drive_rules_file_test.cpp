@@ -96,14 +96,17 @@ TEST(DriveRulesFile, MayCountLaps) {
   EXPECT_THAT(complaints(laps + "clock = \"rest to centre\"\n"),
               ElementsAre(SaysAt("my.toml:5:9", "'clock'", "\"gate to gate\"", "\"lap\"")));
   EXPECT_THAT(complaints(laps + "clock = \"gate to gate\"\nruns = 5\n"),
-              ElementsAre(SaysAt("my.toml:6:8", "'runs'", "'laps'", "\"lap\"")));
+              ElementsAre(SaysAt("my.toml:6:8", "'runs'", "\"lap\"", "remove")));
   EXPECT_THAT(complaints(changed("runs = 7", "runs = 7\nlaps = 5")),
-              ElementsAre(SaysAt("my.toml:4:8", "'laps'", "'runs'", "\"run\"")));
+              ElementsAre(SaysAt("my.toml:4:8", "'laps'", "\"run\"", "remove")));
   EXPECT_THAT(complaints(changed("runs = 7", "counts = \"lap\"\nlaps = 21")),
               ElementsAre(SaysAt("my.toml:4:8", "'laps'", "1 to 20"), SaysAt("my.toml:8:9", "'clock'")));
   EXPECT_EQ(read_drive_rules(changed("runs = 7", "counts = \"run\"\nruns = 7"), "ours").rules->counts, Counted::run);
   EXPECT_THAT(complaints(changed("runs = 7", "counts = \"goal\"\nruns = 7")),
-              ElementsAre(SaysAt("my.toml:3:10", "'counts'", "\"run\"", "\"lap\"")));
+              ElementsAre(SaysAt("my.toml:3:10", "'counts'", "\"run\"", "\"lap\"", "\"dead end\"")));
+  for (const char* wrong : {"\"\"", "7"})
+    EXPECT_THAT(complaints(changed("runs = 7", std::string("counts = ") + wrong + "\nlaps = 7\nmarks = 3")),
+                ElementsAre(SaysAt("my.toml:3:10", "'counts'")));
 }
 
 TEST(DriveRulesFile, SaysWhatItDoesNotKnow) {

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/numbers/maze_interval.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/drawing/drawing_samples.hpp"
 #include "tests/lab/races/race_fixture.hpp"
+#include "tests/lab/records/drive_record_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
 #include "tests/says.hpp"
 
@@ -151,6 +154,23 @@ TEST(Tune, MayTuneTheRatioToTheBound) {
   const auto &by_score = scores.evaluations[0].by_maze, &by_ratio = ratios.evaluations[0].by_maze;
   for (std::size_t maze : {0U, 1U}) EXPECT_DOUBLE_EQ(*by_ratio[maze], *by_score[maze] / bounds[maze]);
   EXPECT_DOUBLE_EQ(ratios.evaluations[0].value, (*by_ratio[0] + *by_ratio[1]) / 2.0);
+}
+
+TEST(Tune, RefusesRatiosToABoundOfZero) {
+  TuneOrder order = order_of(1);
+  order.objective = Objective::ratio;
+  order.race.world = seconds_world(find_rules("coverage").rules, test::drive_model("kerise"));
+  // One dead end, and a goal beside the start.
+  const NamedMaze branch = {"branch", test::drawn(R"(
+    o---o---o
+    |   | G |
+    o   o   o
+    | S     |
+    o---o---o
+  )")};
+  const Tune refused = hold_tune("flood", read_ranges("flood", "stride").ranges, {branch}, order);
+  EXPECT_THAT(refused.error, Says("'branch'", "is 0", "score"));
+  EXPECT_THAT(refused.evaluations, IsEmpty());
 }
 
 TEST(Tune, CountsAFailureAsTheRulesSay) {
