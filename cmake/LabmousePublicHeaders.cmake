@@ -6,7 +6,7 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/grid/heading.hpp
   labmouse/grid/wall.hpp
   labmouse/grid/wall_set.hpp
-  labmouse/chance/dice.hpp
+  labmouse/chance/rng.hpp
   labmouse/maze/maze.hpp
   labmouse/maze/formats/format.hpp
   labmouse/maze/generators/generator.hpp

@@ -29,7 +29,7 @@ using Choices = nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig, nb::d
 /// A batch, the random generator of draw_valid_choices, and references that keep the arrays alive that it writes to.
 struct LearnBatch {
   ContestBatch batch;
-  Dice dice{0};
+  Rng rng{0};
   std::vector<nb::object> held;
 };
 
@@ -78,12 +78,12 @@ LearnBatch batch_of_mazes(int count, const std::vector<NamedMaze>& named, bool i
   if (named.empty()) throw UserError("there is no maze to play in");
   std::vector<Maze> mazes;
   for (const NamedMaze& maze : named) mazes.push_back(maze.maze);
-  return {ContestBatch(count, mazes, order_of(in_turn), rules_of(budget)), Dice{0}, {}};
+  return {ContestBatch(count, mazes, order_of(in_turn), rules_of(budget)), Rng{0}, {}};
 }
 
 LearnBatch batch_of_family(int count, const MazeFamily& family, bool in_turn, int budget) {
   check_count(count);
-  return {ContestBatch(count, family, order_of(in_turn), rules_of(budget)), Dice{0}, {}};
+  return {ContestBatch(count, family, order_of(in_turn), rules_of(budget)), Rng{0}, {}};
 }
 
 /// The array as a span, kept alive by the batch; empty if there is none. Throws UserError if its size is wrong.
@@ -234,13 +234,13 @@ void bind_learning(nb::module_& module) {
       .def("start", &start, "which"_a = nb::none(), "Begins new contests: all, or those where `which` is not 0.")
       .def("step", &step, "actions"_a.noconvert(), "One step of every contest.")
       .def(
-          "seed_choices", [](LearnBatch& self, std::uint64_t seed) { self.dice = Dice(seed); }, "seed"_a)
+          "seed_choices", [](LearnBatch& self, std::uint64_t seed) { self.rng = Rng(seed); }, "seed"_a)
       .def(
           "draw_valid_choices",
           [](LearnBatch& self, nb::ndarray<std::int64_t, nb::ndim<1>, nb::c_contig> into) {
             check_bound(self);
             check_size(self, into.size());
-            self.batch.draw_valid_choices(self.dice, {into.data(), into.size()});
+            self.batch.draw_valid_choices(self.rng, {into.data(), into.size()});
           },
           "into"_a.noconvert(), "Draws a valid action for each contest into an array of int64.");
 }

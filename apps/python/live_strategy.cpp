@@ -204,7 +204,7 @@ class ProcessStrategy final : public DrivingStrategy {
   ~ProcessStrategy() override { end(); }
 
   Action decide(const Sighting& seen) override {
-    Action action = Action::forfeit(ForfeitReason::died);
+    Action action = Action::forfeit(ForfeitReason::ended_early);
     call([&] {
       const nb::object answer = contest_.attr("decide")(seen.left, seen.ahead, seen.right);
       if (!answer.is_none())

@@ -144,12 +144,12 @@ class PythonStrategy final : public DrivingStrategy {
     const nb::object answer = called(decide_, sighting_of(seen));
     if (!answer.is_valid()) {
       nb::python_error error;
-      give_up(ForfeitReason::died, error);
+      give_up(ForfeitReason::ended_early, error);
       return Action::forfeit(reason_);
     }
     const auto action = action_of(answer.ptr());
     if (!action) {
-      reason_ = ForfeitReason::rubbish;
+      reason_ = ForfeitReason::invalid_answer;
       last_words_ =
           fmt::format("it answered {} instead of (rotation, movement), 'reset' or 'forfeit'", repr_of(answer));
       return Action::forfeit(reason_);
@@ -171,7 +171,7 @@ class PythonStrategy final : public DrivingStrategy {
     try {
       telling();
     } catch (nb::python_error& error) {
-      give_up(ForfeitReason::died, error);
+      give_up(ForfeitReason::ended_early, error);
     }
   }
 

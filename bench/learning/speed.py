@@ -78,10 +78,10 @@ def mazemdp(rounds: int, steps: int = 2_000) -> float:
     mdp = create_random_maze(10, 10, hit=True, ratio=0.2, start_states=[0])
     mdp = mdp[0] if isinstance(mdp, tuple) else mdp
     mdp.reset()
-    dice = np.random.default_rng(1)
+    rng = np.random.default_rng(1)
 
     def play() -> None:
-        for action in dice.integers(mdp.nb_actions, size=steps):
+        for action in rng.integers(mdp.nb_actions, size=steps):
             if mdp.step(int(action))[2]:
                 mdp.reset()
 

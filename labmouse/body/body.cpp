@@ -23,11 +23,11 @@ Body::Body(const Maze& maze, double cell, const Hardware& hardware, const NoiseL
       robot_sample_(hardware, level, maze.size(), seed),
       plant_(field_, hardware, robot_sample_, seed),
       senses_(field_, hardware, robot_sample_, seed),
-      placement_dice_(seed_for(seed, "placement")) {}
+      placement_rng_(seed_for(seed, "placement")) {}
 
 void Body::put(const Position& position, double angle) {
   const double level = robot_sample_.level(NoiseGroup::placement);
-  const auto error = [&](double deviation) { return level * deviation * NormalNumber::of(placement_dice_.bits()); };
+  const auto error = [&](double deviation) { return level * deviation * NormalNumber::of(placement_rng_.bits()); };
   const double x = error(hardware_.noise.placement), y = error(hardware_.noise.placement);
   plant_.put({position.x + x, position.y + y}, angle + error(hardware_.noise.placement_turn));
   senses_.calibrate();

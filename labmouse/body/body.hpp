@@ -55,7 +55,7 @@ class Body {
   RobotSample robot_sample_;
   Plant plant_;
   Senses senses_;
-  Dice placement_dice_;
+  Rng placement_rng_;
   bool crashed_ = false;
   bool grazing_ = false;
   Contact contact_;

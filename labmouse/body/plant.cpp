@@ -26,7 +26,7 @@ double root_of_loss(double loss, double step) { return std::sqrt(loss * step); }
 }  // namespace
 
 Plant::Plant(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed)
-    : field_(field), hardware_(hardware), robot_sample_(robot_sample), shaking_dice_(seed_for(seed, "shaking")) {
+    : field_(field), hardware_(hardware), robot_sample_(robot_sample), shaking_rng_(seed_for(seed, "shaking")) {
   drive_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.drive.time);
   turn_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.turn.time);
   const Noise& noise = hardware.noise;
@@ -76,7 +76,7 @@ void Plant::shake() {
   const double step = noise.shaking_pitch * tick_seconds;
   if (shaking_kick_ > 0.0) {
     shaking_rate_ += -step * shaking_ - 2.0 * noise.shaking_loss * step * shaking_rate_ +
-                     shaking_kick_ * NormalNumber::of(shaking_dice_.bits());
+                     shaking_kick_ * NormalNumber::of(shaking_rng_.bits());
     shaking_ += step * shaking_rate_;
   }
   const double strength = std::min(1.0, std::abs(motion_.speed) / noise.shaking_speed);

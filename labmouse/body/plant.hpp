@@ -10,7 +10,7 @@
 
 #include "labmouse/body/field.hpp"
 #include "labmouse/body/robot_sample.hpp"
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/functions/angles.hpp"
 #include "labmouse/hardware/sense.hpp"
 
@@ -59,7 +59,7 @@ class Plant {
   const RobotSample& robot_sample_;
   BodyMotion motion_;
   double drive_share_ = 0.0, turn_share_ = 0.0;  ///< share of the way to its steady speed that a motor makes in a tick
-  Dice shaking_dice_;
+  Rng shaking_rng_;
   double shaking_ = 0.0, shaking_rate_ = 0.0;  ///< of the resonance, rad/s
   double shaking_kick_ = 0.0;
   double voltage_ = 1.0;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/functions/exponential.hpp"
 #include "labmouse/functions/normal.hpp"
 #include "labmouse/functions/whole.hpp"
@@ -21,13 +21,13 @@ double factor_of(double logarithm) {
 /// Random numbers from a generator of their own, seeded by a name.
 class Draws {
  public:
-  Draws(std::uint64_t seed, std::string_view name) : dice_(seed_for(seed, name)) {}
-  double next() { return NormalNumber::of(dice_.bits()); }
+  Draws(std::uint64_t seed, std::string_view name) : rng_(seed_for(seed, name)) {}
+  double next() { return NormalNumber::of(rng_.bits()); }
   double factor(double deviation) { return factor_of(deviation * next()); }
-  double unit() { return dice_.unit(); }
+  double unit() { return rng_.unit(); }
 
  private:
-  Dice dice_;
+  Rng rng_;
 };
 
 }  // namespace
@@ -60,7 +60,7 @@ RobotSample::RobotSample(const Hardware& hardware, const NoiseLevel& level, Size
     squares += square(off);
     factor = factor_of(off);
   }
-  eyes_apart_ = std::sqrt(squares / beam_count);
+  infrared_deviation_ = std::sqrt(squares / beam_count);
 
   const auto area = static_cast<std::size_t>(size.area());
   Draws walls(seed, "reflectance"), floor(seed, "floor");

@@ -28,7 +28,7 @@ class RobotSample {
   /// The factor of its weaker motor.
   double weaker_motor() const { return motor[0] < motor[1] ? motor[0] : motor[1]; }
   /// Root mean square of the logarithms of the infrared sensors' factors.
-  double eyes_apart() const { return eyes_apart_; }
+  double infrared_deviation() const { return infrared_deviation_; }
   /// The factor of a group's noise.
   double level(NoiseGroup group) const { return level_.of(group); }
 
@@ -45,7 +45,7 @@ class RobotSample {
 
  private:
   NoiseLevel level_;
-  double severity_ = 0.0, eyes_apart_ = 0.0;
+  double severity_ = 0.0, infrared_deviation_ = 0.0;
   Size size_;
   std::vector<float> reflectances_;     ///< by four sides of each cell
   std::vector<FloorStep> floor_steps_;  ///< by the north and the east side of each cell; empty without any

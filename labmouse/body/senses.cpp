@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-double normal(Dice& dice) { return NormalNumber::of(dice.bits()); }
+double normal(Rng& rng) { return NormalNumber::of(rng.bits()); }
 
 /// To the nearest whole number, cut to what the register holds.
 std::int16_t in_register(double number) {
@@ -24,18 +24,18 @@ Senses::Senses(const Field& field, const Hardware& hardware, const RobotSample& 
     : hardware_(hardware),
       robot_sample_(robot_sample),
       beams_(field, hardware.sensors, robot_sample),
-      encoder_dice_{Dice(seed_for(seed, "left encoder")), Dice(seed_for(seed, "right encoder"))},
-      gyro_dice_(seed_for(seed, "gyro noise")),
-      bias_dice_(seed_for(seed, "gyro bias")),
-      walk_dice_(seed_for(seed, "gyro walk")),
-      acceleration_dice_{Dice(seed_for(seed, "acceleration ahead")), Dice(seed_for(seed, "acceleration aside"))},
-      infrared_dice_{Dice(seed_for(seed, "infrared", 0)), Dice(seed_for(seed, "infrared", 1)),
-                     Dice(seed_for(seed, "infrared", 2)), Dice(seed_for(seed, "infrared", 3))},
-      range_dice_(seed_for(seed, "ranger")),
+      encoder_rng_{Rng(seed_for(seed, "left encoder")), Rng(seed_for(seed, "right encoder"))},
+      gyro_rng_(seed_for(seed, "gyro noise")),
+      bias_rng_(seed_for(seed, "gyro bias")),
+      walk_rng_(seed_for(seed, "gyro walk")),
+      acceleration_rng_{Rng(seed_for(seed, "acceleration ahead")), Rng(seed_for(seed, "acceleration aside"))},
+      infrared_rng_{Rng(seed_for(seed, "infrared", 0)), Rng(seed_for(seed, "infrared", 1)),
+                    Rng(seed_for(seed, "infrared", 2)), Rng(seed_for(seed, "infrared", 3))},
+      range_rng_(seed_for(seed, "ranger")),
       infrared_fresh_(std::sqrt(1.0 - square(hardware.noise.infrared_memory))) {}
 
 void Senses::calibrate() {
-  bias_ = robot_sample_.level(NoiseGroup::gyro) * hardware_.noise.gyro_bias * normal(bias_dice_);
+  bias_ = robot_sample_.level(NoiseGroup::gyro) * hardware_.noise.gyro_bias * normal(bias_rng_);
 }
 
 void Senses::read(const BodyMotion& motion, double voltage) {
@@ -57,7 +57,7 @@ void Senses::count(const BodyMotion& motion) {
     double shown = travel_[wheel];
     if (level > 0.0) {
       const double turns = travel_[wheel] / noise.ripple_length + robot_sample_.ripple[wheel];
-      shown += level * (noise.ripple * sine_of_turns(turns) + noise.encoder * normal(encoder_dice_[wheel]));
+      shown += level * (noise.ripple * sine_of_turns(turns) + noise.encoder * normal(encoder_rng_[wheel]));
     }
     sense_.counts[wheel] = whole_below(shown / hardware_.sensors.count);
   }
@@ -69,8 +69,8 @@ void Senses::turn(const BodyMotion& motion) {
   constexpr double root_of_tick = 0.0316227766016837933;
   double rate = robot_sample_.gyro * motion.yaw;
   if (level > 0.0) {
-    bias_ += level * noise.gyro_walk * root_of_tick * normal(walk_dice_);
-    rate += bias_ + level * noise.gyro * normal(gyro_dice_);
+    bias_ += level * noise.gyro_walk * root_of_tick * normal(walk_rng_);
+    rate += bias_ + level * noise.gyro * normal(gyro_rng_);
   }
   rate = std::clamp(rate, -hardware_.sensors.gyro_most, hardware_.sensors.gyro_most);
   sense_.gyro = in_register(rate / hardware_.sensors.gyro_step);
@@ -80,7 +80,7 @@ void Senses::accelerate(const BodyMotion& motion) {
   const double deviation = robot_sample_.level(NoiseGroup::accelerometer) * hardware_.noise.acceleration;
   std::array<double, 2> rates = {motion.speeding, motion.sideways};
   for (std::size_t axis = 0; axis < rates.size(); ++axis) {
-    if (deviation > 0.0) rates[axis] += deviation * normal(acceleration_dice_[axis]);
+    if (deviation > 0.0) rates[axis] += deviation * normal(acceleration_rng_[axis]);
     sense_.acceleration[axis] = in_register(rates[axis] / hardware_.sensors.acceleration_step);
   }
 }
@@ -92,7 +92,7 @@ void Senses::shine(const BodyMotion& motion) {
     double level = beams_.level(beam, motion.position, motion.ahead);
     if (factor > 0.0) {
       infrared_noise_[beam] =
-          noise.infrared_memory * infrared_noise_[beam] + infrared_fresh_ * normal(infrared_dice_[beam]);
+          noise.infrared_memory * infrared_noise_[beam] + infrared_fresh_ * normal(infrared_rng_[beam]);
       level += factor * (noise.infrared + noise.infrared_share * level) * infrared_noise_[beam];
     }
     sense_.infrared[beam] = in_register(std::min(std::max(level, 0.0), hardware_.sensors.infrared.most));
@@ -109,7 +109,7 @@ void Senses::range(const BodyMotion& motion) {
     constexpr double at_rest = 10.0;  // mm/s
     const bool moves = std::abs(motion.speed) > at_rest;
     const double deviation = moves ? hardware_.noise.ranger : hardware_.noise.ranger_rest;
-    distance += robot_sample_.level(NoiseGroup::ranger) * deviation * normal(range_dice_);
+    distance += robot_sample_.level(NoiseGroup::ranger) * deviation * normal(range_rng_);
   }
   sense_.range = static_cast<std::uint16_t>(std::clamp(distance + 0.5, 0.0, ranger.reach));
 }

@@ -6,7 +6,7 @@
 
 #include "labmouse/body/beams.hpp"
 #include "labmouse/body/plant.hpp"
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/hardware/sense.hpp"
 
 namespace labmouse {
@@ -34,11 +34,11 @@ class Senses {
   Beams beams_;
   Sense sense_;
   /// Random generators by source, so that none depends on whether others are used.
-  std::array<Dice, 2> encoder_dice_;
-  Dice gyro_dice_, bias_dice_, walk_dice_;
-  std::array<Dice, 2> acceleration_dice_;
-  std::array<Dice, beam_count> infrared_dice_;
-  Dice range_dice_;
+  std::array<Rng, 2> encoder_rng_;
+  Rng gyro_rng_, bias_rng_, walk_rng_;
+  std::array<Rng, 2> acceleration_rng_;
+  std::array<Rng, beam_count> infrared_rng_;
+  Rng range_rng_;
   double infrared_fresh_;           ///< factor of the new noise in a beam's error, an AR(1) process
   std::array<double, 2> travel_{};  ///< mm, of each wheel as its encoder measures it
   double bias_ = 0.0;               ///< rad/s

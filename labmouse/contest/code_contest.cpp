@@ -43,7 +43,7 @@ class CodeContest {
     record_.tape.push_back(said);
     if (said.word == ControllerWord::give_up) return give_up();
     if (said.word == ControllerWord::carry) return carry(RunEnd::given_up);
-    if (said.word == ControllerWord::fast) next_ = Kind::fast;
+    if (said.word == ControllerWord::fast) next_ = Kind::speed;
     if (said.word == ControllerWord::goal) goal_said_ = true;
     const bool goes_on = body_.step(said.drive());
     body_.trace(std::nullopt);
@@ -98,7 +98,7 @@ class CodeContest {
 
   /// Ends the run. It counts as done if a goal was entered; but a search that crashes later counts as crashed.
   void end_run(RunEnd end) {
-    const bool goal = run().gate_in && (run().kind == Kind::fast || !is_crash(end));
+    const bool goal = run().gate_in && (run().kind == Kind::speed || !is_crash(end));
     record_.ends.back() = goal ? RunEnd::done : end;
     run().end = rest_ = body_.clock();
     running_ = false;

@@ -22,8 +22,8 @@ Draws draws_of(const RobotSample& mouse) {
   // A motor just below 0.3 finishes as few contests as tyres just below 0.4, and so on.
   if (weak > 0 && weak + 1 >= loose) return after(Draws::motor_below_30, weak - 1);
   if (loose > 0) return after(Draws::tyres_below_50, loose - 1);
-  const double eyes = mouse.eyes_apart();
-  return eyes > 0.5 ? Draws::eyes_far_apart : eyes > 0.3 ? Draws::eyes_apart : Draws::sound;
+  const double deviation = mouse.infrared_deviation();
+  return deviation > 0.5 ? Draws::infrared_very_unequal : deviation > 0.3 ? Draws::infrared_unequal : Draws::sound;
 }
 
 }  // namespace labmouse

@@ -14,10 +14,10 @@
 namespace labmouse {
 
 enum class Draws : std::uint8_t {
-  sound,           ///< none of the weaknesses below
-  eyes_apart,      ///< infrared sensors more than 0.3 from the nominal values, in logarithms (root mean square)
-  eyes_far_apart,  ///< or more than 0.5
-  tyres_below_50,  ///< they hold less than 0.5 of the nominal value, and so on
+  sound,                  ///< none of the weaknesses below
+  infrared_unequal,       ///< infrared sensors more than 0.3 from the nominal values, in logarithms (root mean square)
+  infrared_very_unequal,  ///< or more than 0.5
+  tyres_below_50,         ///< they hold less than 0.5 of the nominal value, and so on
   tyres_below_40,
   tyres_below_30,
   tyres_below_20,
@@ -27,16 +27,16 @@ enum class Draws : std::uint8_t {
   motor_below_15,
 };
 
-inline constexpr std::array all_draws = {Draws::sound,          Draws::eyes_apart,     Draws::eyes_far_apart,
-                                         Draws::tyres_below_50, Draws::tyres_below_40, Draws::tyres_below_30,
-                                         Draws::tyres_below_20, Draws::motor_below_30, Draws::motor_below_25,
+inline constexpr std::array all_draws = {Draws::sound,          Draws::infrared_unequal, Draws::infrared_very_unequal,
+                                         Draws::tyres_below_50, Draws::tyres_below_40,   Draws::tyres_below_30,
+                                         Draws::tyres_below_20, Draws::motor_below_30,   Draws::motor_below_25,
                                          Draws::motor_below_20, Draws::motor_below_15};
 inline constexpr std::size_t draw_classes = all_draws.size();
 
 constexpr std::string_view name_of(Draws draws) {
   constexpr std::array<std::string_view, draw_classes> names = {"sound",
-                                                                "eyes apart",
-                                                                "eyes far apart",
+                                                                "IR gains unequal",
+                                                                "IR gains very unequal",
                                                                 "tyres below 50 %",
                                                                 "tyres below 40 %",
                                                                 "tyres below 30 %",

@@ -17,7 +17,7 @@ namespace labmouse {
 namespace {
 
 double pace_of(DrivingStrategy& mouse, DriveRun::Kind kind) {
-  return std::clamp(mouse.pace(kind == DriveRun::Kind::fast), least_pace, 1.0);
+  return std::clamp(mouse.pace(kind == DriveRun::Kind::speed), least_pace, 1.0);
 }
 
 class DriveContest {
@@ -58,7 +58,7 @@ class DriveContest {
   void make_runs() {
     Action action = decide_at_start();
     for (;;) {
-      if (is_no_way(action)) {
+      if (is_no_route(action)) {
         if (driver_.out_of_time()) return;
         action = begin_anew();
         continue;
@@ -68,7 +68,7 @@ class DriveContest {
       if (after == After::at_goal) {
         // The strategy decides at the goal what it will do at the start.
         action = decide({start_, true});
-        if (action.kind == Action::Kind::forfeit && !is_no_way(action)) return give_up(action.reason);
+        if (action.kind == Action::Kind::forfeit && !is_no_route(action)) return give_up(action.reason);
         after = go_back(action);
       }
       if (after == After::over) return;
@@ -84,7 +84,7 @@ class DriveContest {
   After start_run(const Action& action) {
     if (action.kind == Action::Kind::step || (!errs_ && record_.drive.runs.empty()))
       return begin(DriveRun::Kind::search) ? search(action) : After::over;
-    if (action.kind == Action::Kind::reset) return begin(DriveRun::Kind::fast) ? run_fast() : After::over;
+    if (action.kind == Action::Kind::reset) return begin(DriveRun::Kind::speed) ? run_fast() : After::over;
     give_up(action.reason);
     return After::over;
   }
@@ -131,12 +131,12 @@ class DriveContest {
     run.closed = WallSet::all(maze_.size());
     run.closed -= known.possible();
     // Millions of contests are run in the failure model, so unused values are left out.
-    if (!record_.by_dice) {
-      if (hoped_over_ != known.possible()) hoped_ = plan(known.possible());
-      hoped_over_ = known.possible();
-      run.hoped = hoped_;
+    if (!record_.by_failure_model) {
+      if (possible_over_ != known.possible()) possible_ = plan(known.possible());
+      possible_over_ = known.possible();
+      run.possible = possible_;
     }
-    if (!record_.by_dice || kind == DriveRun::Kind::fast) run.known = plan(known.open());
+    if (!record_.by_failure_model || kind == DriveRun::Kind::speed) run.known = plan(known.open());
     record_.drive.runs.push_back(std::move(run));
     record_.ends.push_back(RunEnd::done);
     driver_.set_pace(record_.drive.runs.back().pace);
@@ -165,13 +165,13 @@ class DriveContest {
   Action decide(const SearchPlace& place) {
     Action action = ask(place);
     // A map without a route has a wrong wall.
-    while (is_no_way(action) && weakens_++ < most_weakenings && weaken(place.pose.cell)) action = ask(place);
+    while (is_no_route(action) && weakens_++ < most_weakenings && weaken(place.pose.cell)) action = ask(place);
     return action;
   }
 
   /// Whether the strategy found no route, on a map whose walls can change.
-  bool is_no_way(const Action& action) const {
-    return weighed_ != nullptr && action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::no_way;
+  bool is_no_route(const Action& action) const {
+    return weighed_ != nullptr && action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::no_route;
   }
 
   bool weaken(Cell cell) {
@@ -208,10 +208,10 @@ class DriveContest {
       if (driver_.out_of_time()) return end_run(RunEnd::out_of_time, After::over);
       action = decide(driver_.place());
     }
-    if (is_no_way(action)) return end_run(RunEnd::no_route_left, After::crashed);
+    if (is_no_route(action)) return end_run(RunEnd::no_route_left, After::crashed);
     if (action.kind == Action::Kind::forfeit) {
       give_up(action.reason);
-      return end_run(action.reason == ForfeitReason::no_way ? RunEnd::no_route_left : RunEnd::given_up, After::over);
+      return end_run(action.reason == ForfeitReason::no_route ? RunEnd::no_route_left : RunEnd::given_up, After::over);
     }
     if (!goal_entered_) return give_up_on_it();
     end_run(RunEnd::done, After::on_the_way);
@@ -293,7 +293,7 @@ class DriveContest {
 
   After run_fast() {
     routes_.route_from(start_, route_);
-    if (route_.time == no_time || (errs_ && route_.segments.empty())) return find_no_way();
+    if (route_.time == no_time || (errs_ && route_.segments.empty())) return find_no_route();
     DriveRun& run = record_.drive.runs.back();
     run.route = route_;
     const bool stands = driver_.run(route_);
@@ -304,14 +304,14 @@ class DriveContest {
   }
 
   /// Handles a speed run without a known route.
-  After find_no_way() {
+  After find_no_route() {
     if (!errs_) {
       record_.drive.runs.pop_back();
       record_.ends.pop_back();
       return After::over;
     }
     if (weighed_ == nullptr) {
-      give_up(ForfeitReason::no_way);
+      give_up(ForfeitReason::no_route);
       return end_run(RunEnd::no_route_left, After::over);
     }
     const bool weakens = weakens_++ < most_weakenings && weighed_->weaken_path(start_.cell, maze_.goals());
@@ -329,8 +329,8 @@ class DriveContest {
   BelievedWalls* weighed_;  ///< null: a map without a route ends the contest
   FastestRoutes routes_;
   SearchField home_;
-  std::optional<WallSet> planned_over_, hoped_over_;  ///< the passages of `routes_`, and of `hoped_`
-  DriveTime hoped_ = no_time;
+  std::optional<WallSet> planned_over_, possible_over_;  ///< the passages of `routes_`, and of `possible_`
+  DriveTime possible_ = no_time;
   DriveRoute route_;
   bool replanned_ = false;
   static constexpr int most_weakenings = 8;

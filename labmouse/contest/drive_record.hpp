@@ -53,7 +53,7 @@ struct DeadEndCount {
 /// One run of a contest: a search (which may go on behind the goal), the way home, a speed run over what is known, or
 /// in a time trial a run of several laps.
 struct DriveRun {
-  enum class Kind : std::uint8_t { search, home, fast, laps };
+  enum class Kind : std::uint8_t { search, home, speed, laps };
 
   Kind kind = Kind::search;
   MazeTime begin = 0;
@@ -72,19 +72,19 @@ struct DriveRun {
   WallSet open;
   WallSet closed;
   DriveTime known = no_time;
-  DriveTime hoped = no_time;
+  DriveTime possible = no_time;
 
   /// Whether it follows a route, not moves of a search.
-  bool has_route() const { return kind == Kind::fast || kind == Kind::laps; }
+  bool has_route() const { return kind == Kind::speed || kind == Kind::laps; }
 
   friend bool operator==(const DriveRun&, const DriveRun&) = default;
 };
 
 constexpr std::string_view name_of(DriveRun::Kind kind) {
-  return kind == DriveRun::Kind::search ? "search"
-         : kind == DriveRun::Kind::home ? "home"
-         : kind == DriveRun::Kind::fast ? "fast"
-                                        : "laps";
+  return kind == DriveRun::Kind::search  ? "search"
+         : kind == DriveRun::Kind::home  ? "home"
+         : kind == DriveRun::Kind::speed ? "speed"
+                                         : "laps";
 }
 
 /// How a contest in seconds ended.

@@ -20,11 +20,11 @@ FailureDriver::FailureDriver(const Maze& maze, const DriveModel& model, const Ph
       handling_(conditions.handling),
       usual_pace_(conditions.controller.pace),
       walls_(maze, conditions.map, record),
-      dice_(seed_for(seed, "hazards")),
+      rng_(seed_for(seed, "hazards")),
       rates_(failure_rates),
       noise_(conditions.noise.all),
-      noise_share_(dice_.unit()) {
-  record.by_dice = true;
+      noise_share_(rng_.unit()) {
+  record.by_failure_model = true;
   const RobotSample mouse(*model.robot.hardware, conditions.noise, maze.size(), seed);
   record.severity = mouse.severity();
   draws_ = draws_of(mouse);
@@ -36,14 +36,14 @@ FailureDriver::FailureDriver(const Maze& maze, const DriveModel& model, const Ph
 void FailureDriver::set_pace(double pace) {
   pace_ = usual_pace_ * pace;
   const auto paces = between(rates_.paces, pace_, [](const RatesAtPace& at) { return at.pace; });
-  const RatesAtPace& at_pace = rates_.paces[dice_.unit() < paces.part ? paces.above : paces.below];
+  const RatesAtPace& at_pace = rates_.paces[rng_.unit() < paces.part ? paces.above : paces.below];
   const auto noises = between(at_pace.noises, noise_, [](const RatesAtNoise& at) { return at.noise; });
   const RatesAtNoise& at = at_pace.noises[noise_share_ < noises.part ? noises.above : noises.below];
   odds_ = &at.by_draws[static_cast<std::size_t>(draws_)];
 }
 
 std::size_t FailureDriver::one_of(std::span<const double> shares) {
-  double left = dice_.unit();
+  double left = rng_.unit();
   std::size_t place = 0;
   while (place + 1 < shares.size() && left >= shares[place]) left -= shares[place++];
   // Rounding can leave a remainder: it goes to the last class with a positive share.
@@ -65,7 +65,7 @@ void FailureDriver::carry_to_start() {
 
 void FailureDriver::look_about() {
   const Heading heading = place_.pose.heading;
-  const double clear = dice_.unit();
+  const double clear = rng_.unit();
   WallEvidence seen;
   seen.left = read_wall(left_of(heading), false, clear);
   seen.ahead = read_wall(heading, true, clear);
@@ -93,8 +93,8 @@ Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
 FailureDriver::ManoeuvreOutcome FailureDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
   const ManoeuvreRates& failure = odds_->manoeuvres[static_cast<std::size_t>(manoeuvre)][position_error_];
   if (!way_is_open) return {RunEnd::wall_error, 0.5};
-  if (dice_.unit() < failure.crash)
-    return {dice_.unit() < failure.slid ? RunEnd::slid : RunEnd::position_lost, dice_.unit()};
+  if (rng_.unit() < failure.crash)
+    return {rng_.unit() < failure.slid ? RunEnd::slid : RunEnd::position_lost, rng_.unit()};
   position_error_ = one_of(failure.after);
   return {};
 }

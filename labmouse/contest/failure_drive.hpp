@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/failure_rates.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/timed_driver.hpp"
@@ -49,7 +49,7 @@ class FailureDriver final : public TimedDriver {
   MazeTime handling_;
   double usual_pace_;
   BelievedWalls walls_;
-  Dice dice_;
+  Rng rng_;
   const FailureRates& rates_;
   double noise_;
   Draws draws_ = Draws::sound;

@@ -85,7 +85,7 @@ struct PhysicalNotes {
   std::vector<Action> actions;       ///< all decisions of the strategy, in order
   std::vector<ControllerTick> tape;  ///< instead of actions: the output of an external controller, tick by tick
   bool foreign_parts = false;        ///< whether parts of the controller were external
-  bool by_dice = false;              ///< whether it was run in the failure model
+  bool by_failure_model = false;     ///< whether it was run in the failure model
   int carried = 0;                   ///< how often it was carried to the start
   int wrong_walls = 0;               ///< walls classified wrongly
   int contradictions = 0;            ///< readings that contradicted the map

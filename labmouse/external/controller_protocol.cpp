@@ -68,7 +68,7 @@ std::optional<std::vector<ControllerTick>> read_duties(std::string_view line) {
 std::optional<Verdict> judge_controller_greeting(std::string_view line) {
   if (line == controller_greeting) return std::nullopt;
   const char* hint = line == program_greeting ? "; it decides step by step; race it as program:COMMAND" : "";
-  return Verdict{ForfeitReason::rubbish,
+  return Verdict{ForfeitReason::invalid_answer,
                  fmt::format("its first line is {} instead of '{}'{}", quoted_line(line), controller_greeting, hint)};
 }
 
@@ -76,7 +76,7 @@ DutiesAnswer judge_duties(std::string_view line, std::string_view more) {
   auto ticks = read_duties(line);
   if (!ticks)
     return {{},
-            Verdict{ForfeitReason::rubbish,
+            Verdict{ForfeitReason::invalid_answer,
                     fmt::format("it answered {} instead of `drive`, `fast` or `goal` with 1 to {} pairs of duties from "
                                 "-{} to {}, `carry` or `forfeit`",
                                 quoted_line(line), longest_batch, ControllerTick::full, ControllerTick::full)}};

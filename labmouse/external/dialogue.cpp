@@ -44,8 +44,8 @@ void Dialogue::ask() {
 void Dialogue::give_up(const ProgramEnd& end) {
   if (contest_.ended()) return;
   switch (end.kind) {
-    case ProgramEnd::Kind::died:
-      return give_up(died(end.what, greeted_));
+    case ProgramEnd::Kind::exited:
+      return give_up(ended_early(end.what, greeted_));
     case ProgramEnd::Kind::silent:
       return give_up(hung(end.what, greeted_, lines_.rest()));
     case ProgramEnd::Kind::printed:

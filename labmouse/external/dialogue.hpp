@@ -18,12 +18,12 @@ namespace labmouse {
 /// How a program ended too early, or was ended.
 struct ProgramEnd {
   enum class Kind : std::uint8_t {
-    died,        ///< `what` says how: "exit code 1"
+    exited,      ///< `what` says how: "exit code 1"
     silent,      ///< it did not answer; `what` says how long: "2 s"
     printed,     ///< it wrote too much; `what` says how much: "more than 1000 lines"
     interrupted  ///< the user stopped it
   };
-  Kind kind = Kind::died;
+  Kind kind = Kind::exited;
   std::string what;
 };
 

@@ -79,7 +79,7 @@ std::optional<std::string_view> ExternalTalk::hear(std::chrono::milliseconds sil
 void ExternalTalk::give_up(ExternalEvent event, const Patience& patience, std::chrono::milliseconds silence) {
   switch (event) {
     case ExternalEvent::ended:
-      return give_up(died(describe(process_.status().value_or(ExitStatus())), greeted_, beginning_, greeting_));
+      return give_up(ended_early(describe(process_.status().value_or(ExitStatus())), greeted_, beginning_, greeting_));
     case ExternalEvent::left:
       return give_up(ForfeitReason::left, "it ended, but a process that it had started kept its output open");
     case ExternalEvent::closed:

@@ -24,7 +24,7 @@ std::optional<Verdict> judge_greeting(std::string_view line) {
   const char* hint = line == "mazeWidth" || line == "mazeHeight" || line.starts_with("wall")
                          ? "; it seems to be written for mms; race it as mms:COMMAND"
                          : "";
-  return Verdict{ForfeitReason::rubbish,
+  return Verdict{ForfeitReason::invalid_answer,
                  fmt::format("its first line is {} instead of '{}'{}", quoted_line(line), program_greeting, hint)};
 }
 
@@ -32,7 +32,7 @@ Answer judge_answer(std::string_view line, std::string_view more) {
   const auto action = read_answer(line);
   if (!action)
     return forfeit(
-        ForfeitReason::rubbish,
+        ForfeitReason::invalid_answer,
         fmt::format("it answered {} instead of `move ROTATION MOVEMENT`, `reset` or `forfeit`", quoted_line(line)));
   if (!more.empty()) {
     Verdict verdict = wrote_more(line, more);
@@ -60,11 +60,11 @@ Verdict hung(std::string_view time, bool greeted, std::string_view begun, std::s
   return {ForfeitReason::hung, fmt::format("it was silent for {}{}", time, behind)};
 }
 
-Verdict died(std::string_view how, bool greeted, std::string_view beginning, std::string_view greeting) {
+Verdict ended_early(std::string_view how, bool greeted, std::string_view beginning, std::string_view greeting) {
   std::string before;
   if (!greeted)
     before = beginning.empty() ? fmt::format(" before it wrote '{}'", greeting) : fmt::format(" before {}", beginning);
-  return {ForfeitReason::died, fmt::format("it ended with {}{}", how, before)};
+  return {ForfeitReason::ended_early, fmt::format("it ended with {}{}", how, before)};
 }
 
 std::string last_words_of(std::string_view sentence, std::string_view errors) {

@@ -40,8 +40,8 @@ Verdict too_long(std::size_t longest, std::string_view line);
 Verdict hung(std::string_view time, bool greeted, std::string_view begun, std::string_view beginning = "");
 
 /// It ended, `how` such as "exit code 1"; `greeting` is its expected first line.
-Verdict died(std::string_view how, bool greeted, std::string_view beginning = "",
-             std::string_view greeting = program_greeting);
+Verdict ended_early(std::string_view how, bool greeted, std::string_view beginning = "",
+                    std::string_view greeting = program_greeting);
 
 /// Text that is kept of an external mouse that was given up: the sentence, and the end of its standard error.
 std::string last_words_of(std::string_view sentence, std::string_view errors);

@@ -12,12 +12,12 @@ namespace labmouse {
 enum class ForfeitReason : std::uint8_t {
   none,
   contradiction,       ///< a reading contradicts what was read before
-  no_way,              ///< no possible route leads to a goal
+  no_route,            ///< no possible route leads to a goal
   lost,                ///< the mouse no longer knows where it stands
   finished,            ///< a prepared list of actions has ended
   gave_up,             ///< the external mouse said so
   not_started,         ///< the external mouse could not be started
-  died,                ///< the external mouse ended before the contest did
+  ended_early,         ///< the external mouse ended before the contest did
   left,                ///< the external mouse ended, but a process that it started kept its output open
   closed,              ///< the external mouse ran on, but closed its input or its output
   hung,                ///< the external mouse did not answer
@@ -27,19 +27,19 @@ enum class ForfeitReason : std::uint8_t {
   too_much_memory,     ///< the external mouse and its processes used too much memory
   too_much_written,    ///< the external mouse and its processes wrote too much
   flooded,             ///< the external mouse sent more than it was asked for
-  rubbish,             ///< the external mouse sent an invalid answer
+  invalid_answer,      ///< the external mouse sent an invalid answer
   interrupted,         ///< the external mouse was stopped from outside
   not_judged,          ///< the machine was too busy to tell whether the external mouse was slow
 };
 
 inline constexpr std::array all_forfeit_reasons = {ForfeitReason::none,
                                                    ForfeitReason::contradiction,
-                                                   ForfeitReason::no_way,
+                                                   ForfeitReason::no_route,
                                                    ForfeitReason::lost,
                                                    ForfeitReason::finished,
                                                    ForfeitReason::gave_up,
                                                    ForfeitReason::not_started,
-                                                   ForfeitReason::died,
+                                                   ForfeitReason::ended_early,
                                                    ForfeitReason::left,
                                                    ForfeitReason::closed,
                                                    ForfeitReason::hung,
@@ -49,7 +49,7 @@ inline constexpr std::array all_forfeit_reasons = {ForfeitReason::none,
                                                    ForfeitReason::too_much_memory,
                                                    ForfeitReason::too_much_written,
                                                    ForfeitReason::flooded,
-                                                   ForfeitReason::rubbish,
+                                                   ForfeitReason::invalid_answer,
                                                    ForfeitReason::interrupted,
                                                    ForfeitReason::not_judged};
 
@@ -59,8 +59,8 @@ constexpr std::string_view name_of(ForfeitReason reason) {
       return "none";
     case ForfeitReason::contradiction:
       return "contradiction";
-    case ForfeitReason::no_way:
-      return "no way";
+    case ForfeitReason::no_route:
+      return "no route";
     case ForfeitReason::lost:
       return "lost";
     case ForfeitReason::finished:
@@ -69,8 +69,8 @@ constexpr std::string_view name_of(ForfeitReason reason) {
       return "gave up";
     case ForfeitReason::not_started:
       return "not started";
-    case ForfeitReason::died:
-      return "died";
+    case ForfeitReason::ended_early:
+      return "ended early";
     case ForfeitReason::left:
       return "left";
     case ForfeitReason::closed:
@@ -89,8 +89,8 @@ constexpr std::string_view name_of(ForfeitReason reason) {
       return "too much written";
     case ForfeitReason::flooded:
       return "flooded";
-    case ForfeitReason::rubbish:
-      return "rubbish";
+    case ForfeitReason::invalid_answer:
+      return "invalid answer";
     case ForfeitReason::interrupted:
       return "interrupted";
     case ForfeitReason::not_judged:

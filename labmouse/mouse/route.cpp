@@ -31,12 +31,12 @@ std::optional<Move> next_move(const DistanceField& field, const WallSet& passage
 Action step_along(const DistanceField& field, const WallSet& passages, Pose pose) {
   if (field.at(pose.cell) == 0) return Action::step(0, 0);
   const auto move = next_move(field, passages, pose);
-  return move ? move_in(pose.heading, move->direction, move->cells) : Action::forfeit(ForfeitReason::no_way);
+  return move ? move_in(pose.heading, move->direction, move->cells) : Action::forfeit(ForfeitReason::no_route);
 }
 
 Action optimistic_step(const DistanceField& optimistic, const Knowledge& knowledge, Pose pose) {
   const auto move = next_move(optimistic, knowledge.possible(), pose);
-  if (!move) return Action::forfeit(ForfeitReason::no_way);
+  if (!move) return Action::forfeit(ForfeitReason::no_route);
   int known = 0;
   Cell cell = pose.cell;
   while (known < move->cells && knowledge.open().contains(wall_at(cell, move->direction))) {

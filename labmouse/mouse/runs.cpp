@@ -5,23 +5,23 @@
 namespace labmouse {
 
 StrideRuns::StrideRuns(const Briefing& briefing)
-    : briefing_(briefing), field_(briefing.size, briefing.motion), hoped_(briefing) {}
+    : briefing_(briefing), field_(briefing.size, briefing.motion), optimistic_(briefing) {}
 
 void StrideRuns::plan(const Knowledge& knowledge) {
   field_.fill(knowledge.open(), briefing_.goals);
   known_ = field_.at(briefing_.start.cell);
-  hoped_.plan(knowledge);
+  optimistic_.plan(knowledge);
 }
 
 DriveRuns::DriveRuns(const Briefing& briefing)
     : start_(briefing.start), goals_(briefing.goals), routes_(briefing.drive.fields->routes()) {}
 
-bool DriveRuns::plan(const WallSet& hoped, const WallSet& open) {
+bool DriveRuns::plan(const WallSet& optimistic, const WallSet& open) {
   WallSet cut = walls_;
-  cut -= hoped;
+  cut -= optimistic;
   const bool anew = !planned_ || !cut.empty();
   if (anew) {
-    routes_.fill_for(start_, hoped, goals_);
+    routes_.fill_for(start_, optimistic, goals_);
     time_ = routes_.time_from(start_);
     walls_ = routes_.walls_from(start_);
     planned_ = true;

@@ -18,18 +18,18 @@ class StrideRuns {
   void plan(const Knowledge& knowledge);
 
   /// Whether the best known run is the best of all.
-  bool proven() const { return hoped_.length() == known_ && known_ < unreachable; }
+  bool proven() const { return optimistic_.length() == known_ && known_ < unreachable; }
   /// Whether no run can exist.
-  bool hopeless() const { return hoped_.length() == unreachable; }
+  bool hopeless() const { return optimistic_.length() == unreachable; }
   /// The unknown walls of the best runs that may exist.
-  const WallSet& unknown_walls() const { return hoped_.unknown_walls(); }
+  const WallSet& unknown_walls() const { return optimistic_.unknown_walls(); }
   /// Whether this is the last moment at which a reset and the known run still fit into the steps that are left.
   bool last_call(int steps_left) const { return steps_left <= known_ + 1; }
 
  private:
   Briefing briefing_;
   DistanceField field_;
-  OptimisticRoutes hoped_;
+  OptimisticRoutes optimistic_;
   int known_ = unreachable;
 };
 
@@ -39,22 +39,22 @@ class DriveRuns {
   explicit DriveRuns(const Briefing& briefing);
 
   /// Finds the runs by what is known now; returns whether it made a new plan. It does so only if a newly seen wall cuts
-  /// the hoped-for route: walls only raise times, so a route that is not cut stays the fastest.
+  /// the optimistic route: walls only raise times, so a route that is not cut stays the fastest.
   bool plan(const Knowledge& knowledge) { return plan(knowledge.possible(), knowledge.open()); }
   /// The same over passages that a strategy hopes for. Passages that it adds later are used only from the next new plan
   /// on.
-  bool plan(const WallSet& hoped, const WallSet& open);
+  bool plan(const WallSet& optimistic, const WallSet& open);
 
   /// Makes the next call plan anew: passages that were left out are possible again.
   void forget() { planned_ = false; }
 
-  /// Whether all walls of the hoped-for route are open, so that it is the best known one, too. True if no route can be
+  /// Whether all walls of the optimistic route are open, so that it is the best known one, too. True if no route can be
   /// driven.
   bool proven() const { return unknown_.empty(); }
   const WallSet& unknown_walls() const { return unknown_; }
 
   /// The time of the fastest route that may exist.
-  DriveTime hoped_time() const { return time_; }
+  DriveTime optimistic_time() const { return time_; }
   /// The time of the fastest known one, or no_time; searches for it.
   DriveTime known_time(const Knowledge& knowledge);
 

@@ -84,7 +84,7 @@ class Ariadne final : public Explorer {
     if (news || just_entered || !target_ || pose().cell == target_->seen_from) choose();
     if (goal_entered() && (!target_ || last_call())) return Action::reset();
     if (goal_entered() && is_large_) return flood_home();
-    return target_ ? go() : Action::forfeit(ForfeitReason::no_way);
+    return target_ ? go() : Action::forfeit(ForfeitReason::no_route);
   }
 
   Action race() override {

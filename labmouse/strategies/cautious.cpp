@@ -10,7 +10,7 @@
 #include <array>
 #include <optional>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/mouse/manhattan.hpp"
 #include "labmouse/mouse/visits.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
@@ -23,7 +23,7 @@ class Cautious final : public MoveMapper {
  public:
   Cautious(const Briefing& briefing, const Settings& settings)
       : MoveMapper(briefing, settings),
-        dice_(briefing.seed),
+        rng_(briefing.seed),
         visits_(briefing.size),
         cells_to_visit_(settings.real("explore_frac") * briefing.size.area()) {
     visits_.add(briefing.start.cell);
@@ -49,10 +49,10 @@ class Cautious final : public MoveMapper {
     for (const Cell cell : map().of(pose().cell))
       if (manhattan(cell, pose().cell) == 1 && visits_.of(cell) == 0) fresh[count++] = cell;
     return count == 0 ? std::nullopt
-                      : std::optional(fresh[static_cast<std::size_t>(dice_.below(static_cast<int>(count)))]);
+                      : std::optional(fresh[static_cast<std::size_t>(rng_.below(static_cast<int>(count)))]);
   }
 
-  Dice dice_;
+  Rng rng_;
   Visits visits_;
   double cells_to_visit_;
 };

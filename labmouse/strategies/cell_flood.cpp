@@ -12,7 +12,7 @@ CellFlood::CellFlood(const Briefing& briefing, TieOrder ties)
 }
 
 Action CellFlood::explore() {
-  if (!goal_found_ && !goal_can_be_reached()) return Action::forfeit(ForfeitReason::no_way);
+  if (!goal_found_ && !goal_can_be_reached()) return Action::forfeit(ForfeitReason::no_route);
   if (!goal_found_ && pose().cell != goals_.back()) return step_towards(goals_.back());
   // The start may be the goal: it counts as entered only when a step ends there.
   if (!goal_entered()) return Action::step(0, 0);

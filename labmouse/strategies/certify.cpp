@@ -29,7 +29,7 @@ class Certify final : public Explorer {
   }
 
   Action go_and_look() {
-    if (runs_.hopeless()) return Action::forfeit(ForfeitReason::no_way);
+    if (runs_.hopeless()) return Action::forfeit(ForfeitReason::no_route);
     const CellSet viewpoints = viewpoints_of(runs_.unknown_walls(), knowledge(), briefing().sight);
     // At a viewpoint and still unseen: the wall is behind the mouse.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);

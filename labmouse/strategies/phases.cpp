@@ -49,7 +49,7 @@ class Phases final : public Explorer {
   Action search() {
     // The start may be a goal; a step has to end there.
     if (briefing().goals.contains(pose().cell)) return Action::step(0, 0);
-    return searching_->next(knowledge(), pose()).value_or(Action::forfeit(ForfeitReason::no_way));
+    return searching_->next(knowledge(), pose()).value_or(Action::forfeit(ForfeitReason::no_route));
   }
 
   /// Whether this is the last moment at which the reset and the known route still fit into the budget.

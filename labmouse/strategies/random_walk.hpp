@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/manhattan.hpp"
 #include "labmouse/strategies/parameter.hpp"
@@ -15,7 +15,7 @@ namespace labmouse {
 class RandomWalk {
  public:
   /// `stride` is the longest move in cells.
-  RandomWalk(const Briefing& briefing, int stride) : dice_(briefing.seed), stride_(stride) {
+  RandomWalk(const Briefing& briefing, int stride) : rng_(briefing.seed), stride_(stride) {
     near_.reserve(4 * static_cast<std::size_t>(Motion::max_longest));
   }
 
@@ -24,11 +24,11 @@ class RandomWalk {
     near_.clear();
     for (const Cell cell : connected)
       if (manhattan(cell, here) <= stride_) near_.push_back(cell);
-    return near_.empty() ? here : near_[static_cast<std::size_t>(dice_.below(static_cast<int>(near_.size())))];
+    return near_.empty() ? here : near_[static_cast<std::size_t>(rng_.below(static_cast<int>(near_.size())))];
   }
 
  private:
-  Dice dice_;
+  Rng rng_;
   int stride_;
   std::vector<Cell> near_;
 };

@@ -59,7 +59,7 @@ class TwoWay final : public Explorer {
       if (here != start) return go(came_from_);
     }
     if (returning_ && here == start) return finish();
-    if (plan_.empty() && !choose()) return Action::forfeit(ForfeitReason::no_way);
+    if (plan_.empty() && !choose()) return Action::forfeit(ForfeitReason::no_route);
     const Cell next = plan_.back();
     plan_.pop_back();
     return go(next);

@@ -39,7 +39,7 @@ class VisitCounter final : public Wanderer {
 
   bool is_random() {
     constexpr int sides = 1'000'000;
-    return dice().below(sides) < random_share_ * sides;
+    return rng().below(sides) < random_share_ * sides;
   }
 
   struct Side {

@@ -12,7 +12,7 @@ constexpr int most_walks = 10'000;
 
 Wanderer::Wanderer(const Briefing& briefing, const Settings& settings)
     : Explorer(briefing),
-      dice_(briefing.seed),
+      rng_(briefing.seed),
       cells_to_mark_(settings.real(wanderers_coverage.name) * briefing.size.area()),
       passages_(briefing.size, std::min(briefing.budget, most_walks)),
       search_(briefing.size, passages_.most_edges(), search_method(settings.choice(wanderers_search.name))) {
@@ -32,7 +32,7 @@ Action Wanderer::explore() {
 int Wanderer::draw() {
   marked_.insert(pose().cell);
   goal_marked_ |= briefing().goals.contains(pose().cell);
-  return dice_.below(3) - 1;
+  return rng_.below(3) - 1;
 }
 
 Action Wanderer::draw_a_free_cell() {

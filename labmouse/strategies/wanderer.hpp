@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/textbook_search.hpp"
 #include "labmouse/mouse/walked_passages.hpp"
@@ -41,14 +41,14 @@ class Wanderer : public Explorer {
   bool is_free(int quarters) const { return seen().towards(quarters) > 0; }
   /// Whether walls are to the left, ahead and to the right.
   bool in_dead_end() const { return seen() == Sighting{0, 0, 0}; }
-  Dice& dice() { return dice_; }
+  Rng& rng() { return rng_; }
 
  private:
   Action explore() final;
   Action race() final;
   void plan();
 
-  Dice dice_;
+  Rng rng_;
   double cells_to_mark_;
   CellSet marked_;
   bool goal_marked_ = false;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "tests/body/boxes.hpp"
 #include "tests/body/plain_mouse.hpp"
 #include "tests/drawn_maze.hpp"
@@ -100,8 +100,8 @@ class InSomeMazes : public testing::Test {
   void for_each_look(int count, Visit visit) {
     const Hardware hardware = test::plain_mouse();
     const Infrared& infrared = hardware.sensors.infrared;
-    Dice dice(5);
-    const auto share = [&] { return dice.below(1 << 20) / static_cast<double>(1 << 20); };
+    Rng rng(5);
+    const auto share = [&] { return rng.below(1 << 20) / static_cast<double>(1 << 20); };
     for (int i = 0; i < count; ++i) {
       const Maze maze = test::some_maze(static_cast<std::uint64_t>(i));
       const Field field(maze, test::cell);
@@ -110,10 +110,10 @@ class InSomeMazes : public testing::Test {
       const Boxes boxes(maze);
       for (int j = 0; j < 40; ++j) {
         // A mouse within 15 mm of the middle of a cell does not stand in walls.
-        const Position at = {(dice.below(8) + 0.35 + 0.3 * share()) * test::cell,
-                             (dice.below(8) + 0.35 + 0.3 * share()) * test::cell};
+        const Position at = {(rng.below(8) + 0.35 + 0.3 * share()) * test::cell,
+                             (rng.below(8) + 0.35 + 0.3 * share()) * test::cell};
         const double angle = 2.0 * pi * share();
-        const std::size_t beam = static_cast<std::size_t>(dice.below(4));
+        const std::size_t beam = static_cast<std::size_t>(rng.below(4));
         const Beam& mounted = infrared.beams[beam];
         const double c = std::cos(angle), s = std::sin(angle);
         Look look;
@@ -210,7 +210,7 @@ TEST(Beams, ReadWallsAsTheirSidesReflect) {
 
 TEST(Ranger, ReadsTheDistanceToTheFirstBoxAhead) {
   const Hardware hardware = test::plain_mouse();
-  Dice dice(9);
+  Rng rng(9);
   int seen = 0;
   for (int i = 0; i < 40; ++i) {
     const Maze maze = test::some_maze(static_cast<std::uint64_t>(i));
@@ -219,9 +219,9 @@ TEST(Ranger, ReadsTheDistanceToTheFirstBoxAhead) {
     const Beams beams(field, hardware.sensors, robot_sample);
     const Boxes boxes(maze);
     for (int j = 0; j < 40; ++j) {
-      const Position at = {(dice.below(8) + 0.4 + 0.002 * dice.below(100)) * test::cell,
-                           (dice.below(8) + 0.4 + 0.002 * dice.below(100)) * test::cell};
-      const double angle = 0.001 + 0.006 * dice.below(1000);
+      const Position at = {(rng.below(8) + 0.4 + 0.002 * rng.below(100)) * test::cell,
+                           (rng.below(8) + 0.4 + 0.002 * rng.below(100)) * test::cell};
+      const double angle = 0.001 + 0.006 * rng.below(1000);
       const double c = std::cos(angle), s = std::sin(angle);
       const Position from = {at.x + 20.0 * c, at.y + 20.0 * s};
       if (boxes.inside(from)) continue;

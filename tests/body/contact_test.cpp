@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "tests/body/boxes.hpp"
 #include "tests/body/plain_mouse.hpp"
 #include "tests/drawn_maze.hpp"
@@ -35,8 +35,8 @@ Position out_of(const Contact& contact) {
 
 TEST(Contact, IsWhereAPointOfTheChassisLiesInAWallOrAPost) {
   const Chassis chassis = test::plain_mouse().chassis;
-  Dice dice(3);
-  const auto share = [&] { return dice.below(1 << 20) / static_cast<double>(1 << 20); };
+  Rng rng(3);
+  const auto share = [&] { return rng.below(1 << 20) / static_cast<double>(1 << 20); };
   int touching = 0, free = 0;
   for (int i = 0; i < 4; ++i) {
     const Maze maze = test::some_maze(static_cast<std::uint64_t>(i));

@@ -170,7 +170,7 @@ TEST(RobotSample, IsAsWeakAsTheWorseOfItsMotors) {
     EXPECT_EQ(it.weaker_motor(), std::min(it.motor[0], it.motor[1]));
     double squares = 0.0;
     for (const double factor : it.infrared) squares += square(std::log(factor));
-    EXPECT_NEAR(it.eyes_apart(), std::sqrt(squares / beam_count), 1e-9);
+    EXPECT_NEAR(it.infrared_deviation(), std::sqrt(squares / beam_count), 1e-9);
   }
 }
 

@@ -37,7 +37,7 @@ TEST_F(ARobotsOwner, GoesOnWhereOneDies) {
   EXPECT_EQ(ended.code, 1);  // one of them never started
   const auto race = nlohmann::json::parse(ended.out);
   EXPECT_EQ(race.at("groups").at(0).at("mice").at(0).at("name"), "capstone:robot.py");
-  EXPECT_EQ(race.at("groups").at(0).at("mice").at(1).at("results").at(0).at("outcome"), "forfeit: died");
+  EXPECT_EQ(race.at("groups").at(0).at("mice").at(1).at("results").at(0).at("outcome"), "forfeit: ended early");
 }
 
 TEST_F(ARobotsOwner, GetsTheRecordOfTheBuiltinMouseThatItsRobotDoesAsWell) {

@@ -27,7 +27,7 @@ TEST_F(AHostOfPrograms, RacesThemBesideTheOthers) {
   const auto json = race({"--mice", "flood," + bad("die"), "--mice", bad("turn"), "--mazes", "corridor.txt"});
   ASSERT_EQ(json["groups"][0].at("mice").size(), 3U);
   EXPECT_EQ(json["groups"][0]["mice"][0]["name"], "flood");
-  EXPECT_EQ(json["groups"][0]["mice"][1]["results"][0]["outcome"], "forfeit: died");
+  EXPECT_EQ(json["groups"][0]["mice"][1]["results"][0]["outcome"], "forfeit: ended early");
   EXPECT_THAT(json["groups"][0]["mice"][1]["results"][0]["last_words"].get<std::string>(),
               Says("exit code 3", "\none\ntwo\nthree: no way out"));
   EXPECT_EQ(json["groups"][0]["mice"][2]["results"][0]["outcome"], "out of steps");
@@ -37,7 +37,7 @@ TEST_F(AHostOfPrograms, RacesThemBesideTheOthers) {
 TEST_F(AHostOfPrograms, TellsHowTheyFailedInTheTable) {
   const Ended ended = race_in_the_corridor({"--mice", bad("die")});
   EXPECT_EQ(ended.code, 0);
-  EXPECT_THAT(ended.out, Says("forfeit (died) 1\n", "corridor.txt", "exit code 3",
+  EXPECT_THAT(ended.out, Says("forfeit (ended early) 1\n", "corridor.txt", "exit code 3",
                               "\n    | one\n    | two\n    | three: no way out\n"));
 }
 
@@ -86,7 +86,7 @@ TEST_F(AHostOfPrograms, SaysNothingOfStepsThatWerePerformed) {
 TEST_F(AHostOfPrograms, LetsNothingThroughThatSteersATerminal) {
   const Ended ended = race_in_the_corridor({"--mice", bad("bytes")});
   EXPECT_EQ(ended.out.find('\x1b'), std::string::npos);
-  EXPECT_THAT(ended.out, HasSubstr("forfeit (rubbish) 1"));
+  EXPECT_THAT(ended.out, HasSubstr("forfeit (invalid answer) 1"));
 }
 
 TEST_F(AHostOfPrograms, HoldsThemToTheLimitsThatAreAskedFor) {
@@ -208,7 +208,7 @@ TEST_F(AHostOfPrograms, StartsThemInTheirFolder) {
   std::filesystem::create_directories(folder_ / "place");
   std::filesystem::copy_file(LABMOUSE_BAD_PROGRAM, folder_ / "place" / "mouse");
   EXPECT_THAT(race_in_the_corridor({"--mice", "program:./mouse end", "--directory", "place"}).out,
-              HasSubstr("forfeit (died) 1"));
+              HasSubstr("forfeit (ended early) 1"));
   is_refused({"race", "--mice", "program:./mouse end"}, "no file", "'./mouse'");
 }
 

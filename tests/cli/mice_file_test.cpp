@@ -50,13 +50,13 @@ TEST_F(ATeacher, RacesAMiceFileByItsNames) {
 
 TEST_F(ATeacher, LeavesOutWhoCannotEnterAWorld) {
   const std::string mice_file =
-      "[[mouse]]\nname = \"Anna's\"\ncapstone = \"anna/robot.py\"\n[[mouse]]\nname = \"quick\"\nmouse = \"flood\"\n";
-  const Ended ended = race_of(mice_file, {"--world", "seconds"});
+      "[[mouse]]\nname = \"Anna's\"\nmouse = \"festina\"\n[[mouse]]\nname = \"quick\"\nmouse = \"flood\"\n";
+  const Ended ended = race_of(mice_file, {"--world", "steps"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.out, testing::AllOf(HasSubstr("\"quick\""), Not(HasSubstr("Anna's"))));
   EXPECT_THAT(ended.err, Says("left out", "Anna's"));
   // One that is named itself is refused.
-  EXPECT_EQ(labmouse({"race", "--mice", "flood,capstone:class/anna/robot.py", "--world", "seconds"}).code, 2);
+  EXPECT_EQ(labmouse({"race", "--mice", "flood,festina", "--world", "steps"}).code, 2);
 }
 
 TEST_F(ATeacher, IsToldWhereAMiceFileIsWrong) {

@@ -82,7 +82,7 @@ TEST(ActionErrors, AResetInTheLastStepIsIdleOnlyWhereNoGoalWasEntered) {
 
 TEST(ActionErrors, AResetOrAForfeitHasNoRotation) {
   EXPECT_FALSE(has_void_rotation(Action::reset()));
-  EXPECT_FALSE(has_void_rotation({Action::Kind::forfeit, 45, 9, ForfeitReason::no_way}));
+  EXPECT_FALSE(has_void_rotation({Action::Kind::forfeit, 45, 9, ForfeitReason::no_route}));
   EXPECT_TRUE(has_void_rotation(Action::step(91, 0)));
   for (const int degrees : {-90, 0, 90}) EXPECT_FALSE(has_void_rotation(Action::step(degrees, 0)));
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
@@ -38,7 +38,7 @@ DriveRules rules_with(MazeTime time_limit, bool gate_to_gate) {
 
 TEST(DriveScore, CountsARunThatEndsJustInTime) {
   DriveRun run;
-  run.kind = DriveRun::Kind::fast;
+  run.kind = DriveRun::Kind::speed;
   run.begin = 1'000;
   run.gate_out = 3'000;
   run.gate_in = 9'000;
@@ -112,7 +112,7 @@ DriveRun fast_run(const Maze& maze, const DriveModel& model) {
   FastestRoutes routes(maze.size(), model.tables);
   routes.fill(maze.open_walls(), maze.goals());
   DriveRun run;
-  run.kind = DriveRun::Kind::fast;
+  run.kind = DriveRun::Kind::speed;
   run.begin = 7'000'000;
   routes.route_from({maze.start(), maze.start_heading()}, run.route);
   set_gates(run, maze, model);
@@ -133,12 +133,12 @@ MazeTime looked_for(const DriveModel& model, const DriveRoute& route, Beyond bey
 }
 
 TEST(DriveGates, AreWhereLookingEverywhereFindsThem) {
-  Dice dice(31);
+  Rng rng(31);
   for (const Robot& robot : {published_robot(), large_robot()}) {
     const DriveModel model = make_drive_model(robot);
     const double side = robot.cell;
     for (int i = 0; i < test::tenth(40); ++i) {
-      const Maze maze = test::any_maze(dice, 8);
+      const Maze maze = test::any_maze(rng, 8);
       const DriveRun run = fast_run(maze, model);
       if (run.route.segments.empty()) continue;
       const auto cell_of = [&](const DriveSpot& spot) {

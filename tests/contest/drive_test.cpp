@@ -150,7 +150,7 @@ TEST(Drive, ComesHomeAndRuns) {
   EXPECT_EQ(home.end - home.begin,
             3'000'000 + 237'000 + 300'000 + 237'000 + 2 * 300'000 + 300'000 + 3'000'000 - 300'000);
   EXPECT_EQ(home.moves.back().to, (Pose{{0, 0}, Heading::north}));
-  EXPECT_EQ(fast.kind, DriveRun::Kind::fast);
+  EXPECT_EQ(fast.kind, DriveRun::Kind::speed);
   EXPECT_EQ(fast.begin, home.end);
   EXPECT_EQ(fast.end, fast.begin + fast.route.time);
   EXPECT_EQ(fast.centre, fast.end);
@@ -168,7 +168,7 @@ TEST(Drive, RunsTheFastestKnownRoute) {
   EXPECT_EQ(record.runs.back().route.time, routes.time_from({{0, 0}, Heading::north}));
   EXPECT_EQ(record.runs.back().known, record.runs.back().route.time);
   EXPECT_EQ(record.runs.front().known, no_time);
-  EXPECT_LE(record.runs.front().hoped, record.runs.back().hoped);
+  EXPECT_LE(record.runs.front().possible, record.runs.back().possible);
 }
 
 TEST(Drive, TakesAStepOfManyCellsForAsManySteps) {
@@ -230,7 +230,7 @@ TEST(Drive, EndsWhereTheMouseDrivesThroughAWallThatItHasNotSeen) {
 TEST(Drive, EndsAtActionsWithoutSense) {
   for (const Action& action : {Action::step(0, 0), Action::step(45, 1), Action::step(0, -1), reset})
     EXPECT_EQ(held({action}).reason, ForfeitReason::lost);
-  EXPECT_EQ(held({Action::forfeit(ForfeitReason::no_way)}).reason, ForfeitReason::no_way);
+  EXPECT_EQ(held({Action::forfeit(ForfeitReason::no_route)}).reason, ForfeitReason::no_route);
 }
 
 TEST(Drive, EndsWithItsTime) {
@@ -268,7 +268,7 @@ TEST(Drive, LetsAMouseSearchAgain) {
   EXPECT_EQ(record.runs[3].begin, record.runs[2].end);
   EXPECT_EQ(record.runs[4].kind, DriveRun::Kind::search);
   EXPECT_EQ(record.runs[4].moves.front().from, (Pose{{0, 0}, Heading::north}));
-  EXPECT_EQ(record.runs[6].kind, DriveRun::Kind::fast);
+  EXPECT_EQ(record.runs[6].kind, DriveRun::Kind::speed);
   EXPECT_GT(record.runs[6].open.count(), record.runs[2].open.count());
 }
 

@@ -5,7 +5,7 @@
 #include <climits>
 #include <map>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
@@ -15,29 +15,29 @@ namespace labmouse {
 namespace {
 
 /// A maze of any generator and small size (so that chance finds goals), with start and goals anywhere.
-Maze random_maze(Dice& dice) {
+Maze random_maze(Rng& rng) {
   for (;;) {
     const auto generators = all_generators();
-    const Generator& generator = *generators[static_cast<std::size_t>(dice.below(static_cast<int>(generators.size())))];
-    const GeneratorOrder order{{1 + dice.below(9), 1 + dice.below(9)}, dice.bits(), dice.below(1001)};
+    const Generator& generator = *generators[static_cast<std::size_t>(rng.below(static_cast<int>(generators.size())))];
+    const GeneratorOrder order{{1 + rng.below(9), 1 + rng.below(9)}, rng.bits(), rng.below(1001)};
     if (!generator.refuses(order).empty()) continue;
     CellSet goals;
-    for (int goal = 0, count = 1 + dice.below(4); goal < count; ++goal)
-      goals.insert(order.size.cell_at(dice.below(order.size.area())));
+    for (int goal = 0, count = 1 + rng.below(4); goal < count; ++goal)
+      goals.insert(order.size.cell_at(rng.below(order.size.area())));
     return generator.make(order)
-        .with_start(order.size.cell_at(dice.below(order.size.area())),
-                    all_headings[static_cast<std::size_t>(dice.below(4))])
+        .with_start(order.size.cell_at(rng.below(order.size.area())),
+                    all_headings[static_cast<std::size_t>(rng.below(4))])
         .with_goals(goals);
   }
 }
 
 /// Mostly what a mouse would do, often what none should.
-Action random_action(Dice& dice) {
-  if (dice.chance(1, 40)) return Action::reset();
-  if (dice.chance(1, 4000)) return Action::forfeit(ForfeitReason::lost);
+Action random_action(Rng& rng) {
+  if (rng.chance(1, 40)) return Action::reset();
+  if (rng.chance(1, 4000)) return Action::forfeit(ForfeitReason::lost);
   constexpr int nonsense[] = {1, -1, 45, 89, 91, 180, -180, 270, 360, INT_MAX, INT_MIN};
-  const int rotation = dice.chance(1, 10) ? nonsense[dice.below(std::size(nonsense))] : 90 * (dice.below(3) - 1);
-  const int movement = dice.chance(1, 10) ? nonsense[dice.below(std::size(nonsense))] : dice.below(11) - 5;
+  const int rotation = rng.chance(1, 10) ? nonsense[rng.below(std::size(nonsense))] : 90 * (rng.below(3) - 1);
+  const int movement = rng.chance(1, 10) ? nonsense[rng.below(std::size(nonsense))] : rng.below(11) - 5;
   return Action::step(rotation, movement);
 }
 
@@ -60,15 +60,15 @@ Action random_action(Dice& dice) {
 }
 
 TEST(PlainSimulator, AgreesStepForStepOverAHundredThousandSteps) {
-  Dice dice(20240214);
+  Rng rng(20240214);
   std::map<Outcome, int> outcomes;
   for (std::size_t steps = 0; steps < 100'000;) {
-    const Maze maze = random_maze(dice);
+    const Maze maze = random_maze(rng);
     Rules rules;
-    rules.budget = dice.chance(1, 3) ? 1000 : 1 + dice.below(100);
-    rules.stride = dice.chance(1, 2) ? 3 : 1 + dice.below(Motion::max_longest);
+    rules.budget = rng.chance(1, 3) ? 1000 : 1 + rng.below(100);
+    rules.stride = rng.chance(1, 2) ? 3 : 1 + rng.below(Motion::max_longest);
     std::vector<Action> actions;
-    for (int i = 0; i <= rules.budget; ++i) actions.push_back(random_action(dice));
+    for (int i = 0; i <= rules.budget; ++i) actions.push_back(random_action(rng));
     Script mouse(maze.size(), actions);
     const RunRecord record = run(maze, rules, mouse);
     ASSERT_TRUE(agree(record, test::PlainSimulator(maze, rules.budget, rules.stride).play(actions)))

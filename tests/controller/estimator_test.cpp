@@ -258,7 +258,7 @@ class Consistency {
 
 /// Random search moves in a maze, never against a wall.
 void wander(test::Driven& driven, int moves, std::uint64_t seed, Consistency& consistency) {
-  Dice dice(seed);
+  Rng rng(seed);
   if (!driven.drive_on()) return;
   for (int i = 0; i < moves; ++i) {
     const SearchPlace place = driven.controller().place();
@@ -268,7 +268,7 @@ void wander(test::Driven& driven, int moves, std::uint64_t seed, Consistency& co
       if (driven.maze().is_open(place.pose.cell, after_search(place, step).pose.heading)) ways.push_back(step);
     }
     const Action step =
-        ways.empty() ? Action::step(180, 1) : ways[static_cast<std::size_t>(dice.below(static_cast<int>(ways.size())))];
+        ways.empty() ? Action::step(180, 1) : ways[static_cast<std::size_t>(rng.below(static_cast<int>(ways.size())))];
     if (!driven.search(step)) return;
     consistency.add(driven);
   }

@@ -171,12 +171,12 @@ Tallies read_walls(const DriveModel& model, double noise, int mazes) {
   for (int i = 0; i < mazes; ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
     test::Driven driven(contest_generator.make({{16, 16}, seed, 60}), model, level, seed);
-    Dice dice(seed);
+    Rng rng(seed);
     if (!driven.drive_on()) continue;
     for (int move = 0; move < 40; ++move) {
       const SearchPlace place = driven.controller().place();
       const std::array<int, 3> turns = {0, -90, 90};
-      const int first = dice.below(3);
+      const int first = rng.below(3);
       Action step = Action::step(180, 1);
       for (int k = 0; k < 3; ++k) {
         const Action way = Action::step(turns[static_cast<std::size_t>((first + k) % 3)], 1);

@@ -27,7 +27,7 @@ constexpr Action step(int rotation, int movement) { return Action::step(rotation
 void expect_died(const RunRecord& record, std::size_t in_step, const testing::Matcher<const std::string&>& words) {
   EXPECT_EQ(record.outcome, Outcome::forfeit);
   EXPECT_EQ(record.steps.size(), in_step);
-  EXPECT_EQ(record.steps.back().action, Action::forfeit(ForfeitReason::died));
+  EXPECT_EQ(record.steps.back().action, Action::forfeit(ForfeitReason::ended_early));
   EXPECT_THAT(record.last_words, AllOf(HasSubstr("exit code "), words));
 }
 
@@ -250,7 +250,7 @@ TEST_P(ARobot, ThatExitsEndsInThatStepWithItsCode) {
 
 TEST_P(ARobot, ThatIsKilledIsSaidToBe) {
   const RunRecord record = contest_by("import os\nif self.n == 2: os.kill(os.getpid(), 11)\nreturn 90, 0");
-  EXPECT_EQ(record.steps.back().action, Action::forfeit(ForfeitReason::died));
+  EXPECT_EQ(record.steps.back().action, Action::forfeit(ForfeitReason::ended_early));
   EXPECT_THAT(record.last_words, HasSubstr("signal 11"));
 }
 

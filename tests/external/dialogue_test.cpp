@@ -98,10 +98,10 @@ TEST(Dialogue, ForfeitsWithTheReasonOfItsEnd) {
     EXPECT_EQ(record.outcome, Outcome::forfeit);
     return std::pair(record.steps.back().action.reason, record.last_words);
   };
-  const auto [died, how] = forfeits({Kind::died, "an error in line 3: x is not defined"});
-  EXPECT_EQ(died, ForfeitReason::died);
+  const auto [died, how] = forfeits({Kind::exited, "an error in line 3: x is not defined"});
+  EXPECT_EQ(died, ForfeitReason::ended_early);
   EXPECT_THAT(how, Says("an error in line 3: x is not defined"));
-  EXPECT_THAT(forfeits({Kind::died, "exit code 0"}, "").second, Says("exit code 0", "before", "'labmouse 1'"));
+  EXPECT_THAT(forfeits({Kind::exited, "exit code 0"}, "").second, Says("exit code 0", "before", "'labmouse 1'"));
   EXPECT_EQ(forfeits({Kind::silent, "2 s"}).first, ForfeitReason::hung);
   EXPECT_THAT(forfeits({Kind::silent, "2 s"}, "labmouse 1\nmove 9").second, Says("2 s", "'move 9'", "ending the line"));
   EXPECT_EQ(forfeits({Kind::printed, "too much"}).first, ForfeitReason::too_much_written);

@@ -74,21 +74,22 @@ INSTANTIATE_TEST_SUITE_P(
     All, BadProgram,
     testing::Values(Misbehaviour{"hang at the start", ForfeitReason::hung, {"0.4 s", "--start-limit", "flush"}},
                     Misbehaviour{"hang within a line", ForfeitReason::hung, {"'move 0'", "ending the line"}},
-                    Misbehaviour{"end at the start", ForfeitReason::died, {"exit code 0", "'labmouse 1'"}},
-                    Misbehaviour{"wrong greeting", ForfeitReason::rubbish, {"'hello'"}},
-                    Misbehaviour{"mms", ForfeitReason::rubbish, {"mms:COMMAND"}},
-                    Misbehaviour{"other version", ForfeitReason::rubbish, {"'labmouse 2'", "'labmouse 1'"}},
-                    Misbehaviour{"daemon at the start", ForfeitReason::rubbish, {"'rubbish'"}},
+                    Misbehaviour{"end at the start", ForfeitReason::ended_early, {"exit code 0", "'labmouse 1'"}},
+                    Misbehaviour{"wrong greeting", ForfeitReason::invalid_answer, {"'hello'"}},
+                    Misbehaviour{"mms", ForfeitReason::invalid_answer, {"mms:COMMAND"}},
+                    Misbehaviour{"other version", ForfeitReason::invalid_answer, {"'labmouse 2'", "'labmouse 1'"}},
+                    Misbehaviour{"daemon at the start", ForfeitReason::invalid_answer, {"'rubbish'"}},
                     Misbehaviour{"give up", ForfeitReason::gave_up, {"`forfeit`"}},
                     Misbehaviour{"hang", ForfeitReason::hung, {"0.8 s", "--silence-limit"}},
                     Misbehaviour{"late", ForfeitReason::late, {"processor time", "0.4 s"}},
                     Misbehaviour{"work", ForfeitReason::late, {"not answered", "0.4 s", "--decision-limit"}},
-                    Misbehaviour{"die", ForfeitReason::died, {"exit code 3\none\ntwo\nthree: no way out"}},
-                    Misbehaviour{"end", ForfeitReason::died, {"exit code 0"}},
-                    Misbehaviour{"crash", ForfeitReason::died, {"signal 11 ", "\nabout to crash"}},
-                    Misbehaviour{"rubbish", ForfeitReason::rubbish, {"'what?'"}},
-                    Misbehaviour{"bytes", ForfeitReason::rubbish, {"'\\0\\xff\\x1b[2J'"}},
-                    Misbehaviour{"marked greeting", ForfeitReason::rubbish, {"'\\ufefflabmouse 1'", "byte-order mark"}},
+                    Misbehaviour{"die", ForfeitReason::ended_early, {"exit code 3\none\ntwo\nthree: no way out"}},
+                    Misbehaviour{"end", ForfeitReason::ended_early, {"exit code 0"}},
+                    Misbehaviour{"crash", ForfeitReason::ended_early, {"signal 11 ", "\nabout to crash"}},
+                    Misbehaviour{"rubbish", ForfeitReason::invalid_answer, {"'what?'"}},
+                    Misbehaviour{"bytes", ForfeitReason::invalid_answer, {"'\\0\\xff\\x1b[2J'"}},
+                    Misbehaviour{
+                        "marked greeting", ForfeitReason::invalid_answer, {"'\\ufefflabmouse 1'", "byte-order mark"}},
                     Misbehaviour{"many answers", ForfeitReason::flooded, {"answer 'move 90 0'", "more: 'move 90 0'"}},
                     Misbehaviour{"flood", ForfeitReason::flooded, {"wrote more"}},
                     Misbehaviour{"long line", ForfeitReason::flooded, {"4096 bytes", "'aaa"}},
@@ -98,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"close output", ForfeitReason::closed, {"standard output"}},
                     Misbehaviour{"close input", ForfeitReason::closed, {"standard input"}},
                     Misbehaviour{"close all", ForfeitReason::closed, {"closed"}},
-                    Misbehaviour{"stop the keeper", ForfeitReason::rubbish, {"'what?'"}},
-                    Misbehaviour{"kill the keeper", ForfeitReason::died, {"signal 9"}}),
+                    Misbehaviour{"stop the keeper", ForfeitReason::invalid_answer, {"'what?'"}},
+                    Misbehaviour{"kill the keeper", ForfeitReason::ended_early, {"signal 9"}}),
     [](const auto& test) {
       std::string name = test.param.how;
       std::replace(name.begin(), name.end(), ' ', '_');
@@ -128,7 +129,7 @@ TEST(ExternalStrategy, IsDeniedMuchMoreMemoryThanAllowed) {
   launch.limits.memory = std::uint64_t{1} << 28U;
   launch.limits.decision = launch.limits.silence = 10s;
   const RunRecord record = contest(launch);
-  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::died);
+  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::ended_early);
   EXPECT_THAT(record.last_words, HasSubstr("bad_alloc"));
 }
 
@@ -137,7 +138,7 @@ TEST(ExternalStrategy, IsDeniedMoreProcessorTimeThanAllowed) {
   launch.limits.processor_seconds = 1;
   launch.limits.decision = launch.limits.silence = 20s;
   const RunRecord record = contest(launch);
-  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::died);
+  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::ended_early);
   EXPECT_THAT(record.last_words, HasSubstr("CPU time limit exceeded"));
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/failure_rates.hpp"
 #include "labmouse/contest/physical.hpp"

@@ -52,7 +52,7 @@ std::string list_of(const Maze& maze, const Notation& notation) {
 
 // With the start that is usual: open to the north only.
 Maze usual_maze(Size size, std::uint64_t seed) {
-  const Maze maze = test::maze_by_dice(size, seed, 5);
+  const Maze maze = test::random_maze(size, seed, 5);
   MazeDraft draft(size, MazeDraft::Inside::closed);
   for (int i = 0; i < size.area(); ++i)
     for (const Heading side : {Heading::north, Heading::east})
@@ -325,8 +325,8 @@ TEST(PartialMaps, AreReadFromLogs) {
 }
 
 TEST(PartialMaps, AreComparedWithTheMaze) {
-  const Maze maze = test::maze_by_dice({5, 4}, 2, 4);
-  EXPECT_FALSE(compare_maps(maze, {}, test::maze_by_dice({4, 4}, 2, 4)));
+  const Maze maze = test::random_maze({5, 4}, 2, 4);
+  EXPECT_FALSE(compare_maps(maze, {}, test::random_maze({4, 4}, 2, 4)));
   MazeDraft draft({5, 4}, MazeDraft::Inside::closed);
   maze.open_walls().for_each([&](Wall wall) { draft.open(wall.cell, wall.side); });
   const Wall changed{{2, 1}, Heading::north}, other{{3, 2}, Heading::east}, third{{0, 0}, Heading::east};

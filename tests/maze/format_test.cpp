@@ -42,7 +42,7 @@ TEST(AllFormats, BelongToExtensions) {
 }
 
 TEST(AllFormats, RecogniseWhatTheyWriteAndNothingElse) {
-  const Maze maze = test::maze_by_dice({16, 16}, 1, 4);
+  const Maze maze = test::random_maze({16, 16}, 1, 4);
   for (const Format* format : all_formats()) EXPECT_EQ(format_of(format->write(maze).content.value()), format->name);
 }
 

@@ -200,7 +200,7 @@ int count_simple_routes(const Maze& maze, Cell cell, CellSet& walked) {
 
 TEST(Routes, AgreesWithWalkingThemAll) {
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
-    const Maze maze = test::maze_by_dice({4, 4}, seed, 5);
+    const Maze maze = test::random_maze({4, 4}, seed, 5);
     CellSet walked;
     EXPECT_EQ(has_several_routes(maze), count_simple_routes(maze, maze.start(), walked) > 1) << seed;
   }
@@ -208,7 +208,7 @@ TEST(Routes, AgreesWithWalkingThemAll) {
 
 TEST(Routes, TheShortestWayIsAWay) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const Maze maze = test::maze_by_dice({9, 7}, seed, 5);
+    const Maze maze = test::random_maze({9, 7}, seed, 5);
     const auto way = shortest_way(maze);
     ASSERT_EQ(way.empty(), !shortest_in_cells(maze));
     if (way.empty()) continue;

@@ -43,8 +43,8 @@ TEST(Maz, TakesItsSizeFromTheLength) {
 }
 
 TEST(Maz, HoldsOnlySquaresAndTheDefaultMarks) {
-  EXPECT_THAT(maz_format.write(test::maze_by_dice({8, 32}, 1, 4)).reason, Says("8x32", "squares"));
-  EXPECT_THAT(maz_format.write(test::maze_by_dice({16, 16}, 1, 4).with_start({0, 0}, Heading::east)).reason,
+  EXPECT_THAT(maz_format.write(test::random_maze({8, 32}, 1, 4)).reason, Says("8x32", "squares"));
+  EXPECT_THAT(maz_format.write(test::random_maze({16, 16}, 1, 4).with_start({0, 0}, Heading::east)).reason,
               Says("start", "(0,0) heading east", "(0,0) heading north"));
 }
 
@@ -64,7 +64,7 @@ TEST(MazProblem, OpenBorder) {
 }
 
 TEST(Maz, MayHaveBitsOfVisitedCells) {
-  const Maze maze = test::maze_by_dice({16, 16}, 1, 4);
+  const Maze maze = test::random_maze({16, 16}, 1, 4);
   std::string content = maz_format.write(maze).content.value();
   for (std::size_t i = 0; i < content.size(); i += 3) content[i] = static_cast<char>(content[i] | 0xF0);
   EXPECT_EQ(read_maze(content).maze, maze);

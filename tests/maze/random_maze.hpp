@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/maze/formats/format.hpp"
 
 namespace labmouse {
@@ -19,12 +19,12 @@ inline void showValue(const Maze& maze, std::ostream& out) {
 namespace labmouse::test {
 
 /// A maze of that size in which each inner wall is open with a chance of `share` in eight.
-inline Maze maze_by_dice(Size size, std::uint64_t seed, int share) {
-  Dice dice(seed);
+inline Maze random_maze(Size size, std::uint64_t seed, int share) {
+  Rng rng(seed);
   MazeDraft draft(size, MazeDraft::Inside::closed);
   for (int i = 0; i < size.area(); ++i) {
-    if (dice.chance(share, 8)) draft.open(size.cell_at(i), Heading::north);
-    if (dice.chance(share, 8)) draft.open(size.cell_at(i), Heading::east);
+    if (rng.chance(share, 8)) draft.open(size.cell_at(i), Heading::north);
+    if (rng.chance(share, 8)) draft.open(size.cell_at(i), Heading::east);
   }
   return Maze(draft);
 }
@@ -38,7 +38,7 @@ inline rc::Gen<Size> sizes() {
 
 /// Random mazes of a size with the default start and goals, from closed to empty.
 inline rc::Gen<Maze> mazes_of(rc::Gen<Size> size) {
-  return rc::gen::apply(maze_by_dice, size, rc::gen::arbitrary<std::uint64_t>(), rc::gen::inRange(0, 9));
+  return rc::gen::apply(random_maze, size, rc::gen::arbitrary<std::uint64_t>(), rc::gen::inRange(0, 9));
 }
 
 /// Random cells of a size.

@@ -115,8 +115,8 @@ TEST(CanonicalWalls, TellMazesApartByOneWallOrBySize) {
 TEST(CanonicalWalls, HaveATotalOrder) {
   std::vector<CanonicalWalls> all = {canonical_walls(crooked())};
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    all.push_back(canonical_walls(test::maze_by_dice({2, 2}, seed, 4)));
-    all.push_back(canonical_walls(test::maze_by_dice({2, 3}, seed, 4)));
+    all.push_back(canonical_walls(test::random_maze({2, 2}, seed, 4)));
+    all.push_back(canonical_walls(test::random_maze({2, 3}, seed, 4)));
   }
   for (const CanonicalWalls& a : all)
     for (const CanonicalWalls& b : all) EXPECT_EQ((a < b) + (b < a) + (a == b), 1);

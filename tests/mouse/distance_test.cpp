@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/bench/plain_distance.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/drawn_maze.hpp"
@@ -157,49 +157,49 @@ TEST(Distance, TheLongestWayThatFitsIsCounted) {
 }
 
 /// Sizes about the widths of rows, and others.
-Size random_size(Dice& dice) {
+Size random_size(Rng& rng) {
   constexpr int sides[] = {1, 2, 7, 8, 15, 16, 17, 31, 32, 33, 63, 64};
-  const auto side = [&] { return dice.chance(1, 2) ? sides[dice.below(std::size(sides))] : 1 + dice.below(64); };
+  const auto side = [&] { return rng.chance(1, 2) ? sides[rng.below(std::size(sides))] : 1 + rng.below(64); };
   const int width = side();
   return {width, side()};
 }
 
-WallSet random_passages(Size size, Dice& dice) {
-  if (dice.chance(1, 3)) return depth_first_generator.make({size, dice.bits(), dice.below(300)}).open_walls();
+WallSet random_passages(Size size, Rng& rng) {
+  if (rng.chance(1, 3)) return depth_first_generator.make({size, rng.bits(), rng.below(300)}).open_walls();
   WallSet passages;
-  const int share = dice.below(9);
+  const int share = rng.below(9);
   WallSet::all(size).for_each([&](Wall wall) {
-    if (dice.chance(share, 8)) passages.insert(wall);
+    if (rng.chance(share, 8)) passages.insert(wall);
   });
   return passages;
 }
 
-CellSet random_cells(Size size, Dice& dice) {
+CellSet random_cells(Size size, Rng& rng) {
   CellSet cells;
-  for (int count = dice.chance(1, 10) ? 0 : 1 + dice.below(5); count > 0; --count)
-    cells.insert(size.cell_at(dice.below(size.area())));
+  for (int count = rng.chance(1, 10) ? 0 : 1 + rng.below(5); count > 0; --count)
+    cells.insert(size.cell_at(rng.below(size.area())));
   return cells;
 }
 
 /// Costs that do not fall; sometimes dear.
-Motion random_costs(Dice& dice) {
+Motion random_costs(Rng& rng) {
   Motion motion;
-  motion.longest = 1 + dice.below(Motion::max_longest);
-  int cost = 1 + dice.below(5);
+  motion.longest = 1 + rng.below(Motion::max_longest);
+  int cost = 1 + rng.below(5);
   for (std::size_t cells = 1; cells <= static_cast<std::size_t>(motion.longest); ++cells) {
     motion.cost[cells] = static_cast<std::uint8_t>(cost);
-    cost = std::min(Motion::max_cost, cost + dice.below(dice.chance(1, 4) ? 20 : 4));
+    cost = std::min(Motion::max_cost, cost + rng.below(rng.chance(1, 4) ? 20 : 4));
   }
   return motion;
 }
 
 /// A few thousand fields in all against the queue; one object of each path is filled several times.
-void agree_with_the_queue(Dice& dice, const Motion& motion, int rounds) {
-  const Size size = random_size(dice);
+void agree_with_the_queue(Rng& rng, const Motion& motion, int rounds) {
+  const Size size = random_size(rng);
   DistanceField wide(size, motion), portable(size, motion, DistanceField::Path::portable);
   for (int round = 0; round < rounds; ++round) {
-    const WallSet passages = random_passages(size, dice);
-    const CellSet from = random_cells(size, dice);
+    const WallSet passages = random_passages(size, rng);
+    const CellSet from = random_cells(size, rng);
     const std::vector<int> plain = plain_distances(size, motion, passages, from);
     std::vector<int> distances(plain.size());
     for (DistanceField* field : {&wide, &portable}) {
@@ -215,24 +215,24 @@ void agree_with_the_queue(Dice& dice, const Motion& motion, int rounds) {
 class DistanceInStrides : public testing::TestWithParam<int> {};
 
 TEST_P(DistanceInStrides, AgreesWithAPlainQueue) {
-  Dice dice(seed_for(1, "strides", static_cast<std::uint64_t>(GetParam())));
-  for (int i = 0; i < 80; ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_queue(dice, strides(GetParam()), 3));
+  Rng rng(seed_for(1, "strides", static_cast<std::uint64_t>(GetParam())));
+  for (int i = 0; i < 80; ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_queue(rng, strides(GetParam()), 3));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachLength, DistanceInStrides, testing::Range(1, Motion::max_longest + 1));
 
 TEST(Distance, AgreesWithAPlainQueueForAnyCosts) {
-  Dice dice(17);
-  for (int i = 0; i < test::tenth(250); ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_queue(dice, random_costs(dice), 3));
+  Rng rng(17);
+  for (int i = 0; i < test::tenth(250); ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_queue(rng, random_costs(rng), 3));
 }
 
 TEST(Distance, TheRingThatSpeedIsMeasuredAgainstAgreesToo) {
-  Dice dice(23);
+  Rng rng(23);
   for (int i = 0; i < 100; ++i) {
-    const Size size = random_size(dice);
-    const int longest = 1 + dice.below(4);
-    const WallSet passages = random_passages(size, dice);
-    const CellSet from = random_cells(size, dice);
+    const Size size = random_size(rng);
+    const int longest = 1 + rng.below(4);
+    const WallSet passages = random_passages(size, rng);
+    const CellSet from = random_cells(size, rng);
     ASSERT_EQ(RingSearch(size, longest, passages).fill(from), plain_distances(size, strides(longest), passages, from));
   }
 }

@@ -75,9 +75,9 @@ TEST(DriveProfile, BrakesBeforeATurn) {
 /// Every route of some mazes, with each of its profiles.
 template <class Check>
 void for_each_profile(const DriveModel& model, Check check) {
-  Dice dice(5);
+  Rng rng(5);
   for (int round = 0; round < test::tenth(40); ++round) {
-    const Maze maze = test::any_maze(dice, 16);
+    const Maze maze = test::any_maze(rng, 16);
     FastestRoutes routes(maze.size(), model.tables);
     routes.fill(maze.open_walls(), maze.goals());
     DriveRoute route;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 
 namespace labmouse {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 /// Beside a list that is searched through.
 TEST(EdgeHeap, GivesBackTheFirstWhateverIsMovedAndTakenOut) {
   constexpr std::size_t edges = 40;
-  Dice dice(41);
+  Rng rng(41);
   for (int round = 0; round < 50; ++round) {
     std::vector<DriveTime> times(edges, no_time);
     std::vector<std::uint16_t> heap_room(edges), places(edges);
@@ -21,12 +21,12 @@ TEST(EdgeHeap, GivesBackTheFirstWhateverIsMovedAndTakenOut) {
     heap.clear(edges);
     std::vector<std::size_t> waiting;
     for (int step = 0; step < 200; ++step) {
-      const auto edge = static_cast<std::size_t>(dice.below(edges));
+      const auto edge = static_cast<std::size_t>(rng.below(edges));
       const auto place = std::find(waiting.begin(), waiting.end(), edge);
       ASSERT_EQ(heap.contains(edge), place != waiting.end());
-      if (dice.chance(1, 2)) {
+      if (rng.chance(1, 2)) {
         // In, or forward.
-        times[edge] = place == waiting.end() ? dice.below(1000) : times[edge] - dice.below(100);
+        times[edge] = place == waiting.end() ? rng.below(1000) : times[edge] - rng.below(100);
         heap.reach(edge);
         if (place == waiting.end()) waiting.push_back(edge);
       } else {
@@ -40,7 +40,7 @@ TEST(EdgeHeap, GivesBackTheFirstWhateverIsMovedAndTakenOut) {
                                 [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
       };
       ASSERT_EQ(times[heap.first()], times[*least()]);
-      if (!dice.chance(1, 5)) continue;
+      if (!rng.chance(1, 5)) continue;
       const std::size_t taken = heap.take();
       ASSERT_EQ(times[taken], times[*least()]);
       waiting.erase(std::find(waiting.begin(), waiting.end(), taken));

@@ -53,11 +53,11 @@ void expect_same_times(const FastestRoutes& routes, const test::PlainFastest& pl
 }
 
 /// From several starts, in turn: the search for one of them finds the same route as the one for all nodes.
-void expect_same_routes(FastestRoutes& some, const FastestRoutes& all, const Maze& maze, Dice& dice) {
+void expect_same_routes(FastestRoutes& some, const FastestRoutes& all, const Maze& maze, Rng& rng) {
   for (int i = 0; i < 3; ++i) {
     Pose start = start_of(maze);
-    if (i > 0) start.cell = maze.size().cell_at(dice.below(maze.size().area()));
-    if (i > 0) start.heading = all_headings[static_cast<std::size_t>(dice.below(4))];
+    if (i > 0) start.cell = maze.size().cell_at(rng.below(maze.size().area()));
+    if (i > 0) start.heading = all_headings[static_cast<std::size_t>(rng.below(4))];
     DriveRoute one, other;
     some.fill_for(start, maze.open_walls(), maze.goals());
     some.route_from(start, one);
@@ -106,12 +106,12 @@ class AnyRobot : public testing::TestWithParam<NamedRobot> {
     expect_same_times(routes, plain, maze, model_.tables);
     FastestRoutes& some =
         some_.try_emplace({maze.size().width, maze.size().height}, maze.size(), model_.tables).first->second;
-    expect_same_routes(some, routes, maze, dice_);
+    expect_same_routes(some, routes, maze, rng_);
     expect_good_route(routes, model_.tables, maze);
   }
 
   DriveModel model_;
-  Dice dice_{6};
+  Rng rng_{6};
   /// By size: for one start after another.
   std::map<std::pair<int, int>, FastestRoutes> some_;
 };
@@ -123,10 +123,10 @@ TEST_P(AnyRobot, IsPlannedForExactlyInEmptyMazes) {
 }
 
 TEST_P(AnyRobot, IsPlannedForExactlyInMazesByDice) {
-  Dice dice(7);
+  Rng rng(7);
   for (int i = 0; i < std::max(1, 2000 / rarely); i += GetParam().every) {
     SCOPED_TRACE(i);
-    expect_exact(test::any_maze(dice, i % 10 == 0 ? 32 : 14));
+    expect_exact(test::any_maze(rng, i % 10 == 0 ? 32 : 14));
     if (HasFailure()) return;
   }
 }
@@ -169,35 +169,35 @@ INSTANTIATE_TEST_SUITE_P(
     PrintRobot());
 
 /// The search must not lean on how the times of a robot come about.
-DriveTables shaken(DriveTables tables, Dice& dice) {
-  const bool gaps = dice.chance(1, 3);
+DriveTables shaken(DriveTables tables, Rng& rng) {
+  const bool gaps = rng.chance(1, 3);
   const auto shake = [&](std::vector<DriveTime>& times) {
     for (DriveTime& time : times)
       if (time < no_time)
-        time = gaps && dice.chance(1, 50) ? no_time : time / 100 * (80 + dice.below(40)) + dice.below(100);
+        time = gaps && rng.chance(1, 50) ? no_time : time / 100 * (80 + rng.below(40)) + rng.below(100);
   };
   for (auto* times : {&tables.along.between, &tables.diagonal.between, &tables.start, &tables.finish, &tables.whole})
     shake(*times);
   for (DrivenTurn& turn : tables.turns) {
-    turn.time = turn.time / 100 * (20 + dice.below(180)) + 1'000;
+    turn.time = turn.time / 100 * (20 + rng.below(180)) + 1'000;
     if (turn.turn != Turn::v90) continue;
-    turn.from = static_cast<std::uint8_t>(dice.below(static_cast<int>(tables.diagonal.count())));
-    turn.to = static_cast<std::uint8_t>(dice.below(static_cast<int>(tables.diagonal.count())));
+    turn.from = static_cast<std::uint8_t>(rng.below(static_cast<int>(tables.diagonal.count())));
+    turn.to = static_cast<std::uint8_t>(rng.below(static_cast<int>(tables.diagonal.count())));
   }
   return tables;
 }
 
 TEST(ShakenTables, ArePlannedForExactly) {
-  Dice dice(10);
+  Rng rng(10);
   const DriveModel model = make_drive_model(large_robot());
   for (int i = 0; i < std::max(1, 300 / rarely); ++i) {
     SCOPED_TRACE(i);
-    const DriveTables tables = shaken(model.tables, dice);
-    const Maze maze = i % 10 == 0 ? Maze(MazeDraft({9, 9}, MazeDraft::Inside::open)) : test::any_maze(dice, 14);
+    const DriveTables tables = shaken(model.tables, rng);
+    const Maze maze = i % 10 == 0 ? Maze(MazeDraft({9, 9}, MazeDraft::Inside::open)) : test::any_maze(rng, 14);
     FastestRoutes routes(maze.size(), tables), some(maze.size(), tables);
     routes.fill(maze.open_walls(), maze.goals());
     expect_same_times(routes, test::PlainFastest(maze.size(), tables, maze.open_walls(), maze.goals()), maze, tables);
-    expect_same_routes(some, routes, maze, dice);
+    expect_same_routes(some, routes, maze, rng);
     if (testing::Test::HasFailure()) return;
   }
 }
@@ -212,16 +212,16 @@ DriveTables coarse(DriveTables tables) {
 }
 
 TEST(CoarseTimes, ArePlannedForExactly) {
-  Dice dice(12);
+  Rng rng(12);
   for (const Robot& robot : {published_robot(), small_robot(), large_robot()}) {
     const DriveTables tables = coarse(make_drive_model(robot).tables);
     for (int i = 0; i < std::max(1, 1000 / rarely); ++i) {
       SCOPED_TRACE(i);
-      const Maze maze = test::any_maze(dice, 14);
+      const Maze maze = test::any_maze(rng, 14);
       FastestRoutes routes(maze.size(), tables), some(maze.size(), tables);
       routes.fill(maze.open_walls(), maze.goals());
       expect_same_times(routes, test::PlainFastest(maze.size(), tables, maze.open_walls(), maze.goals()), maze, tables);
-      expect_same_routes(some, routes, maze, dice);
+      expect_same_routes(some, routes, maze, rng);
       if (testing::Test::HasFailure()) return;
     }
   }
@@ -229,7 +229,7 @@ TEST(CoarseTimes, ArePlannedForExactly) {
 
 /// Turns that last far less than a straight, or far more: all that a search may wait for lies near, or far.
 TEST(OddTurns, ArePlannedForExactly) {
-  Dice dice(11);
+  Rng rng(11);
   for (const DriveTime time : {1'000, 20'000, 5'000'000}) {
     Robot robot = published_robot();
     robot.fixed = FixedTimes{200.0, time, time + 300, time + 700, time + 900, time + 500, std::min(time, 400'000)};
@@ -237,12 +237,12 @@ TEST(OddTurns, ArePlannedForExactly) {
     ASSERT_EQ(model.error, "");
     for (int i = 0; i < std::max(1, 100 / rarely); ++i) {
       SCOPED_TRACE(i);
-      const Maze maze = test::any_maze(dice, i % 10 == 0 ? 32 : 14);
+      const Maze maze = test::any_maze(rng, i % 10 == 0 ? 32 : 14);
       FastestRoutes routes(maze.size(), model.tables), some(maze.size(), model.tables);
       routes.fill(maze.open_walls(), maze.goals());
       expect_same_times(routes, test::PlainFastest(maze.size(), model.tables, maze.open_walls(), maze.goals()), maze,
                         model.tables);
-      expect_same_routes(some, routes, maze, dice);
+      expect_same_routes(some, routes, maze, rng);
       if (testing::Test::HasFailure()) return;
     }
   }
@@ -266,9 +266,9 @@ TEST(EqualSpeeds, InManyLanesAreAsOneSpeed) {
     for (const DriveTime time : *times) twice.insert(twice.end(), 2, time);
     *times = twice;
   }
-  Dice dice(8);
+  Rng rng(8);
   for (int i = 0; i < std::max(1, 200 / rarely); ++i) {
-    const Maze maze = test::any_maze(dice, 32);
+    const Maze maze = test::any_maze(rng, 32);
     FastestRoutes one(maze.size(), model.tables), lanes(maze.size(), many);
     one.fill(maze.open_walls(), maze.goals());
     lanes.fill(maze.open_walls(), maze.goals());
@@ -285,10 +285,10 @@ TEST(SomeTurns, ArePlannedForExactly) {
   for (const Robot& robot : {published_robot(), small_robot()}) {
     DriveModel model = make_drive_model(robot);
     std::erase_if(model.tables.turns, [](const DrivenTurn& turn) { return turn.turn != Turn::s90; });
-    Dice dice(9);
+    Rng rng(9);
     for (int i = 0; i < std::max(1, 100 / rarely); ++i) {
       SCOPED_TRACE(i);
-      const Maze maze = test::any_maze(dice, 14);
+      const Maze maze = test::any_maze(rng, 14);
       FastestRoutes routes(maze.size(), model.tables);
       routes.fill(maze.open_walls(), maze.goals());
       const test::PlainFastest plain(maze.size(), model.tables, maze.open_walls(), maze.goals());
@@ -301,14 +301,14 @@ TEST(SomeTurns, ArePlannedForExactly) {
 /// More starts than are kept, of mazes of several sizes.
 TEST(FastestRoutes, AreTheSameByBoundsThatOthersFound) {
   for (const char* name : {"mm2021", "kerise"}) {
-    Dice dice(23);
+    Rng rng(23);
     DriveModel model = find_robot(name).model;
     share_route_tables(model);
     for (int i = 0; i < test::tenth(60); ++i) {
-      const Maze maze = test::any_maze(dice, i % 10 == 0 ? 20 : 9);
+      const Maze maze = test::any_maze(rng, i % 10 == 0 ? 20 : 9);
       // The same starts again and again, and others.
-      const int cell = dice.chance(2, 3) ? dice.below(std::min(3, maze.size().area())) : dice.below(maze.size().area());
-      const Pose start = {maze.size().cell_at(cell), all_headings[static_cast<std::size_t>(dice.below(2))]};
+      const int cell = rng.chance(2, 3) ? rng.below(std::min(3, maze.size().area())) : rng.below(maze.size().area());
+      const Pose start = {maze.size().cell_at(cell), all_headings[static_cast<std::size_t>(rng.below(2))]};
       FastestRoutes sharing(maze.size(), route_tables_of(model)), alone(maze.size(), model.tables);
       sharing.fill_for(start, maze.open_walls(), maze.goals());
       alone.fill(maze.open_walls(), maze.goals());

@@ -243,9 +243,9 @@ TEST_P(Footprint, TouchesNothingInRealMazes) {
 }
 
 TEST_P(Footprint, TouchesNothingInMazesByDice) {
-  Dice dice(21);
+  Rng rng(21);
   for (int i = 0; i < test::some_of(160); ++i) {
-    const Maze maze = test::any_maze(dice, 20);
+    const Maze maze = test::any_maze(rng, 20);
     SCOPED_TRACE(test::drawing_of(maze));
     expect_room_in(maze);
     if (HasFailure()) return;

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/grid/cell_set.hpp"
 #include "tests/interpreters.hpp"
 
@@ -176,7 +176,7 @@ TEST_P(RealTables, AreListedAsTheInterpreterDoes) {
       {name}, std::string("-c 'import sys; sys.exit(sys.version_info[:2] != (") + version + "))'");
   if (interpreter.empty()) GTEST_SKIP() << "no " << name << " that runs is in PATH: its tables are not tried";
   constexpr Size size{16, 16};
-  Dice dice(1);
+  Rng rng(1);
   std::string program = R"(
 import sys
 def show(cells): sys.stdout.write("".join("%d,%d " % cell for cell in cells) + "\n")
@@ -187,7 +187,7 @@ def show(cells): sys.stdout.write("".join("%d,%d " % cell for cell in cells) + "
     HashedCells set(size, order, CellTable::set, CellKey::column_row), copy = set;
     program += "m, s = {}, set()\n";
     for (int i = 0; i < count; ++i) {
-      const Cell cell = size.cell_at(dice.below(size.area()));
+      const Cell cell = size.cell_at(rng.below(size.area()));
       map.insert(cell);
       set.insert(cell);
       const std::string key = "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ")";

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 
@@ -181,13 +181,13 @@ TEST_F(AMouseThatHasSeenAPassage, RefusesReadingsThatNoMazeGives) {
 }
 
 TEST(Knowledge, OnlyGrowsAndIsNeverWrong) {
-  Dice dice(3);
+  Rng rng(3);
   for (const Size size : {Size{1, 1}, Size{9, 5}, Size{16, 16}, Size{33, 20}, Size{64, 64}}) {
-    const Maze maze = kruskal_generator.make({size, dice.bits(), 150});
+    const Maze maze = kruskal_generator.make({size, rng.bits(), 150});
     Knowledge knowledge(size);
     for (int i = 0; i < 300; ++i) {
       const WallSet open = knowledge.open(), unknown = knowledge.unknown();
-      const Pose pose{size.cell_at(dice.below(size.area())), all_headings[static_cast<std::size_t>(dice.below(4))]};
+      const Pose pose{size.cell_at(rng.below(size.area())), all_headings[static_cast<std::size_t>(rng.below(4))]};
       ASSERT_TRUE(knowledge.learn(pose, look(maze, pose)));
       WallSet forgotten = open, newly_unknown = knowledge.unknown(), wrongly_open = knowledge.open();
       EXPECT_TRUE((forgotten -= knowledge.open()).empty());

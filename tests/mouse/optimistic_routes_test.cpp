@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/mouse/plain_priced_field.hpp"
@@ -73,29 +73,29 @@ struct PlainRoutes {
   }
 };
 
-Motion any_motion(Dice& dice) {
-  if (dice.chance(2, 3)) return strides(1 + dice.below(4));
-  Motion motion = strides(1 + dice.below(5));
+Motion any_motion(Rng& rng) {
+  if (rng.chance(2, 3)) return strides(1 + rng.below(4));
+  Motion motion = strides(1 + rng.below(5));
   int cost = 0;
   for (std::size_t cells = 1; cells <= static_cast<std::size_t>(motion.longest); ++cells)
-    motion.cost[cells] = static_cast<std::uint8_t>(cost += cells == 1 ? 1 + dice.below(5) : dice.below(4));
+    motion.cost[cells] = static_cast<std::uint8_t>(cost += cells == 1 ? 1 + rng.below(5) : rng.below(4));
   return motion;
 }
 
 /// Shows a mouse that can be anywhere some readings of a maze, and compares after each.
-void agree_with_the_definition(Dice& dice) {
-  const Size size = {1 + dice.below(20), 1 + dice.below(20)};
-  const Generator& generator = dice.chance(1, 2) ? depth_first_generator : prim_generator;
-  const Maze maze = generator.make({size, dice.bits(), dice.below(500)});
-  const auto any_cell = [&] { return size.cell_at(dice.below(size.area())); };
+void agree_with_the_definition(Rng& rng) {
+  const Size size = {1 + rng.below(20), 1 + rng.below(20)};
+  const Generator& generator = rng.chance(1, 2) ? depth_first_generator : prim_generator;
+  const Maze maze = generator.make({size, rng.bits(), rng.below(500)});
+  const auto any_cell = [&] { return size.cell_at(rng.below(size.area())); };
   Briefing briefing = brief(maze, {}, 1);
-  briefing.motion = any_motion(dice);
+  briefing.motion = any_motion(rng);
   briefing.start.cell = any_cell();
-  if (dice.chance(1, 2)) briefing.goals = CellSet::of(any_cell());
+  if (rng.chance(1, 2)) briefing.goals = CellSet::of(any_cell());
   Knowledge knowledge(size);
   OptimisticRoutes routes(briefing);
   for (int reading = 0; reading < 20; ++reading) {
-    const Pose pose = {any_cell(), all_headings[static_cast<std::size_t>(dice.below(4))]};
+    const Pose pose = {any_cell(), all_headings[static_cast<std::size_t>(rng.below(4))]};
     ASSERT_TRUE(knowledge.learn(pose, look(maze, pose)));
     routes.plan(knowledge);
     const PlainRoutes plain(briefing, knowledge);
@@ -105,8 +105,8 @@ void agree_with_the_definition(Dice& dice) {
 }
 
 TEST(OptimisticRoutes, AgreeWithTheirDefinition) {
-  Dice dice(31);
-  for (int i = 0; i < test::tenth(200); ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_definition(dice)) << i;
+  Rng rng(31);
+  for (int i = 0; i < test::tenth(200); ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_definition(rng)) << i;
 }
 
 }  // namespace

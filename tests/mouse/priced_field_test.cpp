@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "tests/mouse/plain_priced_field.hpp"
 
 namespace labmouse {
@@ -79,15 +79,15 @@ TEST(PricedField, ReachesNothingAtTheLimit) {
   EXPECT_EQ(costs_of(field, {7, 1}), (std::vector{0, 30, 30, 30, unreachable, unreachable, unreachable}));
 }
 
-/// A world that dice have thrown, and how it changes.
+/// A random world, and how it changes.
 class RandomWorld {
  public:
-  RandomWorld(Size size, std::uint64_t seed) : size_(size), dice_(seed), motion_(throw_motion()), prices_(size) {
-    closed_ = dice_.below(9);
+  RandomWorld(Size size, std::uint64_t seed) : size_(size), rng_(seed), motion_(throw_motion()), prices_(size) {
+    closed_ = rng_.below(9);
     dearest_ = pick({0, 1, 40, WallPrices::highest});
     WallSet::all(size_).for_each([&](Wall wall) { prices_.set(wall, any_price()); });
     for (int count = pick({0, 1, 1, 1, 2, 5}); count > 0; --count)
-      from_.insert(size_.cell_at(dice_.below(size_.area())));
+      from_.insert(size_.cell_at(rng_.below(size_.area())));
   }
 
   Size size() const { return size_; }
@@ -98,27 +98,27 @@ class RandomWorld {
     return plain_costs({size_, motion_, step_price, [&](Wall wall) { return prices_.of(wall); }}, from_);
   }
 
-  int below(int count) { return dice_.below(count); }
+  int below(int count) { return rng_.below(count); }
 
  private:
-  int pick(std::initializer_list<int> of) { return of.begin()[dice_.below(static_cast<int>(of.size()))]; }
+  int pick(std::initializer_list<int> of) { return of.begin()[rng_.below(static_cast<int>(of.size()))]; }
 
   Motion throw_motion() {
-    if (dice_.chance(1, 2)) return strides(pick({1, 3}));
+    if (rng_.chance(1, 2)) return strides(pick({1, 3}));
     Motion motion;
-    motion.longest = 1 + dice_.below(Motion::max_longest);
-    int cost = 1 + dice_.below(5);
+    motion.longest = 1 + rng_.below(Motion::max_longest);
+    int cost = 1 + rng_.below(5);
     for (std::size_t cells = 1; cells <= static_cast<std::size_t>(motion.longest); ++cells) {
       motion.cost[cells] = static_cast<std::uint8_t>(cost);
-      cost = std::min(Motion::max_cost, cost + dice_.below(pick({4, 20})));
+      cost = std::min(Motion::max_cost, cost + rng_.below(pick({4, 20})));
     }
     return motion;
   }
 
-  int any_price() { return dice_.chance(closed_, 8) ? WallPrices::closed : dice_.below(dearest_ + 1); }
+  int any_price() { return rng_.chance(closed_, 8) ? WallPrices::closed : rng_.below(dearest_ + 1); }
 
   Size size_;
-  Dice dice_;
+  Rng rng_;
   Motion motion_;
   WallPrices prices_;
   CellSet from_;

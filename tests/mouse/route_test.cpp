@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/drawn_maze.hpp"
 
@@ -87,7 +87,7 @@ TEST(Route, BehindAWallIsNoWay) {
   DistanceField field(maze.size(), strides());
   field.fill(maze.open_walls(), maze.goals());
   EXPECT_EQ(next_move(field, maze.open_walls(), {{0, 0}, Heading::north}), std::nullopt);
-  EXPECT_EQ(step_along(field, maze.open_walls(), {{0, 0}, Heading::north}), Action::forfeit(ForfeitReason::no_way));
+  EXPECT_EQ(step_along(field, maze.open_walls(), {{0, 0}, Heading::north}), Action::forfeit(ForfeitReason::no_route));
 }
 
 TEST(Route, MovesBecomeActionsFromTheHeading) {
@@ -137,17 +137,17 @@ int cost_of_walk(const DistanceField& field, const WallSet& passages, Pose pose)
 }
 
 TEST(Route, IsAsLongAsTheDistanceSays) {
-  Dice dice(9);
+  Rng rng(9);
   for (int i = 0; i < 60; ++i) {
-    const Size size{1 + dice.below(32), 1 + dice.below(32)};
-    const Maze maze = prim_generator.make({size, dice.bits(), dice.below(400)});
-    Motion motion = strides(1 + dice.below(5));
-    if (dice.chance(1, 2))
+    const Size size{1 + rng.below(32), 1 + rng.below(32)};
+    const Maze maze = prim_generator.make({size, rng.bits(), rng.below(400)});
+    Motion motion = strides(1 + rng.below(5));
+    if (rng.chance(1, 2))
       for (std::size_t cells = 1; cells <= 5; ++cells) motion.cost[cells] = static_cast<std::uint8_t>(2 + cells);
     DistanceField field(size, motion);
     field.fill(maze.open_walls(), maze.goals());
     for (int index = 0; index < size.area(); ++index) {
-      const Pose pose{size.cell_at(index), all_headings[static_cast<std::size_t>(dice.below(4))]};
+      const Pose pose{size.cell_at(index), all_headings[static_cast<std::size_t>(rng.below(4))]};
       ASSERT_EQ(cost_of_walk(field, maze.open_walls(), pose), field.at(pose.cell));
     }
   }

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "tests/mouse/drive_robots.hpp"
@@ -18,16 +18,16 @@
 namespace labmouse {
 namespace {
 
-RunPrices any_prices(Dice& dice) {
-  return {20 + dice.below(80), 20 + dice.below(300), 20 + dice.below(100), 20 + dice.below(300)};
+RunPrices any_prices(Rng& rng) {
+  return {20 + rng.below(80), 20 + rng.below(300), 20 + rng.below(100), 20 + rng.below(300)};
 }
 
-WallPrices any_walls(const Maze& maze, Dice& dice) {
+WallPrices any_walls(const Maze& maze, Rng& rng) {
   WallPrices walls(maze.size());
   WallSet::all(maze.size()).for_each([&](Wall wall) {
     const bool open = maze.open_walls().contains(wall);
-    const bool seen = dice.chance(1, 2);
-    walls.set(wall, seen ? (open ? 0 : WallPrices::closed) : 4 * (1 + dice.below(25)));
+    const bool seen = rng.chance(1, 2);
+    walls.set(wall, seen ? (open ? 0 : WallPrices::closed) : 4 * (1 + rng.below(25)));
   });
   return walls;
 }
@@ -126,12 +126,12 @@ class PlainRuns {
 };
 
 TEST(RunCosts, AreThoseOfAPlainSearchInAnyMaze) {
-  Dice dice(21);
+  Rng rng(21);
   for (int round = 0; round < test::tenth(40); ++round) {
-    const Maze maze = test::any_maze(dice, 7);
-    const WallPrices walls = any_walls(maze, dice);
-    const RunPrices run = any_prices(dice);
-    const RunTolls tolls = {dice.below(200), dice.below(20), 4 * (8 + dice.below(25))};
+    const Maze maze = test::any_maze(rng, 7);
+    const WallPrices walls = any_walls(maze, rng);
+    const RunPrices run = any_prices(rng);
+    const RunTolls tolls = {rng.below(200), rng.below(20), 4 * (8 + rng.below(25))};
     const Pose start = {maze.start(), maze.start_heading()};
     std::vector<std::byte> memory(RunCosts::bytes_for(maze.size()));
     RunCosts costs(maze.size(), memory);
@@ -142,7 +142,7 @@ TEST(RunCosts, AreThoseOfAPlainSearchInAnyMaze) {
     maze.goals().for_each([&](Cell goal) { best = std::min(best, known.through(goal).value_or(RunCosts::no_run)); });
     EXPECT_EQ(costs.known(walls), maze.is_goal(maze.start()) ? 0 : best);
 
-    const int limit = 300 + dice.below(3000);
+    const int limit = 300 + rng.below(3000);
     costs.plan(walls, tolls, limit);
     const PlainRuns plain(run, walls, tolls, start, maze.goals());
     CellSet::all(maze.size()).for_each([&](Cell cell) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
@@ -15,13 +15,13 @@ namespace labmouse {
 namespace {
 
 /// Walls become known, and some turn over.
-void learn_a_little(const Maze& maze, Knowledge& knowledge, Dice& dice) {
-  for (int cells = dice.below(12); cells > 0; --cells) {
-    const Cell cell = maze.size().cell_at(dice.below(maze.size().area()));
+void learn_a_little(const Maze& maze, Knowledge& knowledge, Rng& rng) {
+  for (int cells = rng.below(12); cells > 0; --cells) {
+    const Cell cell = maze.size().cell_at(rng.below(maze.size().area()));
     for (const Heading heading : all_headings) {
       const Wall wall = wall_at(cell, heading);
       if (on_border(wall, maze.size())) continue;
-      const bool open = maze.is_open(cell, heading) != dice.chance(1, 6);
+      const bool open = maze.is_open(cell, heading) != rng.chance(1, 6);
       if (knowledge.state(wall) != WallState::unknown) knowledge.forget(wall);
       knowledge.learn(wall, open);
     }
@@ -29,11 +29,11 @@ void learn_a_little(const Maze& maze, Knowledge& knowledge, Dice& dice) {
 }
 
 TEST(SearchClock, SaysTheSameWhetherItRemembersRunsOrNot) {
-  Dice dice(51);
+  Rng rng(51);
   int late = 0, early = 0;
   const DriveModel model = make_drive_model(published_robot());
   for (int round = 0; round < test::tenth(60); ++round) {
-    const Maze maze = test::any_maze(dice, 8);
+    const Maze maze = test::any_maze(rng, 8);
     DriveRules rules;
     rules.time_limit = 60'000'000;
     DriveFields fields = DriveFields::in_own_memory(maze.size(), model);
@@ -41,10 +41,10 @@ TEST(SearchClock, SaysTheSameWhetherItRemembersRunsOrNot) {
     briefing.drive.fields = &fields;
     SearchClock clock(briefing);
     Knowledge knowledge(maze.size(), 1);
-    for (int all = 0; all < 12; ++all) learn_a_little(maze, knowledge, dice);
+    for (int all = 0; all < 12; ++all) learn_a_little(maze, knowledge, rng);
     for (int step = 0; step < 40; ++step) {
-      learn_a_little(maze, knowledge, dice);
-      const SearchPlace place = {{maze.size().cell_at(dice.below(maze.size().area())), maze.start_heading()}, true};
+      learn_a_little(maze, knowledge, rng);
+      const SearchPlace place = {{maze.size().cell_at(rng.below(maze.size().area())), maze.start_heading()}, true};
       const Action look = Action::step(90, 0);
       const auto too_late_at = [&](SearchClock& asked, std::int64_t time) {
         asked.set(time);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/mouse/plain_search_field.hpp"
@@ -108,7 +108,7 @@ TEST(SearchField, CountsCellsTurnsAndTheWayBack) {
   EXPECT_EQ(field.step(at_edge(0, 1, Heading::south)), Action::step(180, 1));
   EXPECT_EQ(field.step(at_edge(0, 2, Heading::north)), Action::step(90, 1));
   EXPECT_EQ(field.step(at_edge(2, 1, Heading::south)), Action::step(0, 0));
-  EXPECT_EQ(field.step(at_rest(1, 1, Heading::south)), Action::forfeit(ForfeitReason::no_way));
+  EXPECT_EQ(field.step(at_rest(1, 1, Heading::south)), Action::forfeit(ForfeitReason::no_route));
 }
 
 TEST(SearchField, AddsWhatWallsCost) {
@@ -140,25 +140,25 @@ TEST(SearchField, SavesWhereItEntersCells) {
 }
 
 /// A robot for which no stop on the way can be worth it, as for any whose times follow from its speeds.
-SearchDrive any_drive(Dice& dice) {
+SearchDrive any_drive(Rng& rng) {
   SearchDrive times;
-  times.half_cell = 100 + dice.below(200);
-  times.quarter = 300 + dice.below(1000);
-  times.cell = 50 + dice.below(2 * times.half_cell - 50);
-  times.turn = 50 + dice.below(2 * times.half_cell + times.quarter - 50);
-  times.back = 50 + dice.below(2 * times.half_cell + 2 * times.quarter - 50);
-  if (dice.chance(1, 2)) {
-    const int saved = 1 + dice.below(times.cell / 4 + 1);
+  times.half_cell = 100 + rng.below(200);
+  times.quarter = 300 + rng.below(1000);
+  times.cell = 50 + rng.below(2 * times.half_cell - 50);
+  times.turn = 50 + rng.below(2 * times.half_cell + times.quarter - 50);
+  times.back = 50 + rng.below(2 * times.half_cell + 2 * times.quarter - 50);
+  if (rng.chance(1, 2)) {
+    const int saved = 1 + rng.below(times.cell / 4 + 1);
     for (std::size_t halves = 1; halves < times.onward.size(); ++halves)
       times.onward[halves] = 1 + static_cast<DriveTime>(halves) * (times.cell / 2 - saved / 2);
   }
   return times;
 }
 
-CellSet any_cells(Size size, Dice& dice) {
+CellSet any_cells(Size size, Rng& rng) {
   CellSet cells;
   CellSet::all(size).for_each([&](Cell cell) {
-    if (dice.chance(3, 4)) cells.insert(cell);
+    if (rng.chance(3, 4)) cells.insert(cell);
   });
   return cells;
 }
@@ -178,11 +178,11 @@ void expect_plain_times(const Maze& maze, const SearchDrive& times, const Search
 }
 
 TEST(SearchField, IsThatOfAPlainSearchInAnyMaze) {
-  Dice dice(11);
+  Rng rng(11);
   for (int round = 0; round < test::tenth(60); ++round) {
-    const Maze maze = test::any_maze(dice, 12);
-    const SearchDrive times = any_drive(dice);
-    const CellSet known = any_cells(maze.size(), dice);
+    const Maze maze = test::any_maze(rng, 12);
+    const SearchDrive times = any_drive(rng);
+    const CellSet known = any_cells(maze.size(), rng);
     SearchField field(maze.size(), times);
     field.fill(maze.open_walls(), known, maze.goals());
     expect_plain_times(maze, times, field, known, [&](int x, int y, int heading) -> std::optional<std::int64_t> {
@@ -193,30 +193,30 @@ TEST(SearchField, IsThatOfAPlainSearchInAnyMaze) {
 }
 
 TEST(SearchField, IsThatOfAPlainSearchOverPrices) {
-  Dice dice(12);
+  Rng rng(12);
   for (int round = 0; round < test::tenth(60); ++round) {
-    const Maze maze = test::any_maze(dice, 10);
-    const SearchDrive times = any_drive(dice);
-    const CellSet known = any_cells(maze.size(), dice);
+    const Maze maze = test::any_maze(rng, 10);
+    const SearchDrive times = any_drive(rng);
+    const CellSet known = any_cells(maze.size(), rng);
     WallPrices prices(maze.size());
     WallSet::all(maze.size()).for_each([&](Wall wall) {
       // What was seen costs nothing more.
       const bool seen = known.contains(wall.cell) || known.contains(neighbour(wall.cell, wall.side));
-      const int price = seen ? 0 : dice.below(WallPrices::highest + 1);
-      prices.set(wall, dice.chance(1, 3) ? WallPrices::closed : price);
+      const int price = seen ? 0 : rng.below(WallPrices::highest + 1);
+      prices.set(wall, rng.chance(1, 3) ? WallPrices::closed : price);
     });
     std::vector<DriveTime> savings(static_cast<std::size_t>(maze.size().area()));
     CellSet::all(maze.size()).for_each([&](Cell cell) {
       if (!known.contains(cell))
-        savings[static_cast<std::size_t>(maze.size().index(cell))] = dice.below(times.half_cell);
+        savings[static_cast<std::size_t>(maze.size().index(cell))] = rng.below(times.half_cell);
     });
     // Of a strategy that counts turns otherwise.
     SearchTolls tolls{times};
-    tolls.drive.turn = 50 + dice.below(2 * times.half_cell + times.quarter - 50);
+    tolls.drive.turn = 50 + rng.below(2 * times.half_cell + times.quarter - 50);
     tolls.unit = 13;
-    tolls.base = dice.below(100);
-    if (dice.chance(1, 2)) tolls.closed = dice.below(WallPrices::closed);
-    if (dice.chance(2, 3)) tolls.savings = savings;
+    tolls.base = rng.below(100);
+    if (rng.chance(1, 2)) tolls.closed = rng.below(WallPrices::closed);
+    if (rng.chance(2, 3)) tolls.savings = savings;
     SearchField field(maze.size(), times);
     field.fill(prices, tolls, known, maze.goals());
     const auto toll = [&](int x, int y, int heading) -> std::optional<std::int64_t> {
@@ -232,13 +232,13 @@ TEST(SearchField, IsThatOfAPlainSearchOverPrices) {
 }
 
 TEST(SearchField, FindsForAPlaceWhatItFindsForAll) {
-  Dice dice(14);
+  Rng rng(14);
   for (int round = 0; round < 200; ++round) {
-    const Maze maze = test::any_maze(dice, 12);
-    const SearchDrive times = any_drive(dice);
-    const CellSet known = any_cells(maze.size(), dice);
-    const Cell cell = maze.size().cell_at(dice.below(maze.size().area()));
-    SearchPlace place = {{cell, all_headings[static_cast<unsigned>(dice.below(4))]}, dice.chance(1, 4)};
+    const Maze maze = test::any_maze(rng, 12);
+    const SearchDrive times = any_drive(rng);
+    const CellSet known = any_cells(maze.size(), rng);
+    const Cell cell = maze.size().cell_at(rng.below(maze.size().area()));
+    SearchPlace place = {{cell, all_headings[static_cast<unsigned>(rng.below(4))]}, rng.chance(1, 4)};
     SearchField all(maze.size(), times), some(maze.size(), times);
     all.fill(maze.open_walls(), known, maze.goals());
     some.fill(maze.open_walls(), known, maze.goals(), &place);
@@ -252,19 +252,19 @@ TEST(SearchField, FindsForAPlaceWhatItFindsForAll) {
 }
 
 /// Opens and shuts some walls, learns and forgets some cells, and moves some targets.
-void change_a_little(Size size, Dice& dice, WallSet& passages, CellSet& known, CellSet& targets) {
-  const auto any_cell = [&] { return size.cell_at(dice.below(size.area())); };
-  for (int walls = dice.below(4); walls > 0; --walls) {
-    const Wall wall = wall_at(any_cell(), dice.chance(1, 2) ? Heading::north : Heading::east);
+void change_a_little(Size size, Rng& rng, WallSet& passages, CellSet& known, CellSet& targets) {
+  const auto any_cell = [&] { return size.cell_at(rng.below(size.area())); };
+  for (int walls = rng.below(4); walls > 0; --walls) {
+    const Wall wall = wall_at(any_cell(), rng.chance(1, 2) ? Heading::north : Heading::east);
     if (on_border(wall, size)) continue;
     passages.contains(wall) ? passages.erase(wall) : passages.insert(wall);
   }
-  for (int cells = dice.below(3); cells > 0; --cells) {
+  for (int cells = rng.below(3); cells > 0; --cells) {
     const Cell cell = any_cell();
     known.contains(cell) ? known.erase(cell) : known.insert(cell);
   }
-  if (dice.chance(1, 4)) targets.insert(any_cell());
-  if (dice.chance(1, 4) && targets.count() > 1) {
+  if (rng.chance(1, 4)) targets.insert(any_cell());
+  if (rng.chance(1, 4) && targets.count() > 1) {
     Cell last;
     targets.for_each([&](Cell cell) { last = cell; });
     targets.erase(last);
@@ -272,21 +272,21 @@ void change_a_little(Size size, Dice& dice, WallSet& passages, CellSet& known, C
 }
 
 TEST(SearchField, IsAfterAnyChangesWhatItIsWhenFilledAnew) {
-  Dice dice(15);
+  Rng rng(15);
   for (int round = 0; round < test::tenth(100); ++round) {
-    const Maze maze = test::any_maze(dice, 12);
+    const Maze maze = test::any_maze(rng, 12);
     const Size size = maze.size();
-    const SearchDrive times = any_drive(dice);
+    const SearchDrive times = any_drive(rng);
     WallSet passages = maze.open_walls();
-    CellSet known = any_cells(size, dice), targets = maze.goals();
+    CellSet known = any_cells(size, rng), targets = maze.goals();
     SearchField repaired(size, times);
     SearchPlace place = {{maze.start(), maze.start_heading()}, true};
     for (int change = 0; change < 40; ++change) {
-      change_a_little(size, dice, passages, known, targets);
+      change_a_little(size, rng, passages, known, targets);
       // A field over prices lies between them now and then.
-      if (dice.chance(1, 20)) repaired.fill(WallPrices(size), {times}, known, targets);
-      const bool all = dice.chance(1, 4);
-      if (dice.chance(1, 3)) place.pose = {size.cell_at(dice.below(size.area())), all_headings[dice.below(4)]};
+      if (rng.chance(1, 20)) repaired.fill(WallPrices(size), {times}, known, targets);
+      const bool all = rng.chance(1, 4);
+      if (rng.chance(1, 3)) place.pose = {size.cell_at(rng.below(size.area())), all_headings[rng.below(4)]};
       repaired.fill(passages, known, targets, all ? nullptr : &place);
       SearchField anew(size, times);
       anew.fill(passages, known, targets);
@@ -308,17 +308,17 @@ TEST(SearchField, IsAfterAnyChangesWhatItIsWhenFilledAnew) {
 }
 
 TEST(SearchField, IsInMemoryThatOthersWriteToWhatItIsInItsOwn) {
-  Dice dice(16);
+  Rng rng(16);
   for (int round = 0; round < 20; ++round) {
-    const Maze maze = test::any_maze(dice, 8);
-    const SearchDrive times = any_drive(dice);
+    const Maze maze = test::any_maze(rng, 8);
+    const SearchDrive times = any_drive(rng);
     WallSet passages = maze.open_walls();
     CellSet known, targets = maze.goals();
     std::vector<std::uint32_t> memory(SearchField::bytes_for(maze.size()) / sizeof(std::uint32_t) + 1);
     SearchField external(maze.size(), times, std::as_writable_bytes(std::span(memory))), own(maze.size(), times);
     const SearchPlace place = {{maze.start(), maze.start_heading()}, true};
     for (int change = 0; change < 10; ++change) {
-      change_a_little(maze.size(), dice, passages, known, targets);
+      change_a_little(maze.size(), rng, passages, known, targets);
       std::fill(memory.begin(), memory.end(), 0xa5a5a5a5);
       external.fill(passages, known, targets, &place);
       own.fill(passages, known, targets, &place);
@@ -329,15 +329,15 @@ TEST(SearchField, IsInMemoryThatOthersWriteToWhatItIsInItsOwn) {
 }
 
 TEST(SearchField, LeadsByItsStepsInTheTimeThatItSays) {
-  Dice dice(13);
+  Rng rng(13);
   for (int round = 0; round < test::tenth(60); ++round) {
-    const Maze maze = test::any_maze(dice, 16);
-    const SearchDrive times = any_drive(dice);
-    const CellSet known = any_cells(maze.size(), dice);
+    const Maze maze = test::any_maze(rng, 16);
+    const SearchDrive times = any_drive(rng);
+    const CellSet known = any_cells(maze.size(), rng);
     SearchField field(maze.size(), times);
     SearchPlace place = {{maze.start(), maze.start_heading()}, true};
     // Half of them only as far as that place needs.
-    field.fill(maze.open_walls(), known, maze.goals(), dice.chance(1, 2) ? &place : nullptr);
+    field.fill(maze.open_walls(), known, maze.goals(), rng.chance(1, 2) ? &place : nullptr);
     if (field.from(place) == no_time) continue;
     std::int64_t spent = 0;
     const DriveTime said = field.from(place);

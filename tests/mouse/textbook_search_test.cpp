@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/search_tree.hpp"
 #include "tests/capstone_mazes.hpp"
@@ -41,11 +41,11 @@ WalkedPassages walked(Size of, const WallSet& open, std::string_view order = "ne
 WalkedPassages walked_at_random(const Maze& maze, std::uint64_t seed) {
   constexpr int most = 1'000'000;
   WalkedPassages passages(maze.size(), most / 10);
-  Dice dice(seed);
+  Rng rng(seed);
   Cell here = maze.start();
   for (std::size_t left = 2 * static_cast<std::size_t>(maze.open_walls().count()), steps = 0; left > 0 && steps < most;
        ++steps) {
-    const Heading direction = all_headings[static_cast<std::size_t>(dice.below(4))];
+    const Heading direction = all_headings[static_cast<std::size_t>(rng.below(4))];
     if (!maze.is_open(here, direction)) continue;
     const Cell next = neighbour(here, direction);
     const auto known = [&] { return passages.has(here, next) + passages.has(next, here); };

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/maze/symmetry.hpp"
 
@@ -100,15 +100,15 @@ class Contexts : public testing::TestWithParam<Size> {};
 
 TEST_P(Contexts, KeepUpWithWhatBecomesKnown) {
   const Size size = GetParam();
-  Dice dice(7);
+  Rng rng(7);
   WallContexts contexts(size);
   Known known{size, {}};
   expect_agreement(contexts, known);
   std::vector<Wall> unknown = inner_walls(size);
   const std::size_t some = std::max<std::size_t>(1, unknown.size() / 8);
   while (!unknown.empty()) {
-    std::swap(unknown.back(), unknown[static_cast<std::size_t>(dice.below(static_cast<int>(unknown.size())))]);
-    const bool open = dice.chance(1, 2);
+    std::swap(unknown.back(), unknown[static_cast<std::size_t>(rng.below(static_cast<int>(unknown.size())))]);
+    const bool open = rng.chance(1, 2);
     contexts.learn(unknown.back(), open, [](Wall) {});
     known.digits[unknown.back()] = open ? 1 : 2;
     unknown.pop_back();
@@ -131,15 +131,15 @@ TEST_P(Contexts, TellWhichChange) {
 TEST_P(Contexts, AreTheSameFromEverySide) {
   const Size size = GetParam();
   for (const Symmetry symmetry : all_symmetries) {
-    Dice dice(11);
+    Rng rng(11);
     const Size other_size = transformed(size, symmetry);
     const auto image = [&](Wall wall) {
       return wall_at(transformed(wall.cell, size, symmetry), transformed(wall.side, symmetry));
     };
     WallContexts contexts(size), images(other_size);
     for (const Wall wall : inner_walls(size)) {
-      if (dice.chance(1, 2)) continue;
-      const bool open = dice.chance(1, 2);
+      if (rng.chance(1, 2)) continue;
+      const bool open = rng.chance(1, 2);
       contexts.learn(wall, open, [](Wall) {});
       images.learn(image(wall), open, [](Wall) {});
     }
@@ -165,12 +165,12 @@ TEST(ContextsAtTheBorder, HaveItClosedFromTheBeginning) {
 
 TEST(WallContexts, AreThoseOfKnowledge) {
   const Size size = {6, 5};
-  Dice dice(1);
+  Rng rng(1);
   Knowledge knowledge(size, 1);
   WallContexts contexts(size);
   WallSet::all(size).for_each([&](Wall wall) {
-    if (dice.chance(1, 2)) return;
-    const bool open = dice.chance(1, 2);
+    if (rng.chance(1, 2)) return;
+    const bool open = rng.chance(1, 2);
     knowledge.learn(wall, open);
     contexts.learn(wall, open, [](Wall) {});
   });

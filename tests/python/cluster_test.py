@@ -301,7 +301,7 @@ class Murderer:
 def test_a_mouse_whose_process_dies_has_the_result_of_one_machine(client, tmp_path):
     spread = cluster.race(client, {"deadly": Deadly}, "contest-01", store=tmp_path / "a.db", label="v1")
     assert results(spread).equals(results(labmouse.race({"deadly": Deadly}, "contest-01")))
-    assert spread.table["outcome"].tolist() == ["forfeit: died"]
+    assert spread.table["outcome"].tolist() == ["forfeit: ended early"]
 
 
 def test_a_mouse_that_kills_workers_is_named(other, tmp_path):

@@ -130,4 +130,4 @@ def test_an_answer_that_cannot_be_shown_is_a_forfeit():
             return Unspeakable()
 
     record = labmouse.run(Mouse, MAZE)
-    assert record.outcome == "forfeit: rubbish" and "cannot be shown" in record.last_words
+    assert record.outcome == "forfeit: invalid answer" and "cannot be shown" in record.last_words

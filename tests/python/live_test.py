@@ -92,7 +92,7 @@ def test_what_it_raises_when_it_is_carried_ends_its_contest(debug):
 
     # Whether it crashes is chance.
     records = (labmouse.run(Clumsy, MAZE, world="failures", noise=4, seed=seed, debug=debug) for seed in range(1, 31))
-    assert next(one.outcome for one in records if "put me down" in (one.last_words or "")) == "forfeit: died"
+    assert next(one.outcome for one in records if "put me down" in (one.last_words or "")) == "forfeit: ended early"
 
 
 def test_a_process_that_dies_on_its_way_is_a_forfeit():
@@ -103,7 +103,7 @@ def test_a_process_that_dies_on_its_way_is_a_forfeit():
             os._exit(3)
 
     record = labmouse.run(Deadly, MAZE, world="failures")
-    assert (record.outcome, record.last_words) == ("forfeit: died", "its process ended with exit code 3")
+    assert (record.outcome, record.last_words) == ("forfeit: ended early", "its process ended with exit code 3")
 
 
 class Teller:

@@ -68,7 +68,7 @@ def test_what_it_raises_is_its_forfeit_with_the_traceback():
             raise ValueError("lost my way")
 
     record = labmouse.run(Clumsy, "contest-01")
-    assert record.outcome == "forfeit: died"
+    assert record.outcome == "forfeit: ended early"
     first, *rest = record.last_words.splitlines()
     assert "ValueError: lost my way" in first
     assert any("in decide" in line for line in rest)
@@ -85,8 +85,8 @@ def test_what_raises_before_its_first_word_did_not_start():
 
 
 @pytest.mark.parametrize("answer, outcome", [
-    (None, "forfeit: rubbish"), (3, "forfeit: rubbish"), ((90,), "forfeit: rubbish"), ((0, 0, 0), "forfeit: rubbish"),
-    (("90", 1), "forfeit: rubbish"), ((0, 10**7), "forfeit: rubbish"), ((0, 2.5), "forfeit: rubbish"), ("restet", "forfeit: rubbish"),
+    (None, "forfeit: invalid answer"), (3, "forfeit: invalid answer"), ((90,), "forfeit: invalid answer"), ((0, 0, 0), "forfeit: invalid answer"),
+    (("90", 1), "forfeit: invalid answer"), ((0, 10**7), "forfeit: invalid answer"), ((0, 2.5), "forfeit: invalid answer"), ("restet", "forfeit: invalid answer"),
     ("forfeit", "forfeit: gave up"), ("reset", "out of steps"), (("Reset", "Reset"), "out of steps"),
     ((0, 0), "out of steps"), ((numpy.int64(90), numpy.int8(1)), "out of steps"), ((45, 10**6), "out of steps"),
 ])
@@ -185,7 +185,7 @@ def test_in_seconds_it_searches_and_is_driven():
 
 @pytest.mark.parametrize("answer, outcome", [
     ("forfeit", "forfeit: gave up"), ("reset", "forfeit: lost"), ((180, 0), "out of time"), ((0, 64), "forfeit: lost"),
-    ((0, -1), "forfeit: lost"), ((45, 1), "forfeit: lost"), (None, "forfeit: rubbish"),
+    ((0, -1), "forfeit: lost"), ((45, 1), "forfeit: lost"), (None, "forfeit: invalid answer"),
 ])
 def test_every_answer_in_seconds_is_a_move_or_a_forfeit(answer, outcome):
     assert labmouse.run(answering(answer), "contest-01", world="seconds").outcome == outcome
@@ -201,7 +201,7 @@ def test_what_it_raises_in_seconds_is_its_forfeit_with_the_traceback():
             raise RuntimeError("no")
 
     record = labmouse.run(Clumsy, "contest-01", world="seconds")
-    assert record.outcome == "forfeit: died"
+    assert record.outcome == "forfeit: ended early"
     assert "ValueError: lost my way" in record.last_words.splitlines()[0] and "in decide" in record.last_words
     assert labmouse.run(Stillborn, "contest-01", world="seconds").outcome == "forfeit: not started"
     race = labmouse.race([Clumsy, "flood"], "contest-01", world="seconds")
@@ -257,7 +257,7 @@ def test_a_process_that_dies_is_a_forfeit():
 
     race = labmouse.race([Deadly, "flood"], ["contest-01", "contest-05"], jobs=2)
     assert race.complete
-    assert race.table[race.table["mouse"] == "Deadly"]["outcome"].tolist() == ["forfeit: died"] * 2
+    assert race.table[race.table["mouse"] == "Deadly"]["outcome"].tolist() == ["forfeit: ended early"] * 2
     assert labmouse.run(Deadly, "contest-01").last_words == "its process ended with exit code 3"
 
 
@@ -276,7 +276,7 @@ def test_what_it_did_before_it_died_is_in_its_record(debug):
             return (0, 0) if self.left else 1 / 0
 
     record = labmouse.run(Tired, "contest-01", debug=debug)
-    assert record.outcome == "forfeit: died" and len(record.steps) == 5 and "ZeroDivisionError" in record.last_words
+    assert record.outcome == "forfeit: ended early" and len(record.steps) == 5 and "ZeroDivisionError" in record.last_words
 
 
 @pytest.mark.parametrize("jobs", [1, 2])

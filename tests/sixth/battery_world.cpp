@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_coverage.hpp"
 #include "labmouse/lab/drive/drive_fields.hpp"
@@ -30,7 +30,7 @@ constexpr std::array rows = {
         {.name = "robot", .placeholder = "ROBOT", .meaning = "Robot", .default_value = "classic"}),
     row<&BatteryConditions::noise>({.name = "noise",
                                     .placeholder = "N",
-                                    .meaning = "How often dice shorten the time",
+                                    .meaning = "How often the time is shortened at random",
                                     .default_value = "1",
                                     .high = 9})};
 
@@ -51,9 +51,9 @@ class BatteryWorld final : public DriveWorld {
   DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
                       bool /*traced*/, const std::atomic<bool>* /*stop*/) const override {
     DriveRules lasting = rules();
-    Dice dice(contest.seed);
+    Rng rng(contest.seed);
     for (int times = 0; times < conditions_.noise; ++times)
-      lasting.time_limit -= lasting.time_limit * dice.below(100) / 100;
+      lasting.time_limit -= lasting.time_limit * rng.below(100) / 100;
     const auto strategy = mouse.driving_strategy(maze, brief(maze, lasting, model(), contest.seed));
     DrivenContest driven;
     driven.record = labmouse::drive(maze, lasting, model(), *strategy);

@@ -115,7 +115,7 @@ class AriadneReferee final : public Strategy {
       ASSERT_EQ(action, Action::reset());
       stopped_content_ = !target_ && !last_call;
     } else if (!target_) {
-      ASSERT_EQ(action, Action::forfeit(ForfeitReason::no_way));
+      ASSERT_EQ(action, Action::forfeit(ForfeitReason::no_route));
       ASSERT_FALSE(could_reach_a_goal());
     } else {
       ASSERT_NO_FATAL_FAILURE(judge_step(action));
@@ -151,7 +151,7 @@ class AriadneReferee final : public Strategy {
     ASSERT_EQ(mouse_.reasons()->ground, Ground::flood);
     ASSERT_TRUE(mouse_.reasons()->candidates.empty());
     if (!goal_entered_ && !could_reach_a_goal()) {
-      ASSERT_EQ(action, Action::forfeit(ForfeitReason::no_way));
+      ASSERT_EQ(action, Action::forfeit(ForfeitReason::no_route));
       return;
     }
     ASSERT_EQ(action.kind, Action::Kind::step);

@@ -49,14 +49,14 @@ RefereedRun refereed(const Maze& maze, const Settings& settings, const Rules& ru
 }
 
 /// Rules and settings of all sorts; most often the default ones.
-Rules any_rules(Dice& dice) {
+Rules any_rules(Rng& rng) {
   Rules rules;
-  rules.stride = 1 + dice.below(4);
-  if (dice.chance(1, 4)) rules.budget = 1 + dice.below(150);
+  rules.stride = 1 + rng.below(4);
+  if (rng.chance(1, 4)) rules.budget = 1 + rng.below(150);
   return rules;
 }
 
-Settings any_settings(Dice& dice) {
+Settings any_settings(Rng& rng) {
   static const Values several[] = {{{"style", "contest"}},
                                    {{"style", "loop-free"}},
                                    {{"prior", "uniform"}, {"way_here", "0.13"}},
@@ -68,15 +68,15 @@ Settings any_settings(Dice& dice) {
                                    {{"travel", "1"}, {"insight", "50"}, {"goal_bonus", "0"}},
                                    {{"travel_after", "1"}, {"insight_after", "50"}, {"stop_travel", "0"}},
                                    proof};
-  return settings_of(dice.chance(1, 2) ? Values{} : several[dice.below(static_cast<int>(std::size(several)))]);
+  return settings_of(rng.chance(1, 2) ? Values{} : several[rng.below(static_cast<int>(std::size(several)))]);
 }
 
 TEST(Ariadne, DecidesAsItsDefinitionSaysInMazesByDice) {
-  Dice dice(1000);
+  Rng rng(1000);
   for (int i = 0; i < test::some_of(1000); ++i) {
-    const Maze maze = any_maze(dice, i % 8 == 0 ? 16 : 9);
-    const Rules rules = any_rules(dice);
-    const RefereedRun run = refereed(maze, any_settings(dice), rules);
+    const Maze maze = any_maze(rng, i % 8 == 0 ? 16 : 9);
+    const Rules rules = any_rules(rng);
+    const RefereedRun run = refereed(maze, any_settings(rng), rules);
     for (const StepRecord& step : run.record.steps) ASSERT_FALSE(step.blocked) << i << drawing_of(maze);
     ASSERT_FALSE(HasFailure()) << "maze " << i << ", stride " << rules.stride << ", budget " << rules.budget
                                << drawing_of(maze);
@@ -101,14 +101,14 @@ std::optional<int> shortest(const Maze& maze, const Rules& rules) {
 }
 
 TEST(Ariadne, RunsShortestWhereItStopsOnlyForAProof) {
-  Dice dice(7);
+  Rng rng(7);
   const Settings settings = settings_of(proof);
   Rules rules;
   rules.budget = 100'000;
   int proven = 0;
   constexpr int mazes = test::tenth(400);
   for (int i = 0; i < mazes; ++i) {
-    const Maze maze = any_maze(dice, 20);
+    const Maze maze = any_maze(rng, 20);
     rules.stride = 1 + i % 4;
     const Score result = score(run(maze, rules, *ariadne_mouse.make(brief(maze, rules, 1), settings)), rules);
     ASSERT_EQ(result.outcome == Outcome::finished, shortest(maze, rules).has_value()) << i << drawing_of(maze);
@@ -120,24 +120,24 @@ TEST(Ariadne, RunsShortestWhereItStopsOnlyForAProof) {
 }
 
 TEST(Ariadne, SolvesEveryMazeWithARouteAndGivesUpWhereThereIsNone) {
-  Dice dice(12);
+  Rng rng(12);
   Rules rules;
   rules.budget = 1'000'000;
   for (int i = 0; i < test::tenth(400); ++i) {
-    const Maze maze = any_maze(dice, i % 10 == 0 ? 40 : 16);
+    const Maze maze = any_maze(rng, i % 10 == 0 ? 40 : 16);
     rules.stride = 1 + i % 4;
     const RunRecord record = test::contest(ariadne_mouse, maze, {}, 1, rules);
     ASSERT_EQ(record.outcome, shortest(maze, rules) ? Outcome::finished : Outcome::forfeit) << i << drawing_of(maze);
     if (record.outcome == Outcome::forfeit) {
-      ASSERT_EQ(record.steps.back().action.reason, ForfeitReason::no_way);
+      ASSERT_EQ(record.steps.back().action.reason, ForfeitReason::no_route);
     }
   }
 }
 
 TEST(Ariadne, FinishesWithinTheBudgetWhereTheCarefulOnesDo) {
-  Dice dice(300);
+  Rng rng(300);
   for (int i = 0; i < test::tenth(300); ++i) {
-    const Maze maze = any_maze(dice, i % 20 == 0 ? 64 : 24);
+    const Maze maze = any_maze(rng, i % 20 == 0 ? 64 : 24);
     const auto solves = [&](const BuiltinMouse& mouse) {
       return test::contest(mouse, maze).outcome == Outcome::finished;
     };
@@ -162,11 +162,11 @@ int most_to_spare(const Maze& maze, const RunRecord& record, const Rules& rules)
 }
 
 TEST(Ariadne, HoldsToARunThatIsKnownToFitIntoTheBudget) {
-  Dice dice(11);
+  Rng rng(11);
   int failed = 0;
   constexpr int mazes = test::tenth(300);
   for (int i = 0; i < mazes; ++i) {
-    const Maze maze = any_maze(dice, 12);
+    const Maze maze = any_maze(rng, 12);
     Rules rules;
     rules.stride = 1 + i % 4;
     for (rules.budget = 1; rules.budget < 100; rules.budget += 1 + rules.budget / 8) {
@@ -277,10 +277,10 @@ TEST(Ariadne, FitsIntoASmallComputer) {
 }
 
 TEST(Ariadne, TakesNoMoreMemoryForItsReasons) {
-  Dice dice(66);
+  Rng rng(66);
   for (int i = 0; i < 60; ++i) {
-    const Maze maze = i == 0 ? kruskal_generator.make({{64, 64}, 5, 100}) : any_maze(dice, 20);
-    const auto mouse = ariadne_mouse.make(with_reasons(brief(maze, {}, 1)), any_settings(dice));
+    const Maze maze = i == 0 ? kruskal_generator.make({{64, 64}, 5, 100}) : any_maze(rng, 20);
+    const auto mouse = ariadne_mouse.make(with_reasons(brief(maze, {}, 1)), any_settings(rng));
     test::CountingMouse counting(*mouse);
     run(maze, {}, counting);
     ASSERT_EQ(counting.allocations(), 0) << drawing_of(maze);
@@ -288,11 +288,11 @@ TEST(Ariadne, TakesNoMoreMemoryForItsReasons) {
 }
 
 TEST(Ariadne, DoesTheSameWhetherItKeepsItsReasonsOrNot) {
-  Dice dice(55);
+  Rng rng(55);
   for (int i = 0; i < test::tenth(200); ++i) {
-    const Maze maze = any_maze(dice, i % 10 == 0 ? 40 : 16);
-    const Rules rules = any_rules(dice);
-    const Settings settings = any_settings(dice);
+    const Maze maze = any_maze(rng, i % 10 == 0 ? 40 : 16);
+    const Rules rules = any_rules(rng);
+    const Settings settings = any_settings(rng);
     const auto silent = ariadne_mouse.make(brief(maze, rules, 1), settings),
                talks = ariadne_mouse.make(with_reasons(brief(maze, rules, 1)), settings);
     ASSERT_EQ(run(maze, rules, *silent).steps, run(maze, rules, *talks).steps) << i;
@@ -301,10 +301,10 @@ TEST(Ariadne, DoesTheSameWhetherItKeepsItsReasonsOrNot) {
 }
 
 TEST(Ariadne, HasNothingLeftToHopeForWhereItStops) {
-  Dice dice(56);
+  Rng rng(56);
   int stopped = 0;
   for (int i = 0; i < 50; ++i) {
-    const Maze maze = any_maze(dice, 16);
+    const Maze maze = any_maze(rng, 16);
     const auto mouse = ariadne_mouse.make(with_reasons(brief(maze, {}, 1)), settings_of({{"style", "contest"}}));
     for (const StepRecord& step : test::contest(ariadne_mouse, maze, {{"style", "contest"}}).steps) {
       ASSERT_EQ(mouse->decide(step.sighting), step.action);

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/routes.hpp"
@@ -111,7 +111,7 @@ TEST_P(EveryMouse, GivesUpOnlyWhereThereIsNoWay) {
   in_every_maze([](const Maze& maze, const RunRecord& record) {
     if (record.outcome != Outcome::forfeit) return;
     EXPECT_FALSE(has_route(maze));
-    EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::no_way);
+    EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::no_route);
   });
 }
 
@@ -315,23 +315,23 @@ INSTANTIATE_TEST_SUITE_P(BuiltinMice, SureMouse,
                                          &phases_mouse, &two_way_mouse, &frontier_mouse),
                          test::mouse_name);
 
-Maze generated(Dice& dice) {
+Maze generated(Rng& rng) {
   for (;;) {
     const Generator& generator =
-        *all_generators()[static_cast<std::size_t>(dice.below(static_cast<int>(all_generators().size())))];
-    const GeneratorOrder order{{1 + dice.below(20), 1 + dice.below(20)}, dice.bits(), dice.below(400)};
+        *all_generators()[static_cast<std::size_t>(rng.below(static_cast<int>(all_generators().size())))];
+    const GeneratorOrder order{{1 + rng.below(20), 1 + rng.below(20)}, rng.bits(), rng.below(400)};
     if (generator.refuses(order).empty())
-      return generator.make(order).with_start(order.size.cell_at(dice.below(order.size.area())),
-                                              all_headings[static_cast<std::size_t>(dice.below(4))]);
+      return generator.make(order).with_start(order.size.cell_at(rng.below(order.size.area())),
+                                              all_headings[static_cast<std::size_t>(rng.below(4))]);
   }
 }
 
 TEST(Certify, RacesAShortestRunInEveryMaze) {
-  Dice dice(300);
+  Rng rng(300);
   Rules patient;
   patient.budget = 1'000'000;
   for (int i = 0; i < 300; ++i) {
-    const Maze maze = generated(dice);
+    const Maze maze = generated(rng);
     patient.stride = 1 + i % 4;
     const auto shortest = shortest_in_strides(maze, patient.stride);
     if (!shortest) continue;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/mouse/drive/drive_fields.hpp"
@@ -28,9 +28,9 @@ struct SomeMaze {
 const std::vector<SomeMaze>& generated_mazes() {
   static const std::vector<SomeMaze> mazes = [] {
     std::vector<SomeMaze> made;
-    Dice dice(17);
+    Rng rng(17);
     for (int i = 0; i < test::some_of(160); ++i)
-      made.push_back({"generated " + std::to_string(i), test::any_maze(dice, 20)});
+      made.push_back({"generated " + std::to_string(i), test::any_maze(rng, 20)});
     return made;
   }();
   return mazes;
@@ -96,7 +96,7 @@ DriveTime fastest(const Maze& maze, const DriveModel& model) {
 }
 
 const DriveRun* last_run(const DriveRecord& record) {
-  return record.runs.empty() || record.runs.back().kind != DriveRun::Kind::fast ? nullptr : &record.runs.back();
+  return record.runs.empty() || record.runs.back().kind != DriveRun::Kind::speed ? nullptr : &record.runs.back();
 }
 
 std::vector<const BuiltinMouse*> drivers() {
@@ -119,7 +119,7 @@ class EveryDriver : public testing::TestWithParam<const BuiltinMouse*> {
       const DriveRecord record = contest(mouse(), maze.maze, rules, model);
       const DriveTime best = fastest(maze.maze, model);
       if (record.outcome == DriveOutcome::forfeit) {
-        EXPECT_EQ(record.reason, ForfeitReason::no_way);
+        EXPECT_EQ(record.reason, ForfeitReason::no_route);
         EXPECT_EQ(best, no_time);
         continue;
       }
@@ -170,7 +170,7 @@ TEST_P(EveryDriver, DashesThroughWhatItKnows) {
   const auto search_time_of = [](const DriveRecord& record, std::size_t& dashes) {
     MazeTime time = 0;
     for (const DriveRun& run : record.runs) {
-      if (run.kind == DriveRun::Kind::fast) continue;
+      if (run.kind == DriveRun::Kind::speed) continue;
       time += run.end - run.begin;
       for (const SearchMove& move : run.moves) dashes += move.action.movement > 1 ? 1 : 0;
     }
@@ -228,7 +228,7 @@ TEST(AriadneInSeconds, GoesByEachOfItsNumbersHoweverOdd) {
           settings.set(parameter.name, std::to_string(value));
           const auto mouse = ariadne.drive(brief(maze, rules, published(), 1), settings);
           const DriveRecord record = drive(maze, rules, published(), *mouse);
-          EXPECT_TRUE(record.outcome != DriveOutcome::forfeit || record.reason == ForfeitReason::no_way);
+          EXPECT_TRUE(record.outcome != DriveOutcome::forfeit || record.reason == ForfeitReason::no_route);
           matters = matters || record != contest(ariadne, maze, rules, published());
         }
     EXPECT_TRUE(matters || test::slowness > 1);
@@ -245,7 +245,7 @@ TEST(DriversThatGoHome, LookOnUntilAnotherStepWouldBeTooMuch) {
       const DriveRecord record = contest(*find_mouse("certify"), maze.maze, rules, published());
       const DriveRun* run = last_run(record);
       // Until nothing was left to look at, or time had run out before the goal.
-      if (run == nullptr || run->known == run->hoped || run->end > rules.time_limit) continue;
+      if (run == nullptr || run->known == run->possible || run->end > rules.time_limit) continue;
       spare += rules.time_limit - run->end;
       ++late;
     }
@@ -297,17 +297,17 @@ TEST_P(EveryDriver, DrivesInMemoryThatIsGiven) {
 /// Readings of a maze that is another one each time that one looks.
 class Nonsense {
  public:
-  explicit Nonsense(std::uint64_t seed) : dice_(seed) {}
+  explicit Nonsense(std::uint64_t seed) : rng_(seed) {}
 
   /// Of the walls about the place, or about the cell that a mouse has just come through, too.
   void read(LogOddsMap& log_odds, const Pose& pose) {
     for (const Heading side : {left_of(pose.heading), pose.heading, right_of(pose.heading)})
-      static_cast<void>(log_odds.add(wall_at(pose.cell, side), dice_.below(129) - 64));
+      static_cast<void>(log_odds.add(wall_at(pose.cell, side), rng_.below(129) - 64));
   }
-  bool carries() { return dice_.below(50) == 0; }
+  bool carries() { return rng_.below(50) == 0; }
 
  private:
-  Dice dice_;
+  Rng rng_;
 };
 
 TEST_P(EveryDriver, StandsAnyReadings) {
@@ -334,7 +334,7 @@ TEST_P(EveryDriver, StandsAnyReadings) {
         continue;
       }
       if (action.kind == Action::Kind::forfeit) {
-        ASSERT_EQ(action.reason, ForfeitReason::no_way) << seed << ' ' << decision;
+        ASSERT_EQ(action.reason, ForfeitReason::no_route) << seed << ' ' << decision;
         if (!log_odds.weaken_path(place.pose.cell, maze.goals()) &&
             !log_odds.weaken_path(place.pose.cell, CellSet::of(maze.start())))
           break;
@@ -363,7 +363,7 @@ void expect_proofs(const BuiltinMouse& mouse, const std::vector<SomeMaze>& mazes
       continue;
     }
     EXPECT_EQ(run->route.time, fastest(maze.maze, model));
-    EXPECT_EQ(run->known, run->hoped);
+    EXPECT_EQ(run->known, run->possible);
   }
 }
 
@@ -395,7 +395,7 @@ class Replanning final : public ForwardingDriver {
     kept_ += runs_.plan(knowledge()) ? 0 : 1;
     DriveRuns anew(new_);
     anew.plan(knowledge());
-    EXPECT_EQ(runs_.hoped_time(), anew.hoped_time());
+    EXPECT_EQ(runs_.optimistic_time(), anew.optimistic_time());
     EXPECT_EQ(runs_.unknown_walls(), anew.unknown_walls());
     return action;
   }

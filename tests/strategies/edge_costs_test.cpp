@@ -75,9 +75,9 @@ TEST(EdgeCosts, RoundTheWeightedWayDown) {
 /// A mouse that learns a maze step by step, and what runs through unseen walls cost by the plain definition.
 class Learner {
  public:
-  Learner(const Maze& maze, const Motion& motion, Dice& dice)
+  Learner(const Maze& maze, const Motion& motion, Rng& rng)
       : briefing_(briefing(maze, motion)),
-        prior_(any_prior(dice)),
+        prior_(any_prior(rng)),
         outlook_(briefing_, prior_),
         costs_(briefing_),
         knowledge_(maze.size()) {}
@@ -133,8 +133,8 @@ class Learner {
     briefing.motion = motion;
     return briefing;
   }
-  static const WallPrior* any_prior(Dice& dice) {
-    return dice.chance(1, 4) ? nullptr : dice.chance(1, 2) ? &contest_prior : &loop_free_prior;
+  static const WallPrior* any_prior(Rng& rng) {
+    return rng.chance(1, 4) ? nullptr : rng.chance(1, 2) ? &contest_prior : &loop_free_prior;
   }
 
   Briefing briefing_;
@@ -145,57 +145,57 @@ class Learner {
 };
 
 /// Prices that rise with the reluctance, up to one from which a wall is taken for closed; sometimes none is.
-PriceTable any_table(Dice& dice) {
+PriceTable any_table(Rng& rng) {
   PriceTable table;
-  const int base = dice.below(20), slope = dice.below(8), closed = dice.chance(1, 4) ? 256 : 1 + dice.below(200);
+  const int base = rng.below(20), slope = rng.below(8), closed = rng.chance(1, 4) ? 256 : 1 + rng.below(200);
   for (int reluctance = 0; reluctance < 256; ++reluctance)
     table[static_cast<unsigned>(reluctance)] = static_cast<std::uint8_t>(
         reluctance >= closed ? WallPrices::closed : std::min(base + slope * reluctance / 4, WallPrices::highest));
   return table;
 }
 
-Motion any_motion(Dice& dice) {
-  if (dice.chance(2, 3)) return strides(1 + dice.below(4));
-  Motion motion = strides(2 + dice.below(4));
+Motion any_motion(Rng& rng) {
+  if (rng.chance(2, 3)) return strides(1 + rng.below(4));
+  Motion motion = strides(2 + rng.below(4));
   int cost = 0;
   for (std::size_t cells = 1; cells <= static_cast<std::size_t>(motion.longest); ++cells)
-    motion.cost[cells] = static_cast<std::uint8_t>(cost += cells == 1 ? 1 + dice.below(5) : dice.below(4));
+    motion.cost[cells] = static_cast<std::uint8_t>(cost += cells == 1 ? 1 + rng.below(5) : rng.below(4));
   return motion;
 }
 
-void expect_plain_costs_while_learning(const Maze& maze, Dice& dice) {
+void expect_plain_costs_while_learning(const Maze& maze, Rng& rng) {
   constexpr std::array mice = {&flood_return_mouse, &frontier_mouse, &random_move_mouse};
   constexpr std::array weights = {0, 33, 256};
-  const RunRecord record = test::contest(*mice[static_cast<unsigned>(dice.below(3))], maze, {}, dice.bits());
-  const PriceTable tables[] = {any_table(dice), any_table(dice)};
-  Learner learner(maze, any_motion(dice), dice);
+  const RunRecord record = test::contest(*mice[static_cast<unsigned>(rng.below(3))], maze, {}, rng.bits());
+  const PriceTable tables[] = {any_table(rng), any_table(rng)};
+  Learner learner(maze, any_motion(rng), rng);
   learner.price(tables[0]);
-  int weight = weights[static_cast<unsigned>(dice.below(3))];
+  int weight = weights[static_cast<unsigned>(rng.below(3))];
   for (const StepRecord& step : record.steps) {
     if (step.step > 200) break;
     learner.learn(step);
-    if (dice.chance(1, 10)) weight = weights[static_cast<unsigned>(dice.below(3))];
-    if (dice.chance(1, 20)) learner.price(tables[dice.below(2)]);
-    if (!dice.chance(1, 3)) continue;
+    if (rng.chance(1, 10)) weight = weights[static_cast<unsigned>(rng.below(3))];
+    if (rng.chance(1, 20)) learner.price(tables[rng.below(2)]);
+    if (!rng.chance(1, 3)) continue;
     ASSERT_NO_FATAL_FAILURE(learner.expect_plain_costs(weight)) << "step " << step.step << test::drawing_of(maze);
-    const int limit = 1 + dice.below(dice.chance(1, 2) ? 400 : 3000);
+    const int limit = 1 + rng.below(rng.chance(1, 2) ? 400 : 3000);
     ASSERT_NO_FATAL_FAILURE(learner.expect_plain_costs_below(limit, weight))
         << "step " << step.step << test::drawing_of(maze);
   }
 }
 
 TEST(EdgeCosts, AgreeWithThePlainDefinitionAsWallsBecomeKnown) {
-  Dice dice(8);
+  Rng rng(8);
   for (int i = 0; i < test::some_of(150); ++i)
-    ASSERT_NO_FATAL_FAILURE(expect_plain_costs_while_learning(test::any_maze(dice, 14), dice)) << i;
+    ASSERT_NO_FATAL_FAILURE(expect_plain_costs_while_learning(test::any_maze(rng, 14), rng)) << i;
 }
 
 TEST(EdgeCosts, AgreeInTheLargestMaze) {
-  Dice dice(9);
+  Rng rng(9);
   const Maze maze = kruskal_generator.make({{64, 64}, 1, 100});
   const RunRecord record = test::contest(flood_return_mouse, maze);
-  Learner learner(maze, strides(3), dice);
-  const PriceTable table = any_table(dice);
+  Learner learner(maze, strides(3), rng);
+  const PriceTable table = any_table(rng);
   learner.price(table);
   for (const StepRecord& step : record.steps) {
     learner.learn(step);

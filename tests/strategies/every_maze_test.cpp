@@ -37,7 +37,7 @@ void expect_good_end(const RunRecord& record, bool has_route) {
     return;
   }
   EXPECT_FALSE(has_route);
-  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::no_way);
+  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::no_route);
 }
 
 class InRealMazes : public testing::TestWithParam<const BuiltinMouse*> {};

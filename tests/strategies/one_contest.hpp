@@ -13,7 +13,7 @@ namespace labmouse::test {
 
 using Values = std::vector<std::pair<std::string_view, std::string_view>>;
 
-/// The record of a mouse with some parameters set, under a seed for its dice.
+/// The record of a mouse with some parameters set, under a seed for its random choices.
 inline RunRecord contest(const BuiltinMouse& mouse, const Maze& maze, const Values& values = {}, std::uint64_t seed = 1,
                          const Rules& rules = {}) {
   Settings settings(mouse.parameters);

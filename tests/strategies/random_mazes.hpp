@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/maze/formats/format.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 
@@ -20,34 +20,34 @@ inline MazeDraft draft_of(const Maze& maze) {
 }
 
 /// The maze with every tenth passage closed: often some cells cannot be reached.
-inline Maze cut(const Maze& maze, Dice& dice) {
+inline Maze cut(const Maze& maze, Rng& rng) {
   MazeDraft draft = draft_of(maze);
   maze.open_walls().for_each([&](Wall wall) {
-    if (dice.chance(1, 10)) draft.close(wall.cell, wall.side);
+    if (rng.chance(1, 10)) draft.close(wall.cell, wall.side);
   });
   return Maze(draft);
 }
 
 /// The maze with start and heading anywhere, and one to four goals anywhere.
-inline Maze marked_anywhere(const Maze& maze, Dice& dice) {
-  const auto any_cell = [&] { return maze.size().cell_at(dice.below(maze.size().area())); };
+inline Maze marked_anywhere(const Maze& maze, Rng& rng) {
+  const auto any_cell = [&] { return maze.size().cell_at(rng.below(maze.size().area())); };
   CellSet goals;
-  for (int count = 1 + dice.below(4); count > 0; --count) goals.insert(any_cell());
+  for (int count = 1 + rng.below(4); count > 0; --count) goals.insert(any_cell());
   const Cell start = any_cell();
-  return maze.with_start(start, all_headings[static_cast<std::size_t>(dice.below(4))]).with_goals(goals);
+  return maze.with_start(start, all_headings[static_cast<std::size_t>(rng.below(4))]).with_goals(goals);
 }
 
-/// A maze by dice with sides up to `side`, half of them marked anywhere and a few of them cut; kinds that take no such
+/// A random maze with sides up to `side`, half of them marked anywhere and a few of them cut; kinds that take no such
 /// size become 16×16.
-inline Maze any_maze(Dice& dice, int side) {
+inline Maze any_maze(Rng& rng, int side) {
   const auto generators = all_generators();
-  const Generator& generator = *generators[static_cast<std::size_t>(dice.below(static_cast<int>(generators.size())))];
-  const int width = 1 + dice.below(side), height = 1 + dice.below(side);
-  GeneratorOrder order{{width, height}, dice.bits(), dice.chance(1, 2) ? 0 : dice.below(400)};
+  const Generator& generator = *generators[static_cast<std::size_t>(rng.below(static_cast<int>(generators.size())))];
+  const int width = 1 + rng.below(side), height = 1 + rng.below(side);
+  GeneratorOrder order{{width, height}, rng.bits(), rng.chance(1, 2) ? 0 : rng.below(400)};
   if (!generator.refuses(order).empty()) order.size = {16, 16};
   Maze maze = generator.make(order);
-  if (dice.chance(1, 2)) maze = marked_anywhere(maze, dice);
-  return dice.chance(1, 8) ? cut(maze, dice) : maze;
+  if (rng.chance(1, 2)) maze = marked_anywhere(maze, rng);
+  return rng.chance(1, 8) ? cut(maze, rng) : maze;
 }
 
 /// The maze as a person sees it, for messages; headings other than north get lost.

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
@@ -73,12 +73,12 @@ class ToyWorld final : public World {
   MazeFacts facts(const Maze& maze) const override { return {bound_of(maze, Rules()).score, {}, {}}; }
 
   ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {
-    Dice dice(result.seed);
+    Rng rng(result.seed);
     const Maze& maze = race.mazes[result.maze].maze;
     ContestOutput held;
     auto figures = std::make_shared<ToyFigures>();
     for (std::uint64_t run = 0; run < 3; ++run) {
-      const bool stumbled = dice.below(100) < conditions_.clumsiness;
+      const bool stumbled = rng.below(100) < conditions_.clumsiness;
       if (stumbled && ++figures->stumbles > 0) continue;
       const auto strategy = race.mice[result.mouse].strategy(maze, brief(maze, {}, result.seed + run));
       const RunRecord record = labmouse::run(maze, Rules(), *strategy);

@@ -77,7 +77,7 @@ def _cached(function: Callable[..., Any], size: "int | None", typed: bool) -> An
     return functools.lru_cache(size, typed)(function)
 
 
-def _shared_dice() -> "list[tuple[ModuleType, str]]":
+def _shared_rngs() -> "list[tuple[ModuleType, str]]":
     """The global random generators of the process. They are never sent by value, since each contest seeds them."""
     numpy = sys.modules.get("numpy.random.mtrand")
     return [(random, "_inst"), *([(numpy, "_rand")] if numpy is not None else [])]
@@ -105,7 +105,7 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc,unused-ignore]
     def __init__(self, file: io.BytesIO, careful: bool) -> None:
         super().__init__(file)
         self.careful = careful
-        self.dice = _shared_dice()
+        self.rng = _shared_rngs()
 
     def reducer_override(self, thing: Any) -> Any:
         """Overrides pickle.Pickler.reducer_override."""
@@ -125,7 +125,7 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc,unused-ignore]
         special = reduced(thing) if is_of_own(thing) or not hasattr(thing, "__wrapped__") else None
         if special is not None:
             return special
-        for module, name in self.dice:
+        for module, name in self.rng:
             shared = getattr(module, name)
             if thing is shared:
                 return getattr, (module, name)

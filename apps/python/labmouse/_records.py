@@ -83,7 +83,7 @@ class Record:
 
     @property
     def outcome(self) -> str:
-        """How it ended: 'finished', 'out of steps', 'forfeit: died' and so on."""
+        """How it ended: 'finished', 'out of steps', 'forfeit: ended early' and so on."""
         return self._held.outcome
 
     @property

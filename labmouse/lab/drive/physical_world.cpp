@@ -37,7 +37,7 @@ std::int64_t done_runs(const DriveRecord& record, const PhysicalNotes& notes) {
 /// What ended a contest without a score.
 RunEnd end_of(const DriveRecord& record, const PhysicalNotes& notes) {
   if (record.outcome == DriveOutcome::forfeit)
-    return record.reason == ForfeitReason::no_way ? RunEnd::no_route_left : RunEnd::given_up;
+    return record.reason == ForfeitReason::no_route ? RunEnd::no_route_left : RunEnd::given_up;
   for (auto end = notes.ends.rbegin(); end != notes.ends.rend(); ++end)
     if (*end != RunEnd::done) return *end;
   return RunEnd::out_of_time;
@@ -102,7 +102,8 @@ class PhysicalWorld : public DriveWorld {
     conditions.trace_every = traced ? trace_ticks : 0;
     if (const auto* program = std::get_if<ControllerProgram>(&mouse.kind))
       return drive_itself(*program, maze, conditions, contest);
-    Briefing briefing = brief(maze, rules(), model(), contest.seed);
+    // The seed of the contest would tell a program in which maze it is.
+    Briefing briefing = brief(maze, rules(), model(), mouse.external ? contest.told : contest.seed);
     briefing.sight = 1;
     briefing.drive.pace = conditions.controller.pace;
     const auto strategy = mouse.driving_strategy(maze, briefing);

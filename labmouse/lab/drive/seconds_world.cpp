@@ -54,7 +54,7 @@ class SecondsWorld final : public DriveWorld {
   std::shared_ptr<DriveFigures> own_figures(const DrivenContest& driven, const DriveScore& /*score*/) const override {
     auto figures = std::make_shared<SecondsFigures>();
     for (const DriveRun& run : driven.record.runs)
-      if (run.has_route()) figures->proven = run.known == run.hoped;
+      if (run.has_route()) figures->proven = run.known == run.possible;
     return figures;
   }
 };

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 

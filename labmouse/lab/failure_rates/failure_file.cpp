@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/failure_rates/builtin_failure_rates.hpp"
 #include "labmouse/lab/failure_rates/physical_settings.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"

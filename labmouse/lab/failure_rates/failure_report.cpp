@@ -95,7 +95,7 @@ std::string table_of(const MeasuredRates& measured, const FailureOrder& order, s
     text += "\n";
     for (const Draws draws : all_draws)
       if (const CountsByMaze some = of_draws(measured, place, static_cast<std::size_t>(draws)); some.all.contests > 0)
-        text += fmt::format("{:<16} {}\n", name_of(draws), finished_text_of(some));
+        text += fmt::format("{:<21} {}\n", name_of(draws), finished_text_of(some));
   }
   const auto heading = [](std::string_view first) {
     return fmt::format("{:<14} {:>9} {:>8} {:>9} {:>15} {:>8}\n", first, "times", "crashes", "of 1000", "95 %",
@@ -104,12 +104,12 @@ std::string table_of(const MeasuredRates& measured, const FailureOrder& order, s
   text += "\n" + heading("manoeuvre");
   for (const Manoeuvre manoeuvre : all_manoeuvres)
     text += manoeuvre_line(name_of(manoeuvre), counts, [&](const FailureCounts& some) { return some.of(manoeuvre); });
-  text += "\n" + heading("lost, %");
+  text += "\n" + heading("error, %");
   for (std::size_t level = 0; level < position_error_levels; ++level)
     text += manoeuvre_line(name_of_level(level), counts, [&](const FailureCounts& some) { return some.at(level); });
   text += fmt::format("\n{:<14} {:>9} {:>9} {:>15} {:>9} {:>9} {:>15}\n", "readings", "beside", "wrong of", "95 %",
                       "ahead", "wrong of", "95 %");
-  text += fmt::format("{:<14} {:>9} {:>9} {:>15} {:>9} {:>9}\n", "lost, %", "", "1000", "", "", "1000");
+  text += fmt::format("{:<14} {:>9} {:>9} {:>15} {:>9} {:>9}\n", "error, %", "", "1000", "", "", "1000");
   for (std::size_t level = 0; level < position_error_levels; ++level) text += readings_line(counts, level);
   return text;
 }
@@ -211,8 +211,8 @@ Json heading_of(const FailureOrder& order, std::span<const Contestant> mice, std
                {"seed", order.seed},
                {"runs", order.runs},
                {"mazes", mazes},
-               {"astray_limits", position_error_limits}};
-  for (const Draws draws : all_draws) json["luck"].push_back(std::string(name_of(draws)));
+               {"error_limits", position_error_limits}};
+  for (const Draws draws : all_draws) json["severity_classes"].push_back(std::string(name_of(draws)));
   for (const Contestant& mouse : mice) json["mice"].push_back(mouse.name);
   return json;
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
@@ -26,12 +26,12 @@ bool ends_in_goal(const RunRecord& record, std::size_t i, const Maze& maze) {
 }
 
 /// A uniform random number from -1 to 1, a multiple of 1e-6.
-double throw_between(Dice& dice) { return (dice.below(2'000'001) - 1'000'000) / 1e6; }
+double throw_between(Rng& rng) { return (rng.below(2'000'001) - 1'000'000) / 1e6; }
 
-Setting shifted(const Parameter& parameter, double value, Dice& dice) {
+Setting shifted(const Parameter& parameter, double value, Rng& rng) {
   const double most = std::max(0.25 * std::abs(value), 0.01 * (parameter.high - parameter.low));
   const ParameterRange range = {parameter, parameter.low, parameter.high};
-  return {std::string(parameter.name), written_value(range, value + most * throw_between(dice))};
+  return {std::string(parameter.name), written_value(range, value + most * throw_between(rng))};
 }
 
 /// The parameters of a mouse; none if it is not a built-in mouse.
@@ -152,11 +152,11 @@ std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint6
   if (!has_numbers(mouse)) return variants;
   for (int number = 0; number < count; ++number) {
     // Each variant has its own seed, so that a larger `count` only appends variants.
-    Dice dice(seed_for(seed, "perturbed", static_cast<std::uint64_t>(number)));
+    Rng rng(seed_for(seed, "perturbed", static_cast<std::uint64_t>(number)));
     std::vector<Setting> values;
     for (const Parameter& parameter : parameters_of(mouse))
       if (is_number(parameter) && parameter.scope != ParameterScope::seconds)
-        values.push_back(shifted(parameter, mouse.settings.real(parameter.name), dice));
+        values.push_back(shifted(parameter, mouse.settings.real(parameter.name), rng));
     Contestant variant = std::move(read_variant(mouse, values).contestants.front());
     const auto is_same = [&](const Contestant& other) { return spec_of(other) == spec_of(variant); };
     if (!is_same(mouse) && std::none_of(variants.begin(), variants.end(), is_same))

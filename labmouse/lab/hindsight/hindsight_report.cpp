@@ -23,8 +23,9 @@ std::string line_of(double bound, double score, double best_stop, const std::opt
 std::string others_text(const Hindsight& hindsight) {
   if (hindsight.order.others == 0) return "";
   if (!hindsight.has_others)
-    return fmt::format("{} has no numeric parameters to vary and throws no dice, so it has no best of several.\n",
-                       hindsight.mouse);
+    return fmt::format(
+        "{} has no numeric parameters to vary and makes no random choices, so it has no best of several.\n",
+        hindsight.mouse);
   if (hindsight.is_stochastic)
     return fmt::format("{}: in each maze, the lowest score of its contests and of {} more seeds.\n", best_of(hindsight),
                        hindsight.order.others);

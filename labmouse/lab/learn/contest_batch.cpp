@@ -85,7 +85,7 @@ void ContestBatch::bind(const BatchMemory& memory) {
 
 void ContestBatch::seed(int contest, std::uint64_t seed) {
   Contest& seeded = contests_[static_cast<std::size_t>(contest)];
-  seeded.dice = Dice(seed_for(seed, "contests"));
+  seeded.rng = Rng(seed_for(seed, "contests"));
   seeded.played = 0;
 }
 
@@ -115,7 +115,7 @@ std::uint64_t ContestBatch::next_maze(std::size_t contest) {
   const std::uint64_t turn = contest + next.played++ * contests_.size();
   if (order_ == MazeOrder::in_turn) return maze_count_ == 0 ? turn : turn % maze_count_;
   // 63 bits, so that the number fits into a signed 64-bit integer.
-  const std::uint64_t drawn = next.dice.bits() >> 1U;
+  const std::uint64_t drawn = next.rng.bits() >> 1U;
   return maze_count_ == 0 ? drawn : drawn % maze_count_;
 }
 
@@ -353,11 +353,11 @@ void ContestBatch::prefetch(std::size_t contest) const {
     __builtin_prefetch(&memory_.bytes[(contest * area() + cell) * BeliefBytes::units_a_cell], 1);
 }
 
-void ContestBatch::draw_valid_choices(Dice& dice, std::span<std::int64_t> choices) const {
+void ContestBatch::draw_valid_choices(Rng& rng, std::span<std::int64_t> choices) const {
   assert(choices.size() == contests_.size());
   for (std::size_t i = 0; i < contests_.size(); ++i) {
     const ValidChoices& valid = valid_choices_of_cases[contests_[i].choice_case];
-    const std::uint64_t drawn = (dice.bits() >> 32U) * static_cast<std::uint64_t>(valid.count) >> 32U;
+    const std::uint64_t drawn = (rng.bits() >> 32U) * static_cast<std::uint64_t>(valid.count) >> 32U;
     choices[i] = valid.list[drawn];
   }
 }

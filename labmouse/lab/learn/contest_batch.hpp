@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/learn/belief.hpp"
 #include "labmouse/lab/learn/choices.hpp"
@@ -101,11 +101,11 @@ class ContestBatch {
   [[nodiscard]] bool step(std::span<const std::int64_t> choices, const Stop& stop = {});
 
   /// Draws a valid choice for each contest, uniformly (within 2^-32).
-  void draw_valid_choices(Dice& dice, std::span<std::int64_t> choices) const;
+  void draw_valid_choices(Rng& rng, std::span<std::int64_t> choices) const;
 
  private:
   struct Contest {
-    Dice dice{0};
+    Rng rng{0};
     std::uint64_t played = 0;  // contests begun
     std::uint32_t slot = 0;    // its maze's table
     std::int16_t clock = 0;

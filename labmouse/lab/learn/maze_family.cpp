@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 
 namespace labmouse {
 namespace {
@@ -12,8 +12,8 @@ constexpr int attempts_before_refusal = 4096;
 
 std::uint64_t content_of(const Maze& maze) {
   const Size size = maze.size();
-  std::uint64_t hash = Dice(static_cast<std::uint64_t>(size.width * (max_side + 1) + size.height)).bits();
-  const auto mix = [&](std::uint64_t bits) { hash = Dice(hash ^ bits).bits(); };
+  std::uint64_t hash = Rng(static_cast<std::uint64_t>(size.width * (max_side + 1) + size.height)).bits();
+  const auto mix = [&](std::uint64_t bits) { hash = Rng(hash ^ bits).bits(); };
   for (int y = 0; y < size.height; ++y) {
     mix(maze.open_walls().north().row(y));
     mix(maze.open_walls().east().row(y));
@@ -23,10 +23,10 @@ std::uint64_t content_of(const Maze& maze) {
   return hash;
 }
 
-Dice dice_of(std::uint64_t number) { return Dice(seed_for(0, "learn", number)); }
+Rng dice_of(std::uint64_t number) { return Rng(seed_for(0, "learn", number)); }
 
-Maze next_maze(const MazeFamily& family, Dice& dice) {
-  return family.generator->make({family.size, dice.bits(), family.loops});
+Maze next_maze(const MazeFamily& family, Rng& rng) {
+  return family.generator->make({family.size, rng.bits(), family.loops});
 }
 
 }  // namespace
@@ -46,16 +46,16 @@ std::string_view refuses(const MazeFamily& family) {
   const GeneratorOrder order{family.size, 1, family.loops};
   if (const auto reason = refuses_out_of_range(order); !reason.empty()) return reason;
   if (const auto reason = family.generator->refuses(order); !reason.empty()) return reason;
-  Dice dice = dice_of(0);
+  Rng rng = dice_of(0);
   for (int attempt = 0; attempt < attempts_before_refusal; ++attempt)
-    if (split_of(next_maze(family, dice)) == family.split) return {};
+    if (split_of(next_maze(family, rng)) == family.split) return {};
   return "so few mazes of this kind and size exist that none is in this split; choose a larger size";
 }
 
 Maze maze_of(const MazeFamily& family, std::uint64_t number) {
   // This ends with probability 1: refuses() has found such a maze, so each attempt has a positive chance.
-  for (Dice dice = dice_of(number);;)
-    if (const Maze maze = next_maze(family, dice); split_of(maze) == family.split) return maze;
+  for (Rng rng = dice_of(number);;)
+    if (const Maze maze = next_maze(family, rng); split_of(maze) == family.split) return maze;
 }
 
 }  // namespace labmouse

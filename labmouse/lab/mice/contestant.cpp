@@ -12,6 +12,7 @@ bool Contestant::walks() const {
 }
 
 bool Contestant::drives() const {
+  if (const auto* program = std::get_if<MmsProgram>(&kind)) return program->drive != nullptr;
   const auto* decider = std::get_if<Decider>(&kind);
   return decider != nullptr && decider->drive != nullptr;
 }
@@ -21,6 +22,7 @@ std::unique_ptr<Strategy> Contestant::strategy(const Maze& maze, const Briefing&
 }
 
 std::unique_ptr<DrivingStrategy> Contestant::driving_strategy(const Maze& maze, const Briefing& briefing) const {
+  if (const auto* program = std::get_if<MmsProgram>(&kind)) return program->drive(briefing);
   return std::get<Decider>(kind).drive(maze, briefing);
 }
 

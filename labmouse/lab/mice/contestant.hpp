@@ -56,7 +56,10 @@ using PlayedContests = std::map<std::pair<std::string, std::uint64_t>, PlayedCon
 using ControllerProgram = std::function<std::unique_ptr<ControllerCode>(const ControllerBriefing&)>;
 
 /// A program that talks to mms: how to start it.
-using MmsProgram = Launch;
+struct MmsProgram : Launch {
+  /// Starts it as a strategy for a contest with a briefing in seconds.
+  std::function<std::unique_ptr<DrivingStrategy>(const Briefing&)> drive = {};
+};
 
 /// A mouse with its parameters; each contest makes a new strategy or process of it.
 struct Contestant {
@@ -100,11 +103,11 @@ struct Contestant {
 
   /// Whether it races in steps.
   bool walks() const;
-  /// Whether it races in seconds as a Decider.
+  /// Whether it races in seconds, driven by a controller.
   bool drives() const;
   /// Its strategy for a contest in that maze, with that briefing in steps. Only for a Decider that walks.
   std::unique_ptr<Strategy> strategy(const Maze& maze, const Briefing& briefing) const;
-  /// The same in seconds. Only for a Decider that drives.
+  /// The same in seconds. Only for a mouse that drives.
   std::unique_ptr<DrivingStrategy> driving_strategy(const Maze& maze, const Briefing& briefing) const;
 };
 

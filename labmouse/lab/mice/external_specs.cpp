@@ -13,6 +13,7 @@
 #include "labmouse/external/command_line.hpp"
 #include "labmouse/external/external_controller.hpp"
 #include "labmouse/external/external_strategy.hpp"
+#include "labmouse/external/mms/driven_mms.hpp"
 #include "labmouse/external/sandbox.hpp"
 #include "labmouse/external/surroundings.hpp"
 #include "labmouse/lab/mice/controller_lines.hpp"
@@ -20,6 +21,7 @@
 #include "labmouse/lab/mice/maze_holders.hpp"
 #include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "labmouse/mouse/driven_steps.hpp"
 
 namespace labmouse {
 namespace {
@@ -43,13 +45,14 @@ Launch seeded(Launch launch, std::uint64_t seed) {
   return launch;
 }
 
-/// An external mouse of that kind. `runs` is the number of contests in each maze in the world of steps.
+/// An external mouse of that kind. `runs` is the number of contests in each maze.
 Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) {
   Contestant contestant;
   if (kind == "mms:") {
-    // A mouse for mms has one run in each maze, independent of `runs`.
-    contestant.runs = 1;
-    contestant.kind = seeded(launch, 0);
+    contestant.runs = runs;
+    contestant.kind = MmsProgram{seeded(launch, 0), [launch](const Briefing& briefing) {
+                                   return std::make_unique<DrivenMms>(seeded(launch, briefing.seed), briefing);
+                                 }};
   } else if (kind == "controller:") {
     contestant.kind = [launch](const ControllerBriefing& briefing) {
       return std::make_unique<ExternalController>(seeded(launch, briefing.seed), controller_lines(briefing));
@@ -59,7 +62,11 @@ Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) 
     const auto make = [launch](const Maze&, const Briefing& briefing) {
       return std::make_unique<ExternalStrategy>(seeded(launch, briefing.seed), briefing);
     };
-    contestant.kind = Decider{make};
+    const auto drive = [launch](const Maze& maze, const Briefing& briefing) {
+      auto mouse = std::make_unique<ExternalStrategy>(seeded(launch, briefing.seed), steps_briefing(briefing));
+      return std::make_unique<DrivenSteps>(briefing, maze.open_walls(), std::move(mouse));
+    };
+    contestant.kind = Decider{make, drive};
   }
   return contestant;
 }

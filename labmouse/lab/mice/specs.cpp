@@ -417,7 +417,8 @@ std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
   std::vector<std::string_view> drivers;
   for (const BuiltinMouse* entry : all_mice())
     if (entry->drives()) drivers.push_back(entry->name);
-  return fmt::format("mouse '{}' cannot drive in seconds; mice that can are {}", stays->name, fmt::join(drivers, ", "));
+  return fmt::format("mouse '{}' cannot drive in seconds; mice that can are external ones and {}", stays->name,
+                     fmt::join(drivers, ", "));
 }
 
 std::string refuse_to_walk(const Contestant& mouse) {

@@ -9,9 +9,9 @@ namespace labmouse {
 namespace {
 
 /// A normal deviate by the polar method (Marsaglia and Bray 1964); the second one of the pair is not used.
-double deviate(Dice& dice) {
+double deviate(Rng& rng) {
   for (;;) {
-    const double u = 2.0 * dice.unit() - 1.0, v = 2.0 * dice.unit() - 1.0;
+    const double u = 2.0 * rng.unit() - 1.0, v = 2.0 * rng.unit() - 1.0;
     const double square = u * u + v * v;
     if (square > 0.0 && square < 1.0) return u * std::sqrt(-2.0 * std::log(square) / square);
   }
@@ -60,7 +60,7 @@ Evolution::Evolution(const EvolutionOrder& order)
     : dimension_(order.start.size()),
       population_(order.population > 0 ? order.population : usual_population(dimension_)),
       constants_(constants_of(dimension_, population_)),
-      dice_(order.seed),
+      rng_(order.seed),
       mean_(order.start),
       step_(order.step),
       path_(dimension_, 0.0),
@@ -86,7 +86,7 @@ std::vector<UnitPoint> Evolution::ask() {
 UnitPoint Evolution::thrown_step() {
   UnitPoint step(dimension_, 0.0);
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
-    const double along = axes_.values[axis] * deviate(dice_);
+    const double along = axes_.values[axis] * deviate(rng_);
     for (std::size_t d = 0; d < dimension_; ++d) step[d] += along * axes_.vectors(d, axis);
   }
   return step;

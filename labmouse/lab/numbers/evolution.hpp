@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/numbers/eigenvectors.hpp"
 
 namespace labmouse {
@@ -72,7 +72,7 @@ class Evolution {
   std::size_t dimension_;
   int population_;
   Constants constants_;
-  Dice dice_;
+  Rng rng_;
   UnitPoint mean_;  ///< not reflected: may lie outside of the cube
   double step_;
   UnitPoint path_, shape_path_;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/numbers/student.hpp"
 #include "labmouse/lab/numbers/wilson.hpp"
 
@@ -52,12 +52,12 @@ struct Reach {
 /// standard error of 0 count as ±`most`, by the sign of their mean.
 Reach bootstrap_reach(std::span<const MazeSum> mazes, double centre, double most, std::uint64_t seed) {
   constexpr std::size_t samples = 1999, tail = 50;  // 2.5 % on each side
-  Dice dice(seed);
+  Rng rng(seed);
   const int count = static_cast<int>(mazes.size());
   std::vector<double> found(samples);
   for (double& t : found) {
     Sums sums(centre);
-    for (int i = 0; i < count; ++i) sums.add(mazes[static_cast<std::size_t>(dice.below(count))]);
+    for (int i = 0; i < count; ++i) sums.add(mazes[static_cast<std::size_t>(rng.below(count))]);
     const double error = sums.standard_error(), mean = sums.mean();
     t = error > 0.0 ? std::clamp(mean / error, -most, most) : mean > 0.0 ? most : mean < 0.0 ? -most : 0.0;
   }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 
 namespace labmouse {
 namespace {
@@ -44,9 +44,9 @@ double sign_flip_test(std::span<const double> differences, std::uint64_t seed) {
       if (std::abs(flipped_sum(sizes, [&] { return way; })) >= limit) ++as_far;
     return static_cast<double>(as_far) / static_cast<double>(ways);
   }
-  Dice dice(seed);
+  Rng rng(seed);
   for (int i = 0; i < samples; ++i)
-    if (std::abs(flipped_sum(sizes, [&] { return dice.bits(); })) >= limit) ++as_far;
+    if (std::abs(flipped_sum(sizes, [&] { return rng.bits(); })) >= limit) ++as_far;
   // The observed assignment counts as one of the samples.
   return (as_far + 1.0) / (samples + 1.0);
 }

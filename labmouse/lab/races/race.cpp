@@ -4,7 +4,7 @@
 #include <mutex>
 #include <set>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/mouse/action.hpp"
 
@@ -12,6 +12,7 @@ namespace labmouse {
 namespace {
 
 int runs_of(const Contestant& mouse, const RaceOrder& order) {
+  if (!order.world->numbers_runs()) return 1;
   if (mouse.runs > 0) return mouse.runs;
   return mouse.uses_chance || order.world->is_stochastic() ? order.runs : 1;
 }

@@ -3,6 +3,7 @@
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/records/physical_lines.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
+#include "labmouse/lab/records/record_parts.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/json_lines.hpp"
@@ -41,8 +42,8 @@ class Reading {
 
 /// Nothing where the key holds null, else what `read` returns.
 template <class Read>
-auto optional_of(const ReadJson& json, const char* key, Read read) -> std::optional<decltype(read())> {
-  if (json.contains(key) && json[key].is_null()) return std::nullopt;
+auto optional_of(JsonFields& fields, const char* key, Read read) -> std::optional<decltype(read())> {
+  if (fields.value(key).is_null()) return std::nullopt;
   return read();
 }
 
@@ -126,15 +127,15 @@ std::string Reading::begin_run(const ReadJson& json) {
   DriveRun run;
   const std::string kind(today_value(fields.text("run")));
   bool known = false;
-  for (const auto each : {DriveRun::Kind::search, DriveRun::Kind::home, DriveRun::Kind::fast, DriveRun::Kind::laps})
+  for (const auto each : {DriveRun::Kind::search, DriveRun::Kind::home, DriveRun::Kind::speed, DriveRun::Kind::laps})
     if (kind == name_of(each)) run.kind = each, known = true;
-  if (!known) fields.fail("has a run that is not one of search, home, fast, laps");
+  if (!known) fields.fail("has a run that is not one of search, home, speed, laps");
   run.begin = run.end = fields.long_whole("begin", 0, longest_time);
-  const auto hope = [&](const char* key) {
-    return optional_of(json, key, [&] { return fields.whole(key, 0, no_time - 1); }).value_or(no_time);
+  const auto time_of = [&](const char* key) {
+    return optional_of(fields, key, [&] { return fields.whole(key, 0, no_time - 1); }).value_or(no_time);
   };
-  run.known = hope("known");
-  run.hoped = hope("hoped");
+  run.known = time_of("known");
+  run.possible = time_of("possible");
   run.open = walls_in(json, "open", size(), fields);
   run.closed = walls_in(json, "closed", size(), fields);
   run.touched = file_.physical && fields.has("touched") && fields.flag("touched");
@@ -151,7 +152,7 @@ std::string Reading::end_run(const ReadJson& json) {
   DriveRun& run = runs().back();
   run.end = fields.long_whole("end", 0, longest_time);
   const auto moment = [&](const char* key) {
-    return optional_of(json, key, [&] { return fields.long_whole(key, 0, longest_time); });
+    return optional_of(fields, key, [&] { return fields.long_whole(key, 0, longest_time); });
   };
   run.gate_out = moment("gate_out");
   run.gate_in = moment("gate_in");
@@ -225,11 +226,9 @@ std::string Reading::read_end(const ReadJson& json) {
     if (name == name_of(each)) record.outcome = each, known = true;
   if (!known) return fmt::format("'outcome' is '{}', which this version does not know", name);
   if (record.outcome == DriveOutcome::forfeit) {
-    const std::string reason = fields.text("reason");
-    known = false;
-    for (const ForfeitReason each : all_forfeit_reasons)
-      if (reason == name_of(each)) record.reason = each, known = true;
-    if (!known) fields.fail("has a reason that this version does not know");
+    const auto reason = forfeit_reason_of(fields.text("reason"));
+    if (!reason) fields.fail("has a reason that this version does not know");
+    record.reason = reason.value_or(ForfeitReason::none);
   }
   record.decisions = fields.whole("decisions", 0, 1'000'000'000);
   record.replanned = fields.whole("replanned", 0, 1'000'000'000);

@@ -66,7 +66,8 @@ class Replay {
     DriveRun& played = played_.runs.emplace_back();
     played.kind = run.kind;
     played.begin = played.end = run.begin;
-    if (std::string wrong = run.kind == DriveRun::Kind::fast ? play_route(run, whole) : play_moves(run); !wrong.empty())
+    if (std::string wrong = run.kind == DriveRun::Kind::speed ? play_route(run, whole) : play_moves(run);
+        !wrong.empty())
       return wrong;
     if (run.kind == DriveRun::Kind::home && whole && driver_.place() != start_ && !driver_.out_of_time())
       return "it does not end at rest at the start";
@@ -80,10 +81,10 @@ class Replay {
 
   /// Checks whether the contest allows this kind of run at this time and place.
   std::string compare_beginning(const DriveRun& run) {
-    const bool search = run.kind == DriveRun::Kind::search, fast = run.kind == DriveRun::Kind::fast;
+    const bool search = run.kind == DriveRun::Kind::search, fast = run.kind == DriveRun::Kind::speed;
     if (played_.runs.empty() && !search) return "the first run of a contest must be a search";
     // The mouse is carried to the start between two speed runs. Only a run home may begin elsewhere.
-    if (fast && played_.runs.back().kind == DriveRun::Kind::fast) driver_.carry_to_start();
+    if (fast && played_.runs.back().kind == DriveRun::Kind::speed) driver_.carry_to_start();
     if ((search || fast) && driver_.place() != start_) return "it begins at the start, but the mouse is elsewhere";
     if (!search && !goal_entered()) return "it begins before a goal was entered";
     if (run.begin != driver_.clock())
@@ -112,10 +113,10 @@ class Replay {
                          run.open.count() == known.open().count() && run.closed.count() == closed.count()
                              ? ", but different ones"
                              : "");
-    const DriveTime hoped = time_over(known.possible()), best = time_over(known.open());
-    if (run.hoped == hoped && run.known == best) return "";
-    return fmt::format("recorded with a known route of {} and a hoped-for one of {}; replayed, {} and {}",
-                       route_time(run.known), route_time(run.hoped), route_time(best), route_time(hoped));
+    const DriveTime possible = time_over(known.possible()), best = time_over(known.open());
+    if (run.possible == possible && run.known == best) return "";
+    return fmt::format("recorded with a known route of {} and a possible one of {}; replayed, {} and {}",
+                       route_time(run.known), route_time(run.possible), route_time(best), route_time(possible));
   }
 
   DriveTime time_over(const WallSet& passages) {

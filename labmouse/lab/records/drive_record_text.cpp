@@ -21,7 +21,7 @@ std::string run_line(const DriveRun& run, std::size_t index) {
   return fmt::format("{:>3}  {:<6} {:>9.3f} {:>9.3f} {:>8} {:>8} {:>8} {:>8}\n", index + 1, name_of(run.kind),
                      in_seconds(run.begin), in_seconds(run.end), number(between_gates(run)),
                      number(run.centre ? std::optional(*run.centre - run.begin) : std::nullopt), number(run.known),
-                     number(run.hoped));
+                     number(run.possible));
 }
 
 /// "48.214 of 100 marks = 9/12 dead ends * 18/28 steps"
@@ -68,7 +68,7 @@ std::string result_line(const DriveRecordFile& file) {
 
 std::string summary_of(const DriveRecordFile& file) {
   std::string text = fmt::format("{:>3}  {:<6} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "run", "", "begin s", "end s",
-                                 "gates", "centre", "known", "hoped");
+                                 "gates", "centre", "known", "possible");
   for (std::size_t i = 0; i < file.record.runs.size(); ++i) {
     std::string line = run_line(file.record.runs[i], i);
     if (file.physical && i < file.physical->notes.ends.size())

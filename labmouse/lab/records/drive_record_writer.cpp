@@ -47,7 +47,7 @@ Json walls_json(const WallSet& walls, Size size) {
 
 Json run_json(const DriveRun& run, Size size) {
   Json json = {{"run", name_of(run.kind)},           {"begin", run.begin},
-               {"known", time_json(run.known)},      {"hoped", time_json(run.hoped)},
+               {"known", time_json(run.known)},      {"possible", time_json(run.possible)},
                {"open", walls_json(run.open, size)}, {"closed", walls_json(run.closed, size)}};
   if (run.touched) json["touched"] = true;
   if (run.pace != 1.0) json["pace"] = run.pace;

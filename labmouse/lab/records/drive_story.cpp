@@ -59,7 +59,7 @@ class Story {
     const DriveRun& run = record_.runs[i];
     bool ran = false;
     for (std::size_t before = 0; before < i; ++before) {
-      const bool fast = record_.runs[before].kind == Kind::fast;
+      const bool fast = record_.runs[before].kind == Kind::speed;
       if (fast && !did_not_end_well(before)) return false;
       ran = ran || fast;
     }
@@ -87,7 +87,7 @@ class Story {
 
   void set_out(std::size_t i) {
     const DriveRun& run = record_.runs[i];
-    const bool stayed = i > 0 && record_.runs[i - 1].kind == Kind::fast && end_of(i - 1) == RunEnd::no_route_left;
+    const bool stayed = i > 0 && record_.runs[i - 1].kind == Kind::speed && end_of(i - 1) == RunEnd::no_route_left;
     if (i > 0 && did_not_end_well(i - 1) && run.touched && !stayed) add(run.begin, "was carried to the start");
     const std::string pace = pace_words(i);
     switch (run.kind) {
@@ -98,7 +98,7 @@ class Story {
         return add(run.begin, (last(Kind::search, i) ? "searches again" : "searches") + pace);
       case Kind::home:
         return add(run.begin, "goes home" + why_home(i) + pace);
-      case Kind::fast:
+      case Kind::speed:
         return add(run.begin, "runs by the fastest route that it knows" +
                                   (run.known < no_time ? ", of " + text_of(run.known) : "") + pace);
       case Kind::laps:
@@ -109,16 +109,16 @@ class Story {
   /// Why the mouse went home, by the open and closed walls in its map at that time.
   std::string why_home(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
-    if (i > 0 && (record_.runs[i - 1].kind == Kind::fast || makes_sure(i - 1))) return " from its run";
-    WallSet possible = WallSet::all(file_.maze->size());
-    possible -= run.closed;
+    if (i > 0 && (record_.runs[i - 1].kind == Kind::speed || makes_sure(i - 1))) return " from its run";
+    WallSet not_closed = WallSet::all(file_.maze->size());
+    not_closed -= run.closed;
     // A record of the failure model lacks the times of the known and the possible route, so they are computed here.
     const DriveTime known = run.known < no_time ? run.known : fastest_over(run.open);
-    const DriveTime hoped = run.hoped < no_time ? run.hoped : fastest_over(possible);
-    if (known >= no_time || hoped >= no_time) return "";
-    return hoped < known ? fmt::format(": it knows a route of {}, and none of {}, which may be, is worth the way",
-                                       text_of(known), text_of(hoped))
-                         : fmt::format(": no route can be faster than that of {} which it knows", text_of(known));
+    const DriveTime possible = run.possible < no_time ? run.possible : fastest_over(not_closed);
+    if (known >= no_time || possible >= no_time) return "";
+    return possible < known ? fmt::format(": it knows a route of {}, and to look for one of {} is not worth the time",
+                                          text_of(known), text_of(possible))
+                            : fmt::format(": no route can be faster than that of {} which it knows", text_of(known));
   }
 
   DriveTime fastest_over(const WallSet& walls) const {
@@ -142,7 +142,7 @@ class Story {
     add_laps(run);
     switch (end_of(i)) {
       case RunEnd::done:
-        if ((run.kind == Kind::fast || makes_sure(i)) && run.gate_in && run.gate_out)
+        if ((run.kind == Kind::speed || makes_sure(i)) && run.gate_in && run.gate_out)
           add(*run.gate_in,
               fmt::format("is in the goal, {} after the start's gate", text_of(*run.gate_in - *run.gate_out)));
         return;

@@ -43,35 +43,42 @@ std::optional<Action> read_unusual_step(std::string_view text) {
   return movement ? std::optional(Action::step(*rotation, *movement)) : std::nullopt;
 }
 
-std::optional<Action> read_forfeit(std::string_view text) {
-  for (const ForfeitReason reason : all_forfeit_reasons)
-    if (text.substr(1).starts_with(name_of(reason))) {
-      const Action forfeit = Action::forfeit(reason);
-      if (text.starts_with(text_of(forfeit))) return forfeit;
-    }
-  return std::nullopt;
+/// An action, and how many characters it takes.
+struct PackedAction {
+  Action action;
+  std::size_t length = 0;
+};
+
+std::optional<PackedAction> read_forfeit(std::string_view text) {
+  const std::size_t end = text.find(';');
+  if (end == std::string_view::npos) return std::nullopt;
+  const auto reason = forfeit_reason_of(text.substr(1, end - 1));
+  return reason ? std::optional(PackedAction{Action::forfeit(*reason), end + 1}) : std::nullopt;
 }
 
 /// The action that the text, which is not empty, begins with.
-std::optional<Action> read_action(std::string_view text) {
+std::optional<PackedAction> read_action(std::string_view text) {
   const char letter = text.front();
-  if (letter >= first_letter && letter <= last_letter) return usual_step(letter);
-  if (letter == reset_letter) return Action::reset();
-  const auto action = letter == '(' ? read_unusual_step(text) : letter == '!' ? read_forfeit(text) : std::nullopt;
+  if (letter == '!') return read_forfeit(text);
+  std::optional<Action> action;
+  if (letter >= first_letter && letter <= last_letter) action = usual_step(letter);
+  if (letter == reset_letter) action = Action::reset();
+  if (letter == '(') action = read_unusual_step(text);
   // Other forms of the same action are refused.
-  if (action && text.starts_with(text_of(*action))) return action;
-  return std::nullopt;
+  if (!action || !text.starts_with(text_of(*action))) return std::nullopt;
+  return PackedAction{*action, text_of(*action).size()};
 }
 
 void read_actions(std::string_view text, JsonFields& fields, RunRecord& run) {
-  for (std::size_t at = 0; at < text.size(); at += text_of(run.steps.back().action).size()) {
+  for (std::size_t at = 0; at < text.size();) {
     if (run.steps.size() == longest_record) return fields.fail(fmt::format("has more than {} actions", longest_record));
-    const auto action = read_action(text.substr(at));
-    if (!action) return fields.fail(fmt::format("has no action at character {} of 'actions'", at + 1));
+    const auto packed = read_action(text.substr(at));
+    if (!packed) return fields.fail(fmt::format("has no action at character {} of 'actions'", at + 1));
     StepRecord step;
     step.step = static_cast<int>(run.steps.size()) + 1;
-    step.action = *action;
+    step.action = packed->action;
     run.steps.push_back(step);
+    at += packed->length;
   }
 }
 

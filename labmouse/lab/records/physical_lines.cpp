@@ -10,6 +10,7 @@
 #include "labmouse/lab/failure_rates/physical_settings.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
+#include "labmouse/lab/records/record_parts.hpp"
 #include "labmouse/lab/text/number_rows.hpp"
 
 namespace labmouse {
@@ -54,8 +55,8 @@ Action decision_of(const ReadJson& json, JsonFields& fields) {
     return Action::step(fields.whole(json[0], "actions", -180, 180),
                         fields.whole(json[1], "actions", 0, max_drive_side));
   if (json == "reset") return Action::reset();
-  for (const ForfeitReason reason : all_forfeit_reasons)
-    if (json == name_of(reason)) return Action::forfeit(reason);
+  if (const auto reason = forfeit_reason_of(json.is_string() ? json.get<std::string>() : ""))
+    return Action::forfeit(*reason);
   fields.fail("has an action that is neither [rotation, cells] nor reset nor a reason to give up");
   return Action::reset();
 }
@@ -157,7 +158,7 @@ Json conditions_json(const PhysicalPart& part) {
       {"trace_every", conditions.trace_every}};
   if (conditions.controller.pace != 1.0) json["pace"] = conditions.controller.pace;
   if (part.notes.foreign_parts) json["foreign_parts"] = true;
-  if (part.notes.by_dice) json["failure_rates"] = {{"name", part.failure_rates}, {"hash", part.rates_hash}};
+  if (part.notes.by_failure_model) json["failure_rates"] = {{"name", part.failure_rates}, {"hash", part.rates_hash}};
   return json;
 }
 
@@ -222,8 +223,8 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
   part.conditions.handling = fields.long_whole("handling", 0, longest_time);
   part.conditions.trace_every = fields.whole("trace_every", 0, 1'000'000);
   part.notes.foreign_parts = fields.has("foreign_parts") && fields.flag("foreign_parts");
-  part.notes.by_dice = fields.has("failure_rates");
-  if (part.notes.by_dice) {
+  part.notes.by_failure_model = fields.has("failure_rates");
+  if (part.notes.by_failure_model) {
     JsonFields failure_rates(fields.value("failure_rates"), "failure_rates");
     part.failure_rates = failure_rates.text("name");
     part.rates_hash = failure_rates.text("hash");

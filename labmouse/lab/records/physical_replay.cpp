@@ -123,7 +123,7 @@ PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every) {
   std::vector<double> paces;
   for (const DriveRun& run : file.record.runs) paces.push_back(run.pace);
   Script script(file.maze->size(), file.physical->notes.actions, std::move(paces));
-  if (file.physical->notes.by_dice) {
+  if (file.physical->notes.by_failure_model) {
     const FailureRates failure_rates = rates_of(*rates_behind(*file.physical));
     return drive_with_failures(*file.maze, file.rules, *file.model, conditions, failure_rates, file.seed, script);
   }
@@ -131,13 +131,13 @@ PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every) {
 }
 
 std::string replay_physically(const DriveRecordFile& file) {
-  const bool by_dice = file.physical->notes.by_dice;
-  if (const int edition = by_dice ? failures_edition : physical_edition; file.physical->edition != edition)
+  const bool by_failure_model = file.physical->notes.by_failure_model;
+  if (const int edition = by_failure_model ? failures_edition : physical_edition; file.physical->edition != edition)
     return fmt::format(
         "it was driven in edition {} of the {} world; this version has edition {}, so it can be "
         "shown and not driven again",
-        file.physical->edition, by_dice ? "failures" : "physical", edition);
-  if (by_dice && !rates_behind(*file.physical))
+        file.physical->edition, by_failure_model ? "failures" : "physical", edition);
+  if (by_failure_model && !rates_behind(*file.physical))
     return fmt::format(
         "it was run with the failure rates {} ({}), which are not built in; it can be shown and not driven again",
         shown(file.physical->failure_rates), shown(file.physical->rates_hash));

@@ -46,4 +46,10 @@ std::optional<Outcome> outcome_of(std::string_view name) {
   return std::nullopt;
 }
 
+std::optional<ForfeitReason> forfeit_reason_of(std::string_view name) {
+  for (const ForfeitReason reason : all_forfeit_reasons)
+    if (name_of(reason) == today_value(name)) return reason;
+  return std::nullopt;
+}
+
 }  // namespace labmouse

@@ -22,7 +22,10 @@ std::string read_record_rules(const ReadJson& json, Rules& rules);
 /// Reads the object `counts`, the mouse's own counters; returns what is wrong, or nothing.
 std::string read_record_counts(const ReadJson& json, std::vector<Count>& counts);
 
-/// The outcome with that name, if there is one.
+/// The outcome with that name, of today or of earlier versions.
 std::optional<Outcome> outcome_of(std::string_view name);
+
+/// The reason of a forfeit with that name, of today or of earlier versions.
+std::optional<ForfeitReason> forfeit_reason_of(std::string_view name);
 
 }  // namespace labmouse

@@ -54,8 +54,9 @@ Action read_action(const ReadJson& json, JsonFields& fields) {
   if (json.is_array() && json.size() == 2)
     return Action::step(fields.whole(json[0], "action", -far, far), fields.whole(json[1], "action", -far, far));
   if (json == "reset") return Action::reset();
-  for (const ForfeitReason reason : all_forfeit_reasons)
-    if (json == "forfeit: " + std::string(name_of(reason))) return Action::forfeit(reason);
+  constexpr std::string_view forfeit = "forfeit: ";
+  if (const std::string text = json.is_string() ? json.get<std::string>() : ""; text.starts_with(forfeit))
+    if (const auto reason = forfeit_reason_of(text.substr(forfeit.size()))) return Action::forfeit(*reason);
   return fields.fail("has an action that is neither [rotation, movement] nor reset nor forfeit"), Action();
 }
 

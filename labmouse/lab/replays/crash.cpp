@@ -42,7 +42,7 @@ std::optional<DrivePathPoint> crash_of(const DriveRecordFile& file, std::size_t 
   const PhysicalNotes& notes = file.physical->notes;
   const DriveRun& run = file.record.runs[index];
   if (const WallTouch* touch = crash_in(file, run)) return touched_at(file, *touch);
-  if (!notes.by_dice || index >= notes.ends.size() || !is_crash(notes.ends[index])) return std::nullopt;
+  if (!notes.by_failure_model || index >= notes.ends.size() || !is_crash(notes.ends[index])) return std::nullopt;
   if (run.has_route())
     if (const auto crash = crash_on_route(file, run)) return crash;
   const Cell cell = before.pose.cell;

@@ -15,7 +15,7 @@ void add_frames(const RecordFile& file, Json& play);
 /// Adds `action`, `blocked`, `left`, `ahead`, `right`, `entered`, and `known`.
 void add_steps(const RecordFile& file, Json& play);
 
-/// An action in words: "right, 3", "ahead 2", "back 1", "reset", "forfeit: no way".
+/// An action in words: "right, 3", "ahead 2", "back 1", "reset", "forfeit: no route".
 std::string short_words(const Action& action);
 
 }  // namespace labmouse

@@ -52,7 +52,7 @@ DriveRun best_run(const DriveRecordFile& contest) {
   FastestRoutes routes(maze.size(), route_tables_of(*contest.model));
   routes.fill(maze.open_walls(), maze.goals());
   DriveRun run;
-  run.kind = DriveRun::Kind::fast;
+  run.kind = DriveRun::Kind::speed;
   routes.route_from({maze.start(), maze.start_heading()}, run.route);
   if (run.route.time == no_time) return run;
   run.end = run.route.time;
@@ -105,7 +105,7 @@ Json run_json(const DriveRun& run) {
                {"gate_in", or_null(run.gate_in)},
                {"centre", or_null(run.centre)},
                {"known", time_json(run.known)},
-               {"hoped", time_json(run.hoped)}};
+               {"possible", time_json(run.possible)}};
   if (run.kind == DriveRun::Kind::laps) json["laps"] = run.laps;
   if (run.dead_ends) json["dead_ends"] = dead_ends_json(*run.dead_ends);
   return json;

@@ -82,13 +82,13 @@ class DriveReplay final : public Replay {
     Json conditions = {{"robot", robot_json(file_.model->robot, parts)}, {"rules", rules_json(file_.rules)}};
     if (!file_.physical) return RecordedWorld{"seconds", std::move(conditions)};
     const PhysicalPart& part = *file_.physical;
-    const bool by_dice = part.notes.by_dice;
-    if (part.edition != (by_dice ? failures_edition : physical_edition) || part.notes.foreign_parts)
+    const bool by_failure_model = part.notes.by_failure_model;
+    if (part.edition != (by_failure_model ? failures_edition : physical_edition) || part.notes.foreign_parts)
       return std::nullopt;
     if (!is_of_world(part.conditions)) return std::nullopt;
     for (const Condition& each : conditions_of(physical_rows, part.conditions))
       conditions[each.key] = json_of(each.value);
-    if (!by_dice) return RecordedWorld{"physical", std::move(conditions)};
+    if (!by_failure_model) return RecordedWorld{"physical", std::move(conditions)};
     conditions["failure_rates"] = part.failure_rates;
     conditions["failure_rates_hash"] = part.rates_hash;
     return RecordedWorld{"failures", std::move(conditions)};

@@ -31,7 +31,7 @@ std::vector<Declaration> about_shapes() {
             field("in_steps", flag, "Whether the user's own mice run there, and `losses` knows where steps are lost."),
             field("plays", flag, "Whether `contest` runs a contest there with its play."),
             field("is_stochastic", flag, "Whether contests differ for mice, too, that are deterministic themselves."),
-            field("usual_runs", number, "Contests in each maze of a mouse that meets dice, where nobody says."),
+            field("usual_runs", number, "Contests in each maze of a stochastic mouse or world, by default."),
             field("settings", list(named("Parameter")), "What a race there is asked besides."),
             field("mice", list(text))})},
       {"About", "`about`: what the core brings.",

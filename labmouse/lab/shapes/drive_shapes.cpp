@@ -18,7 +18,7 @@ std::vector<Declaration> drive_shapes() {
                field("best", flag, "The one that counts in the end.")})},
       {"DriveRun", "One run of a contest in seconds. Times are microseconds on the maze's clock.",
        object(
-           {field("kind", words({"search", "home", "fast", "laps"})), field("begin", number), field("end", number),
+           {field("kind", words({"search", "home", "speed", "laps"})), field("begin", number), field("end", number),
             field("gate_out", or_null(number),
                   "Left the start cell, first entered a goal, first in the middle of a goal; null where that never "
                   "came."),
@@ -32,7 +32,7 @@ std::vector<Declaration> drive_shapes() {
             field("known", or_null(number),
                   "When it began: times of the fastest route known to exist, and of the fastest that may exist; "
                   "null for none."),
-            field("hoped", or_null(number)),
+            field("possible", or_null(number)),
             field("ended", or_null(text),
                   "How it ended, in the words of the record: \"done\", \"slid\", \"no route left\"; null in a world in "
                   "which nothing goes wrong."),

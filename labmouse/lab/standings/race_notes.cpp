@@ -13,14 +13,14 @@
 namespace labmouse {
 namespace {
 
-/// The outcome of a contest in words for a list: "forfeit: died" as "forfeit (died)".
+/// The outcome of a contest in words for a list: "forfeit: late" as "forfeit (late)".
 std::string in_a_list(const std::string& outcome) {
   const auto colon = outcome.find(": ");
   return colon == std::string::npos ? outcome
                                     : fmt::format("{} ({})", outcome.substr(0, colon), outcome.substr(colon + 2));
 }
 
-/// How a mouse failed, and how often: "out of steps 3, forfeit (died) 1"; empty where it did not.
+/// How a mouse failed, and how often: "out of steps 3, forfeit (late) 1"; empty where it did not.
 std::string failures_of(const Race& race, std::size_t mouse) {
   std::map<std::pair<int, std::string>, int> times;
   for (const ContestResult& contest : race.results)

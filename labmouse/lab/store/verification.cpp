@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/mice/external_specs.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
@@ -56,13 +56,13 @@ Presence revive(const World& world, Contestant& mouse, const VerificationOrder& 
 }
 
 /// The contests of a race that are picked and can be run again; the others are counted.
-std::vector<const ContestResult*> pick(Race& race, Dice& dice, const VerificationOrder& order, Permissions& permissions,
+std::vector<const ContestResult*> pick(Race& race, Rng& rng, const VerificationOrder& order, Permissions& permissions,
                                        Verification& found) {
   std::vector<const ContestResult*> picked;
   std::vector<std::optional<Presence>> presence(race.mice.size());
   constexpr int of = 1'000'000;
   for (const ContestResult& contest : race.results) {
-    if (!dice.chance(static_cast<int>(order.share * of), of)) continue;
+    if (!rng.chance(static_cast<int>(order.share * of), of)) continue;
     std::optional<Presence>& mouse = presence[contest.mouse];
     if (!mouse) mouse = revive(race.world(), race.mice[contest.mouse], order, permissions);
     if (mouse == Presence::here) picked.push_back(&contest);
@@ -95,11 +95,11 @@ Verification verify_store(const std::string& path, const StoreFilter& filter, co
   StoredRaces stored = all_stored_contests(path, filter);
   found.remarks = std::move(stored.remarks);
   found.error = std::move(stored.error);
-  Dice dice(order.seed);
+  Rng rng(order.seed);
   Permissions permissions(order, found);
   std::mutex noting;
   for (Race& race : stored.races) {
-    const std::vector<const ContestResult*> picked = pick(race, dice, order, permissions, found);
+    const std::vector<const ContestResult*> picked = pick(race, rng, order, permissions, found);
     for_each_parallel(picked.size(), order.jobs, [&](std::size_t i) {
       if (order.stop != nullptr && order.stop->load()) {
         const std::lock_guard lock(noting);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/maze/symmetry.hpp"
 
 namespace labmouse {

@@ -39,9 +39,10 @@ inline constexpr std::array former_keys = std::to_array<FormerName>({
     {"guest", "program"},
     {"pilot", "controller"},
     {"mind", "strategy"},
+    {"hoped", "possible"},
 });
 
-/// Outcomes, ends of runs, kinds of maps, and the runs of a record.
+/// Outcomes, reasons of forfeits, ends of runs, kinds of maps, and the runs of a record.
 inline constexpr std::array former_values = std::to_array<FormerName>({
     {"solved", "finished"},
     {"strayed", "position lost"},
@@ -50,6 +51,13 @@ inline constexpr std::array former_values = std::to_array<FormerName>({
     {"belief", "log-odds"},
     {"learned", "log-odds-prior"},
     {"exploration", "search"},
+    {"fast", "speed"},
+    {"no way", "no route"},
+    {"died", "ended early"},
+    {"rubbish", "invalid answer"},
+    {"forfeit: no way", "forfeit: no route"},
+    {"forfeit: died", "forfeit: ended early"},
+    {"forfeit: rubbish", "forfeit: invalid answer"},
 });
 
 /// The keys to whose values these names apply.

@@ -54,7 +54,7 @@ std::vector<Wall> walls_around(const CellSet& goals) {
 }
 
 // A maze whose goal room has no entrance yet.
-MazeDraft grown_walls(Size size, GoalRoom goal_room, Dice& dice) {
+MazeDraft grown_walls(Size size, GoalRoom goal_room, Rng& rng) {
   MazeDraft draft(size, MazeDraft::Inside::open);
   const CellSet goals = centre_of(size);
   goals.for_each([&](Cell cell) { draft.add_goal(cell); });
@@ -67,19 +67,19 @@ MazeDraft grown_walls(Size size, GoalRoom goal_room, Dice& dice) {
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx) barren.insert({middle.x + dx, middle.y + dy});
 
-  WallGrowth growth(draft, dice, barren);
-  growth.plant_islands(size.area() / 64 + dice.below(size.area() / 24));
+  WallGrowth growth(draft, rng, barren);
+  growth.plant_islands(size.area() / 64 + rng.below(size.area() / 24));
   growth.fill();
   return draft;
 }
 
 // Opens an entrance with several routes and a long way to it; false where no entrance has several routes.
-bool open_entrance(MazeDraft& draft, Dice& dice) {
+bool open_entrance(MazeDraft& draft, Rng& rng) {
   std::vector<Wall> lots = walls_around(draft.goals());
   std::optional<Wall> best;
   int longest = 0;
   for (int compared = 0; compared < compared_entrances && !lots.empty();) {
-    const Wall wall = draw(lots, dice);
+    const Wall wall = draw(lots, rng);
     MazeDraft entered = draft;
     entered.open(wall.cell, wall.side);
     const Maze maze(entered);
@@ -95,15 +95,15 @@ bool open_entrance(MazeDraft& draft, Dice& dice) {
 }
 
 Maze make_contest(const GeneratorOrder& order) {
-  Dice dice(order.seed);
-  MazeDraft draft = grown_walls(order.size, GoalRoom::may_have_arms, dice);
-  if (!open_entrance(draft, dice)) {
+  Rng rng(order.seed);
+  MazeDraft draft = grown_walls(order.size, GoalRoom::may_have_arms, rng);
+  if (!open_entrance(draft, rng)) {
     // Possible, but not seen in 6,000 mazes: a wall from the goal room may wind around all of it.
-    draft = grown_walls(order.size, GoalRoom::bare, dice);
-    [[maybe_unused]] const bool opened = open_entrance(draft, dice);
+    draft = grown_walls(order.size, GoalRoom::bare, rng);
+    [[maybe_unused]] const bool opened = open_entrance(draft, rng);
     assert(opened);
   }
-  lengthen_way(draft, dice, order.size.width * (2 + dice.below(4)));
+  lengthen_way(draft, rng, order.size.width * (2 + rng.below(4)));
   open_loops(draft, order, may_open_in_contest);
   return Maze(draft);
 }

@@ -49,14 +49,14 @@ Wall wall_between(Cell a, Cell b) {
 
 // Closes a passage of the route, and opens a wall at one of its posts instead; nothing if the drawn ones do not allow
 // it.
-std::optional<MazeDraft> with_a_piece_moved(const MazeDraft& draft, const std::vector<Cell>& way, Dice& dice) {
-  const auto step = static_cast<std::size_t>(dice.below(static_cast<int>(way.size()) - 1));
+std::optional<MazeDraft> with_a_piece_moved(const MazeDraft& draft, const std::vector<Cell>& way, Rng& rng) {
+  const auto step = static_cast<std::size_t>(rng.below(static_cast<int>(way.size()) - 1));
   const Wall passage = wall_between(way[step], way[step + 1]);
   if (belongs_to_start_or_goal(draft, passage)) return std::nullopt;
   const auto [first, second] = ends_of(passage);
-  std::vector<Wall> lots = walls_at(draft, dice.chance(1, 2) ? first : second);
+  std::vector<Wall> lots = walls_at(draft, rng.chance(1, 2) ? first : second);
   if (lots.empty()) return std::nullopt;
-  const Wall wall = draw(lots, dice);
+  const Wall wall = draw(lots, rng);
   MazeDraft moved = draft;
   moved.close(passage.cell, passage.side);
   if (on_border(wall, draft.size()) || !may_open_in_contest(moved, wall)) return std::nullopt;
@@ -72,10 +72,10 @@ bool may_open_in_contest(const MazeDraft& draft, Wall wall) {
   return walls_at(draft, first).size() > 1 && walls_at(draft, second).size() > 1;
 }
 
-void lengthen_way(MazeDraft& draft, Dice& dice, int cells) {
+void lengthen_way(MazeDraft& draft, Rng& rng, int cells) {
   std::vector<Cell> way = shortest_way(Maze(draft));
   for (int trial = 0; trial < trials && static_cast<int>(way.size()) <= cells; ++trial) {
-    const auto moved = with_a_piece_moved(draft, way, dice);
+    const auto moved = with_a_piece_moved(draft, way, rng);
     if (!moved) continue;
     const Maze maze(*moved);
     std::vector<Cell> new_way = shortest_way(maze);

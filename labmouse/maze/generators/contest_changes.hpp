@@ -1,7 +1,7 @@
 // Changes to a contest maze that keep its rules.
 #pragma once
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/maze/maze.hpp"
 
 namespace labmouse {
@@ -12,6 +12,6 @@ bool may_open_in_contest(const MazeDraft& draft, Wall wall);
 
 /// Moves pieces of wall until the shortest way to the goal has at least `cells` cells, or a fixed number of trials is
 /// over. The maze keeps the contest rules, the number of its loops, and all cells reachable.
-void lengthen_way(MazeDraft& draft, Dice& dice, int cells);
+void lengthen_way(MazeDraft& draft, Rng& rng, int cells);
 
 }  // namespace labmouse

@@ -11,24 +11,24 @@ namespace labmouse {
 namespace {
 
 // A random heading among those that lead to an unvisited cell.
-std::optional<Heading> way_on(Size size, const CellSet& visited, Cell cell, Dice& dice) {
+std::optional<Heading> way_on(Size size, const CellSet& visited, Cell cell, Rng& rng) {
   std::vector<Heading> ways;
   for (const Heading heading : all_headings)
     if (const Cell next = neighbour(cell, heading); size.contains(next) && !visited.contains(next))
       ways.push_back(heading);
   if (ways.empty()) return std::nullopt;
-  return draw(ways, dice);
+  return draw(ways, rng);
 }
 
 Maze make_depth_first(const GeneratorOrder& order) {
-  Dice dice(order.seed);
+  Rng rng(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::closed);
   CellSet visited;
   visited.insert(draft.start());
   std::vector<Cell> trail = {draft.start()};
   while (!trail.empty()) {
     const Cell cell = trail.back();
-    const auto way = way_on(order.size, visited, cell, dice);
+    const auto way = way_on(order.size, visited, cell, rng);
     if (!way) {
       trail.pop_back();
       continue;

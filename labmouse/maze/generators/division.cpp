@@ -13,9 +13,9 @@ struct Room {
 };
 
 // Divides the room by a north-south wall east of one of its columns, with a gap in one row.
-void part_upright(MazeDraft& draft, Room room, std::vector<Room>& rooms, Dice& dice) {
-  const int west = 1 + dice.below(room.size.width - 1);
-  const int gap = dice.below(room.size.height);
+void part_upright(MazeDraft& draft, Room room, std::vector<Room>& rooms, Rng& rng) {
+  const int west = 1 + rng.below(room.size.width - 1);
+  const int gap = rng.below(room.size.height);
   for (int y = 0; y < room.size.height; ++y)
     if (y != gap) draft.close({room.corner.x + west - 1, room.corner.y + y}, Heading::east);
   rooms.push_back({room.corner, {west, room.size.height}});
@@ -23,9 +23,9 @@ void part_upright(MazeDraft& draft, Room room, std::vector<Room>& rooms, Dice& d
 }
 
 // Divides the room by an east-west wall north of one of its rows, with a gap in one column.
-void part_level(MazeDraft& draft, Room room, std::vector<Room>& rooms, Dice& dice) {
-  const int south = 1 + dice.below(room.size.height - 1);
-  const int gap = dice.below(room.size.width);
+void part_level(MazeDraft& draft, Room room, std::vector<Room>& rooms, Rng& rng) {
+  const int south = 1 + rng.below(room.size.height - 1);
+  const int gap = rng.below(room.size.width);
   for (int x = 0; x < room.size.width; ++x)
     if (x != gap) draft.close({room.corner.x + x, room.corner.y + south - 1}, Heading::north);
   rooms.push_back({room.corner, {room.size.width, south}});
@@ -33,7 +33,7 @@ void part_level(MazeDraft& draft, Room room, std::vector<Room>& rooms, Dice& dic
 }
 
 Maze make_division(const GeneratorOrder& order) {
-  Dice dice(order.seed);
+  Rng rng(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::open);
   std::vector<Room> rooms = {{draft.start(), order.size}};
   while (!rooms.empty()) {
@@ -42,8 +42,8 @@ Maze make_division(const GeneratorOrder& order) {
     const auto [width, height] = room.size;
     if (width == 1 || height == 1) continue;
     // Across the longer side, so that rooms stay roughly square.
-    const bool upright = width > height || (width == height && dice.chance(1, 2));
-    (upright ? part_upright : part_level)(draft, room, rooms, dice);
+    const bool upright = width > height || (width == height && rng.chance(1, 2));
+    (upright ? part_upright : part_level)(draft, room, rooms, rng);
   }
   open_loops(draft, order);
   return Maze(draft);

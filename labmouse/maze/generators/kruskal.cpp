@@ -41,12 +41,12 @@ class Parts {
 };
 
 Maze make_kruskal(const GeneratorOrder& order) {
-  Dice dice(order.seed);
+  Rng rng(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::closed);
   Parts parts(order.size);
   std::vector<Wall> lots = lots_of(WallSet::all(order.size));
   while (!lots.empty()) {
-    const Wall wall = draw(lots, dice);
+    const Wall wall = draw(lots, rng);
     if (parts.join(wall.cell, neighbour(wall.cell, wall.side))) draft.open(wall.cell, wall.side);
   }
   open_loops(draft, order);

@@ -4,15 +4,15 @@
 #include <utility>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 
 namespace labmouse {
 
 /// Removes and returns a random member of the lots, which must not be empty.
 template <class T>
-T draw(std::vector<T>& lots, Dice& dice) {
-  std::swap(lots[static_cast<std::size_t>(dice.below(static_cast<int>(lots.size())))], lots.back());
+T draw(std::vector<T>& lots, Rng& rng) {
+  std::swap(lots[static_cast<std::size_t>(rng.below(static_cast<int>(lots.size())))], lots.back());
   const T drawn = lots.back();
   lots.pop_back();
   return drawn;
@@ -30,13 +30,13 @@ inline std::vector<Wall> lots_of(const WallSet& walls) {
 /// larger share opens the same walls and more.
 template <class MayOpen>
 void open_loops(MazeDraft& draft, const GeneratorOrder& order, MayOpen may_open) {
-  Dice dice(seed_for(order.seed, "loops"));
+  Rng rng(seed_for(order.seed, "loops"));
   WallSet standing = WallSet::all(order.size);
   standing -= draft.open_walls();
   std::vector<Wall> lots = lots_of(standing);
   int to_open = (static_cast<int>(lots.size()) * order.loops + 500) / 1000;
   while (to_open > 0 && !lots.empty()) {
-    const Wall wall = draw(lots, dice);
+    const Wall wall = draw(lots, rng);
     if (!may_open(draft, wall)) continue;
     draft.open(wall.cell, wall.side);
     --to_open;

@@ -21,14 +21,14 @@ void add_ways(Size size, const CellSet& grown, Cell from, std::vector<Way>& ways
 }
 
 Maze make_prim(const GeneratorOrder& order) {
-  Dice dice(order.seed);
+  Rng rng(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::closed);
   CellSet grown;
   grown.insert(draft.start());
   std::vector<Way> ways;
   add_ways(order.size, grown, draft.start(), ways);
   while (!ways.empty()) {
-    const auto [from, heading] = draw(ways, dice);
+    const auto [from, heading] = draw(ways, rng);
     const Cell to = neighbour(from, heading);
     if (grown.contains(to)) continue;
     draft.open(from, heading);

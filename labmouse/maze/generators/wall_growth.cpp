@@ -38,8 +38,8 @@ bool has_wall(const MazeDraft& draft, Post post) {
 
 }  // namespace
 
-WallGrowth::WallGrowth(MazeDraft& draft, Dice& dice, const CellSet& barren)
-    : draft_(draft), dice_(dice), standing_(barren), barren_(barren) {
+WallGrowth::WallGrowth(MazeDraft& draft, Rng& rng, const CellSet& barren)
+    : draft_(draft), rng_(rng), standing_(barren), barren_(barren) {
   const auto [width, height] = draft.size();
   for (int y = 0; y <= height; ++y)
     for (int x = 0; x <= width; ++x) {
@@ -49,8 +49,8 @@ WallGrowth::WallGrowth(MazeDraft& draft, Dice& dice, const CellSet& barren)
       roots_.push_back(post);
     }
   for (int patch = 0; patch < std::max(1, draft.size().area() / cells_of_a_patch); ++patch) {
-    const Post centre{dice.below(width), dice.below(height)};
-    patches_.push_back({centre, static_cast<Grain>(dice.below(4))});
+    const Post centre{rng.below(width), rng.below(height)};
+    patches_.push_back({centre, static_cast<Grain>(rng.below(4))});
   }
 }
 
@@ -78,14 +78,14 @@ Heading WallGrowth::choose(Post tip, std::optional<Heading> last, std::vector<He
   std::vector<Heading> along;
   for (const Heading heading : free)
     if (follows(grain, heading, last)) along.push_back(heading);
-  return draw(!along.empty() && dice_.chance(obedience, 100) ? along : free, dice_);
+  return draw(!along.empty() && rng_.chance(obedience, 100) ? along : free, rng_);
 }
 
 // Grows one wall from a standing post; false when no neighbouring post is free.
 bool WallGrowth::grow_wall(Post root) {
   Post tip = root;
   std::optional<Heading> last;
-  for (int length = 2 + dice_.below(longest_wall - 1); length > 0; --length) {
+  for (int length = 2 + rng_.below(longest_wall - 1); length > 0; --length) {
     std::vector<Heading> free = free_headings(tip);
     if (free.empty()) break;
     last = choose(tip, last, std::move(free));
@@ -103,7 +103,7 @@ void WallGrowth::plant_islands(int count) {
   for (int y = 1; y < draft_.size().height; ++y)
     for (int x = 1; x < draft_.size().width; ++x) lots.emplace_back(x, y);
   while (count > 0 && !lots.empty()) {
-    const Post post = draw(lots, dice_);
+    const Post post = draw(lots, rng_);
     if (!is_free(post) || free_headings(post).size() < 4) continue;
     standing_.insert(post);
     roots_.push_back(post);
@@ -115,8 +115,8 @@ void WallGrowth::plant_islands(int count) {
 // Mostly grows from the newest post: this makes few branches, and so few dead ends between them.
 void WallGrowth::fill() {
   while (!roots_.empty()) {
-    if (!dice_.chance(newest_first, 100))
-      std::swap(roots_[static_cast<std::size_t>(dice_.below(static_cast<int>(roots_.size())))], roots_.back());
+    if (!rng_.chance(newest_first, 100))
+      std::swap(roots_[static_cast<std::size_t>(rng_.below(static_cast<int>(roots_.size())))], roots_.back());
     const Post root = roots_.back();
     if (!grow_wall(root)) std::erase(roots_, root);
   }

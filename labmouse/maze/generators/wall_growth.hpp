@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/maze/post.hpp"
 
@@ -25,8 +25,8 @@ enum class Grain : std::uint8_t { row, column, rising_stairs, falling_stairs };
 /// Grows walls in a draft. Posts of the border and posts with a wall count as standing from the beginning.
 class WallGrowth {
  public:
-  /// Draft and dice must outlive it. Walls neither start at a barren post nor reach it.
-  WallGrowth(MazeDraft& draft, Dice& dice, const CellSet& barren);
+  /// Draft and generator must outlive it. Walls neither start at a barren post nor reach it.
+  WallGrowth(MazeDraft& draft, Rng& rng, const CellSet& barren);
 
   /// Adds up to `count` islands: each is a wall of at least one piece from a free post with four free neighbours.
   void plant_islands(int count);
@@ -47,7 +47,7 @@ class WallGrowth {
   bool grow_wall(Post root);
 
   MazeDraft& draft_;
-  Dice& dice_;
+  Rng& rng_;
   CellSet standing_;
   CellSet barren_;
   std::vector<Post> roots_;  // standing posts from which a wall may still grow

@@ -14,9 +14,9 @@ class Walk {
   explicit Walk(Size size) : size_(size), left_by_(static_cast<std::size_t>(size.area()), Heading::north) {}
 
   /// Walks at random from the cell until it meets the maze.
-  void wander(Cell cell, const CellSet& in_maze, Dice& dice) {
+  void wander(Cell cell, const CellSet& in_maze, Rng& rng) {
     while (!in_maze.contains(cell)) {
-      const auto heading = static_cast<Heading>(dice.below(4));
+      const auto heading = static_cast<Heading>(rng.below(4));
       if (!size_.contains(neighbour(cell, heading))) continue;
       left_by_[static_cast<std::size_t>(size_.index(cell))] = heading;
       cell = neighbour(cell, heading);
@@ -31,13 +31,13 @@ class Walk {
 };
 
 Maze make_wilson(const GeneratorOrder& order) {
-  Dice dice(order.seed);
+  Rng rng(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::closed);
   CellSet in_maze;
-  in_maze.insert(order.size.cell_at(dice.below(order.size.area())));
+  in_maze.insert(order.size.cell_at(rng.below(order.size.area())));
   Walk walk(order.size);
   CellSet::all(order.size).for_each([&](Cell cell) {
-    walk.wander(cell, in_maze, dice);
+    walk.wander(cell, in_maze, rng);
     while (!in_maze.contains(cell)) {
       in_maze.insert(cell);
       const Heading heading = walk.left_by(cell);

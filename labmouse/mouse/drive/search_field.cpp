@@ -319,7 +319,7 @@ DriveTime SearchField::from(const SearchPlace& place) const {
 Action SearchField::step(const SearchPlace& place) const {
   if (targets_.contains(place.pose.cell)) return Action::step(0, 0);
   const DriveTime least = from(place);
-  Action best = Action::forfeit(ForfeitReason::no_way);
+  Action best = Action::forfeit(ForfeitReason::no_route);
   if (least == no_time) return best;
   for_each_move(place, [&](const Move& move) {
     if (best.kind == Action::Kind::forfeit && through(place, move) == least)

@@ -138,7 +138,7 @@ class Driver final : public DrivingExplorer {
     int reluctance = 0;
     routes_->unknown_walls().for_each([&](Wall wall) { reluctance += outlook_.prices().of(wall); });
     const double trust = likely_ ? probability(static_cast<int>(policy_.hope_chance * reluctance)) : 1;
-    return known_time() != no_time && trust * (known_time() - routes_->hoped_time()) < least_part_ * known_time();
+    return known_time() != no_time && trust * (known_time() - routes_->optimistic_time()) < least_part_ * known_time();
   }
 
   /// From now on considers routes through unlikely walls, too, but only for large gains.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/strategies/phases/goal_oriented.hpp"
 #include "labmouse/strategies/phases/unexplored.hpp"
 
@@ -26,7 +26,7 @@ bool is_open(const Knowledge& knowledge, Pose pose, int quarters) {
 /// Moves one cell left, ahead or right at random. Methods differ in the weights of the three.
 class OneStep : public Searching {
  public:
-  explicit OneStep(const Briefing& briefing) : dice_(briefing.seed) {}
+  explicit OneStep(const Briefing& briefing) : rng_(briefing.seed) {}
 
   std::optional<Action> next(const Knowledge& knowledge, Pose pose) final {
     std::array<int, ways.size()> weights{};
@@ -49,7 +49,7 @@ class OneStep : public Searching {
 
  private:
   int thrown(const std::array<int, ways.size()>& weights, int total) {
-    int rest = dice_.below(total);
+    int rest = rng_.below(total);
     for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
       if (rest < weights[i]) return ways[i];
       rest -= weights[i];
@@ -57,7 +57,7 @@ class OneStep : public Searching {
     return ways.back();
   }
 
-  Dice dice_;
+  Rng rng_;
 };
 
 class RandomTurn final : public OneStep {

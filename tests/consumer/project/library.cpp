@@ -70,8 +70,8 @@ void knowledge_and_distances_follow_from_readings() {
   DistanceField field(size, strides(3));
   field.fill(knowledge.open(), goals);
   check(field.reaches({0, 0}), "what was seen open can be walked");
-  Dice dice(7);
-  check(dice.below(6) < 6, "a die falls");
+  Rng rng(7);
+  check(rng.below(6) < 6, "a die falls");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
@@ -55,12 +55,12 @@ TEST(Bound, DependsOnTheRules) {
 }
 
 TEST(Oracle, ScoresTheBoundInEveryMaze) {
-  Dice dice(8);
+  Rng rng(8);
   for (int i = 0; i < 100; ++i) {
-    const Size size{1 + dice.below(24), 1 + dice.below(24)};
+    const Size size{1 + rng.below(24), 1 + rng.below(24)};
     const Maze maze =
-        prim_generator.make({size, dice.bits(), dice.below(500)})
-            .with_start(size.cell_at(dice.below(size.area())), all_headings[static_cast<std::size_t>(dice.below(4))]);
+        prim_generator.make({size, rng.bits(), rng.below(500)})
+            .with_start(size.cell_at(rng.below(size.area())), all_headings[static_cast<std::size_t>(rng.below(4))]);
     const Score result = score(run(maze, Rules(), *make_oracle(maze, Rules())), Rules());
     ASSERT_EQ(result.value, bound_of(maze, Rules()).score);
     ASSERT_EQ(result.speed_steps, shortest_in_strides(maze).value().strides);

@@ -131,11 +131,11 @@ TEST(DriveBound, IsNoneWithoutARoute) {
 }
 
 TEST(DriveBound, HoldsForEveryMouse) {
-  Dice dice(5);
+  Rng rng(5);
   for (const char* rules : {"all-japan", "thirtieth"})
     for (int i = 0; i < test::some_of(40); ++i) {
       SCOPED_TRACE(i);
-      const Maze maze = test::any_maze(dice, 9);
+      const Maze maze = test::any_maze(rng, 9);
       for (const char* mouse : {"flood", "certify"}) {
         const DriveRecordFile file = test::driven(mouse, maze, i % 2 != 0 ? "classic" : "mm2021", rules);
         const DriveBound bound = drive_bound_of(maze, file.rules, *file.model);

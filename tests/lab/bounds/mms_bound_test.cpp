@@ -8,7 +8,7 @@
 #include <optional>
 #include <tuple>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/external/mms/host.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/capstone_mazes.hpp"
@@ -100,11 +100,11 @@ TEST(MmsBound, GoesToTheCentreFromTheCornerWhateverTheMazeMarks) {
 }
 
 TEST(MmsBound, IsScoredByItsWitness) {
-  Dice dice(11);
+  Rng rng(11);
   for (int i = 0; i < test::tenth(300); ++i) {
-    const Size size{1 + dice.below(20), 1 + dice.below(20)};
+    const Size size{1 + rng.below(20), 1 + rng.below(20)};
     const Generator* generator = i % 2 == 0 ? &prim_generator : &wilson_generator;
-    expect_witnessed(generator->make({size, dice.bits(), dice.below(1001)}));
+    expect_witnessed(generator->make({size, rng.bits(), rng.below(1001)}));
   }
 }
 
@@ -197,10 +197,10 @@ void expect_least(const Maze& maze, float more) {
 }
 
 TEST(MmsBound, IsTheLeastOfAllThatCanBeDoneInSmallMazes) {
-  Dice dice(3);
+  Rng rng(3);
   for (const Size size :
        {Size{1, 1}, {1, 2}, {2, 2}, {1, 3}, {3, 1}, {2, 3}, {3, 2}, {3, 3}, {3, 3}, {4, 3}, {3, 4}, {4, 4}})
-    for (const int loops : {0, 400}) expect_least(wilson_generator.make({size, dice.bits(), loops}), 4);
+    for (const int loops : {0, 400}) expect_least(wilson_generator.make({size, rng.bits(), loops}), 4);
 }
 
 TEST(MmsBound, IsTheLeastWithResetsAndReturnsToo) {

@@ -95,7 +95,7 @@ TEST(Failures, IsTheWorldInSecondsWhereNothingGoesWrong) {
     EXPECT_EQ(record.drive.outcome, DriveOutcome::finished);
     EXPECT_EQ(record.wrong_walls + record.carried + record.contradictions, 0);
     EXPECT_THAT(record.ends, Each(RunEnd::done));
-    EXPECT_TRUE(record.by_dice);
+    EXPECT_TRUE(record.by_failure_model);
     ASSERT_GE(record.drive.runs.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_EQ(record.drive.runs[i].moves, exact.runs[i].moves) << mouse << i;
@@ -161,7 +161,7 @@ TEST(Failures, SeesNoWayWhereGapsAreTakenForWallsAndLooksAgainWithAMapThatDoubts
   });
   const PhysicalRecord first = driven("flood", failure_rates);
   EXPECT_EQ(first.drive.outcome, DriveOutcome::forfeit);
-  EXPECT_EQ(first.drive.reason, ForfeitReason::no_way);
+  EXPECT_EQ(first.drive.reason, ForfeitReason::no_route);
   PhysicalConditions weighing = at_noise(1.0);
   weighing.map = MapKind::log_odds;
   EXPECT_GT(driven("flood", failure_rates, 1, weighing).drive.walls.size(), first.drive.walls.size());
@@ -255,9 +255,10 @@ TEST(Failures, HasSoundMiceAndWeakOnes) {
     ++times[static_cast<std::size_t>(draws)];
     const double motor = mouse.weaker_motor();
     const bool sturdy = motor >= 0.3 && mouse.grip >= 0.5;
-    EXPECT_EQ(draws <= Draws::eyes_far_apart, sturdy) << motor << ' ' << mouse.grip;
-    EXPECT_EQ(draws == Draws::sound, sturdy && mouse.eyes_apart() <= 0.3) << mouse.eyes_apart();
-    EXPECT_EQ(draws == Draws::eyes_far_apart, sturdy && mouse.eyes_apart() > 0.5) << mouse.eyes_apart();
+    EXPECT_EQ(draws <= Draws::infrared_very_unequal, sturdy) << motor << ' ' << mouse.grip;
+    EXPECT_EQ(draws == Draws::sound, sturdy && mouse.infrared_deviation() <= 0.3) << mouse.infrared_deviation();
+    EXPECT_EQ(draws == Draws::infrared_very_unequal, sturdy && mouse.infrared_deviation() > 0.5)
+        << mouse.infrared_deviation();
     EXPECT_EQ(draws == Draws::motor_below_15, motor < 0.15) << motor;
     EXPECT_EQ(draws == Draws::tyres_below_20, mouse.grip < 0.2 && motor >= 0.2) << motor << ' ' << mouse.grip;
     // Of two weaknesses the worse one.
@@ -369,14 +370,14 @@ TEST(Festina, SearchesMoreSlowlyAfterEachCrash) {
 TEST(Festina, RunsSlowerAfterACrashAndFasterAfterAnotherRun) {
   const auto failure_rates =
       too_fast_beyond(0.8, {Manoeuvre::run_straight, Manoeuvre::run_turn, Manoeuvre::run_diagonal});
-  const std::vector<double> paces = paces_of(driven("festina", failure_rates), DriveRun::Kind::fast);
+  const std::vector<double> paces = paces_of(driven("festina", failure_rates), DriveRun::Kind::speed);
   ASSERT_GE(paces.size(), 3U);
   EXPECT_GT(paces[0], 0.8);
   EXPECT_LE(paces[1], 0.8);
   EXPECT_GT(paces[2], paces[1]);
   EXPECT_LT(paces[2], paces[0]);
   // One that went well at the usual pace cannot be bettered.
-  const std::vector<double> well = paces_of(driven("festina", harmless()), DriveRun::Kind::fast);
+  const std::vector<double> well = paces_of(driven("festina", harmless()), DriveRun::Kind::speed);
   ASSERT_EQ(well.size(), 2U);
   EXPECT_LT(well[0], 1.0);
   EXPECT_EQ(well[1], 1.0);
@@ -394,7 +395,7 @@ TEST(Festina, MakesSureOfARunWhereNoFastOneEndsWell) {
   using enum DriveRun::Kind;
   const auto failure_rates = with([](FailureRatesByDraw& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
   const PhysicalRecord record = driven("festina", failure_rates);
-  EXPECT_THAT(kinds_of(record), ::testing::ElementsAre(search, fast, fast, fast, search));
+  EXPECT_THAT(kinds_of(record), ::testing::ElementsAre(search, speed, speed, speed, search));
   // By known ways it is no slower than the search was.
   std::vector<MazeTime> times;
   for (const DriveRun& run : record.drive.runs)
@@ -402,7 +403,7 @@ TEST(Festina, MakesSureOfARunWhereNoFastOneEndsWell) {
   EXPECT_LE(times.back(), times.front());
   EXPECT_EQ(score(record.drive, find_rules("all-japan").rules).value(), times.back());
   // Of a mouse with a run that ended well the last one is fast.
-  EXPECT_EQ(kinds_of(driven("festina", too_fast_beyond(0.7, {Manoeuvre::run_straight}))).back(), fast);
+  EXPECT_EQ(kinds_of(driven("festina", too_fast_beyond(0.7, {Manoeuvre::run_straight}))).back(), speed);
 }
 
 TEST(Festina, MakesSureOfARunInTimeWhereRunsAreMany) {
@@ -419,7 +420,7 @@ TEST(Festina, MakesSureOfARunInTimeWhereRunsAreMany) {
   const auto made = kinds("festina");
   ASSERT_GT(made.size(), 6U);
   EXPECT_THAT(std::vector(made.begin(), made.begin() + 6),
-              ::testing::ElementsAre(search, fast, fast, fast, search, fast));
+              ::testing::ElementsAre(search, speed, speed, speed, search, speed));
   EXPECT_EQ(std::count(made.begin() + 6, made.end() - 1, search), 0);
   const auto without = kinds("festina:safe=no");
   EXPECT_EQ(std::count(without.begin(), without.end(), search), 1);
@@ -603,7 +604,7 @@ TEST(FailureWorld, KeepsRecordsThatAreDrivenAgainByTheFailureRatesThatTheProgram
   for (const std::string& text : records) {
     ReadDriveRecordResult read = read_drive_record(text);
     ASSERT_TRUE(read.file) << describe("", read.problems.front());
-    EXPECT_TRUE(read.file->physical->notes.by_dice);
+    EXPECT_TRUE(read.file->physical->notes.by_failure_model);
     EXPECT_EQ(read.file->physical->conditions.map, MapKind::log_odds);
     const auto& runs = read.file->record.runs;
     EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [](const DriveRun& run) { return run.pace < 1.0; }));

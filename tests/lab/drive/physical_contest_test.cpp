@@ -238,7 +238,7 @@ TEST(PhysicalContest, AMindThatAsksForWhatIsNotThereIsLost) {
     EXPECT_EQ(record.ends.back(), RunEnd::given_up);
   }
   const PhysicalRecord record = outcome_of({Action::reset()});
-  EXPECT_EQ(record.drive.reason, ForfeitReason::no_way);
+  EXPECT_EQ(record.drive.reason, ForfeitReason::no_route);
   EXPECT_EQ(record.ends.back(), RunEnd::no_route_left);
 }
 

@@ -73,7 +73,7 @@ TEST(FailureRates, CountEachManoeuvreAndEachCrashOnce) {
       // Walls that were misread are no manoeuvre's fault.
       crashed += is_crash(record.ends[i]) && record.ends[i] != RunEnd::wall_error ? 1 : 0;
       // What it drives behind the goal counts nowhere.
-      if (run.kind == DriveRun::Kind::fast && record.ends[i] == RunEnd::done)
+      if (run.kind == DriveRun::Kind::speed && record.ends[i] == RunEnd::done)
         for (const DriveSegment& segment : run.route.segments)
           segments += run.begin + segment.begin < run.gate_in ? 1 : 0;
     }
@@ -102,7 +102,7 @@ TEST(FailureRates, CountACrashAtWhatWasDrivenAtThatPace) {
   PhysicalRecord record = test::driven_physically("flood-return", test::ring(), at_noise(0.0), 1);
   auto& runs = record.drive.runs;
   const auto fast = std::find_if(runs.begin(), runs.end(), [](const DriveRun& run) {
-    return run.kind == DriveRun::Kind::fast && run.route.segments.size() > 1;
+    return run.kind == DriveRun::Kind::speed && run.route.segments.size() > 1;
   });
   ASSERT_NE(fast, runs.end());
   const auto& segments = fast->route.segments;

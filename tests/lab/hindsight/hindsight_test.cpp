@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
@@ -102,10 +102,10 @@ TEST(BestStop, WhereTheStartIsAGoalTakesOneStepToRun) {
 }
 
 TEST(BestStop, LiesBetweenBoundAndScore) {
-  Dice dice(4);
+  Rng rng(4);
   for (int i = 0; i < test::tenth(60); ++i) {
-    const NamedMaze maze = {
-        "maze", wilson_generator.make({{6 + dice.below(8), 6 + dice.below(8)}, dice.bits(), dice.below(300)})};
+    const NamedMaze maze = {"maze",
+                            wilson_generator.make({{6 + rng.below(8), 6 + rng.below(8)}, rng.bits(), rng.below(300)})};
     for (const char* mouse : {"flood", "flood-return", "certify", "cautious", "two-way"}) {
       HindsightOrder order;
       order.race.runs = 2;
@@ -280,7 +280,7 @@ TEST(HindsightAsTable, CallsReferencesWhatTheyAre) {
 
 TEST(HindsightAsTable, SaysWhyThereIsNoBestOfSeveral) {
   const std::string table = table_of(look_back("certify", mazes(), order_of(9)), false);
-  EXPECT_THAT(table, Says("certify", "no numeric parameters", "no dice"));
+  EXPECT_THAT(table, Says("certify", "no numeric parameters", "no random choices"));
   EXPECT_THAT(table, Not(HasSubstr("best of 9")));
   EXPECT_THAT(table_of(look_back("two-way", mazes(), order_of(0)), false), Not(HasSubstr("best of")));
   EXPECT_THAT(table_of(look_back("random", mazes(), order_of(9)), false), HasSubstr("9 more seeds"));

@@ -51,20 +51,19 @@ struct Played {
   }
 };
 
-Maze random_maze(Dice& dice) {
+Maze random_maze(Rng& rng) {
   for (;;) {
     const auto generators = all_generators();
-    const Generator& generator = *generators[static_cast<std::size_t>(dice.below(static_cast<int>(generators.size())))];
-    const int side = dice.chance(1, 8) ? 12 : 0;
+    const Generator& generator = *generators[static_cast<std::size_t>(rng.below(static_cast<int>(generators.size())))];
+    const int side = rng.chance(1, 8) ? 12 : 0;
     const GeneratorOrder order{
-        {side != 0 ? side : 1 + dice.below(7), side != 0 ? side : 1 + dice.below(7)}, dice.bits(), dice.below(1001)};
+        {side != 0 ? side : 1 + rng.below(7), side != 0 ? side : 1 + rng.below(7)}, rng.bits(), rng.below(1001)};
     if (!generator.refuses(order).empty()) continue;
     CellSet goals;
-    for (int goal = 0, count = 1 + dice.below(3); goal < count; ++goal)
-      goals.insert(order.size.cell_at(dice.below(order.size.area())));
+    for (int goal = 0, count = 1 + rng.below(3); goal < count; ++goal)
+      goals.insert(order.size.cell_at(rng.below(order.size.area())));
     return generator.make(order)
-        .with_start(order.size.cell_at(dice.below(order.size.area())),
-                    all_headings[static_cast<unsigned>(dice.below(4))])
+        .with_start(order.size.cell_at(rng.below(order.size.area())), all_headings[static_cast<unsigned>(rng.below(4))])
         .with_goals(goals);
   }
 }
@@ -170,8 +169,7 @@ void expect_ended(const Played& played, std::size_t i, const Follower& follower,
 }
 
 /// Plays a batch beside the simulator until `contests` have ended; which outcomes there were.
-std::map<int, int> follow(Played& played, const std::vector<Maze>& mazes, const Rules& rules, Dice& dice,
-                          int contests) {
+std::map<int, int> follow(Played& played, const std::vector<Maze>& mazes, const Rules& rules, Rng& rng, int contests) {
   std::map<int, int> states;
   std::vector<Follower> followers;
   for (std::size_t i = 0; i < played.n; ++i) {
@@ -180,9 +178,9 @@ std::map<int, int> follow(Played& played, const std::vector<Maze>& mazes, const 
   }
   while (contests > 0 && !testing::Test::HasFatalFailure()) {
     const auto ended = played.ended;
-    played.batch.draw_valid_choices(dice, played.choices);
+    played.batch.draw_valid_choices(rng, played.choices);
     for (auto& choice : played.choices)
-      if (dice.chance(1, 3)) choice = dice.below(choice_count);
+      if (rng.chance(1, 3)) choice = rng.below(choice_count);
     EXPECT_TRUE(played.batch.step(played.choices));
     for (std::size_t i = 0; i < played.n; ++i) {
       if (ended[i] != 0) {
@@ -206,16 +204,16 @@ std::map<int, int> follow(Played& played, const std::vector<Maze>& mazes, const 
 }
 
 TEST(ContestBatch, ShowsAndPaysWhatTheSimulatorDoes) {
-  Dice dice(1);
+  Rng rng(1);
   std::map<int, int> states;
   for (int trial = 0; trial < (test::sanitized ? 20 : 60) && !HasFatalFailure(); ++trial) {
     std::vector<Maze> mazes;
-    for (int i = 0, count = 1 + dice.below(5); i < count; ++i) mazes.push_back(random_maze(dice));
+    for (int i = 0, count = 1 + rng.below(5); i < count; ++i) mazes.push_back(random_maze(rng));
     Rules rules;
-    rules.budget = 1 + dice.below(60);
-    const MazeOrder order = dice.chance(1, 2) ? MazeOrder::drawn : MazeOrder::in_turn;
-    Played played(ContestBatch(1 + dice.below(6), mazes, order, rules), trial % 2 == 0);
-    for (const auto& [state, times] : follow(played, mazes, rules, dice, 12)) states[state] += times;
+    rules.budget = 1 + rng.below(60);
+    const MazeOrder order = rng.chance(1, 2) ? MazeOrder::drawn : MazeOrder::in_turn;
+    Played played(ContestBatch(1 + rng.below(6), mazes, order, rules), trial % 2 == 0);
+    for (const auto& [state, times] : follow(played, mazes, rules, rng, 12)) states[state] += times;
   }
   EXPECT_EQ(states.size(), 4U) << "not every outcome was played";
 }
@@ -270,10 +268,10 @@ TEST(ContestBatch, PlaysMadeMazesAsThoseOfAList) {
   for (std::uint64_t number = 0; number < family.count; ++number) mazes.push_back(maze_of(family, number));
   Rules rules;
   rules.budget = 40;
-  Dice dice(5);
+  Rng rng(5);
   Played played(ContestBatch(3, family, MazeOrder::in_turn, rules), true);
   EXPECT_EQ(played.numbers, (std::vector<std::int64_t>{0, 1, 2}));
-  follow(played, mazes, rules, dice, 9);
+  follow(played, mazes, rules, rng, 9);
 }
 
 TEST(ContestBatch, MakesNoMazeOnceItIsStopped) {
@@ -344,8 +342,8 @@ TEST(ContestBatch, AResetThatLeavesItInAGoalHasNotEnteredIt) {
 TEST(ContestBatch, DrawsEveryValidChoice) {
   const std::vector<Maze> mazes(1, contest_generator.make({{12, 12}, 3, 0}));
   Played played(ContestBatch(2000, mazes, MazeOrder::drawn), false);
-  Dice dice(9);
-  played.batch.draw_valid_choices(dice, played.choices);
+  Rng rng(9);
+  played.batch.draw_valid_choices(rng, played.choices);
   for (int choice = 0; choice < choice_count; ++choice)
     EXPECT_EQ(std::count(played.choices.begin(), played.choices.end(), choice) > 0,
               played.masks[static_cast<std::size_t>(choice)] == 1)
@@ -355,9 +353,9 @@ TEST(ContestBatch, DrawsEveryValidChoice) {
 TEST(ContestBatch, DrawsNoChoiceThatIsNotValid) {
   const std::vector<Maze> mazes(1, contest_generator.make({{12, 12}, 3, 0}));
   Played played(ContestBatch(500, mazes, MazeOrder::drawn), false);
-  Dice dice(9);
+  Rng rng(9);
   for (int step = 0; step < 20; ++step) {
-    played.batch.draw_valid_choices(dice, played.choices);
+    played.batch.draw_valid_choices(rng, played.choices);
     for (std::size_t i = 0; i < played.n; ++i)
       EXPECT_EQ(played.masks[i * choice_count + static_cast<std::size_t>(played.choices[i])], 1);
     ASSERT_TRUE(played.batch.step(played.choices));

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/contest/taped_code.hpp"
 #include "tests/lab/records/drive_record_fixture.hpp"
@@ -151,7 +151,7 @@ TEST(CodeContest, IsOverForASpeedRunOnceItIsInTheGoal) {
       [](int tick, const Prompted&) { return ahead(slow, tick == 0 ? ControllerWord::fast : ControllerWord::drive); });
   const Contest held = contest(code);
   ASSERT_EQ(held.record.drive.runs.size(), 5U);
-  EXPECT_EQ(held.record.drive.runs[0].kind, Kind::fast);
+  EXPECT_EQ(held.record.drive.runs[0].kind, Kind::speed);
   EXPECT_EQ(held.record.ends[0], RunEnd::done);
 }
 
@@ -222,16 +222,16 @@ TEST(CodeContest, IsOverWithTheLastRunThatTheRulesAllow) {
 }
 
 TEST(CodeContest, IsTheSameFromItsTape) {
-  Dice dice(5);
+  Rng rng(5);
   for (const double level : {0.0, 1.0, 3.0}) {
     // Anything at all.
     ControllerTick last;
     Prompted code([&](int tick, const Prompted&) {
       if (tick % 40 == 0)
-        last = {static_cast<std::int16_t>(dice.bits()), static_cast<std::int16_t>(dice.bits()), ControllerWord::drive};
+        last = {static_cast<std::int16_t>(rng.bits()), static_cast<std::int16_t>(rng.bits()), ControllerWord::drive};
       last.left = std::max<std::int16_t>(last.left, -ControllerTick::full);
       last.right = std::max<std::int16_t>(last.right, -ControllerTick::full);
-      last.word = dice.bits() % 500 == 0 ? static_cast<ControllerWord>(dice.bits() % 4) : ControllerWord::drive;
+      last.word = rng.bits() % 500 == 0 ? static_cast<ControllerWord>(rng.bits() % 4) : ControllerWord::drive;
       return last;
     });
     const auto model = test::drive_model("kerise");

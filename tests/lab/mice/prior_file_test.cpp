@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/mouse/priors.hpp"
 #include "tests/says.hpp"
 
@@ -20,10 +20,10 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 WallPrior any_prior() {
-  Dice dice(1);
+  Rng rng(1);
   WallPrior prior{};
-  for (auto& number : prior.walls) number = static_cast<std::uint8_t>(dice.below(256));
-  for (auto& number : prior.rim) number = static_cast<std::uint8_t>(dice.below(256));
+  for (auto& number : prior.walls) number = static_cast<std::uint8_t>(rng.below(256));
+  for (auto& number : prior.rim) number = static_cast<std::uint8_t>(rng.below(256));
   return prior;
 }
 

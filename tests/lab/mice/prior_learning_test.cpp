@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/maze/symmetry.hpp"
@@ -173,10 +173,10 @@ TEST(APrior, OfARimIsByItsOwnCounts) {
 }
 
 TEST(APrior, RoundsAsTheLogarithmDoes) {
-  Dice dice(3);
+  Rng rng(3);
   for (int trial = 0; trial < 20; ++trial) {
     PriorCounts counts;
-    for (WallCount& count : counts.rim) count = {dice.below(1000), dice.below(100'000)};
+    for (WallCount& count : counts.rim) count = {rng.below(1000), rng.below(100'000)};
     const WallPrior prior = prior_of(counts);
     for (unsigned i = 0; i < counts.rim.size(); ++i) {
       const WallCount& count = counts.rim[i];

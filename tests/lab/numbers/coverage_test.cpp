@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/functions/normal.hpp"
 #include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
@@ -27,45 +27,45 @@ using Values = std::vector<double>;
 /// What one maze adds to a mean, drawn anew; and the mean of all mazes that there could be.
 struct Scores {
   std::string name;
-  std::function<double(Dice&)> draw;
+  std::function<double(Rng&)> draw;
   double mean = 0.0;
 };
 
-double normal(Dice& dice) { return NormalNumber::of(dice.bits()); }
+double normal(Rng& rng) { return NormalNumber::of(rng.bits()); }
 /// Between 0 and 1.
-double uniform(Dice& dice) { return (static_cast<double>(dice.bits() >> 12U) + 0.5) / 4503599627370496.0; }
-double skewed(Dice& dice, double deviation) { return 25.0 * std::exp(deviation * normal(dice)); }
+double uniform(Rng& rng) { return (static_cast<double>(rng.bits() >> 12U) + 0.5) / 4503599627370496.0; }
+double skewed(Rng& rng, double deviation) { return 25.0 * std::exp(deviation * normal(rng)); }
 
 /// The mean of so many runs in a maze, in each of which the mouse fails by that chance, which counts `limit`.
-double with_failures(Dice& dice, int runs, double chance, double limit) {
-  const double usual = skewed(dice, 0.4);
+double with_failures(Rng& rng, int runs, double chance, double limit) {
+  const double usual = skewed(rng, 0.4);
   double sum = 0.0;
-  for (int run = 0; run < runs; ++run) sum += uniform(dice) < chance ? limit : usual * (1.0 + 0.1 * normal(dice));
+  for (int run = 0; run < runs; ++run) sum += uniform(rng) < chance ? limit : usual * (1.0 + 0.1 * normal(rng));
   return sum / runs;
 }
 
-double difference_of_runs(Dice& dice, int runs) {
+double difference_of_runs(Rng& rng, int runs) {
   double sum = 0.0;
-  for (int run = 0; run < runs; ++run) sum += skewed(dice, 0.5) - skewed(dice, 0.5);
+  for (int run = 0; run < runs; ++run) sum += skewed(rng, 0.5) - skewed(rng, 0.5);
   return sum / runs;
 }
 
 std::vector<Scores> all_scores() {
   const double usual = 25.0 * std::exp(0.08);
-  return {{"skewed (log-normal, 0.5)", [](Dice& dice) { return skewed(dice, 0.5); }, 25.0 * std::exp(0.125)},
-          {"very skewed (exponential)", [](Dice& dice) { return -std::log(uniform(dice)); }, 1.0},
-          {"ties: 3 values",
-           [](Dice& dice) {
-             const double u = uniform(dice);
-             return u < 0.4 ? 20.0 : u < 0.7 ? 22.0 : 25.0;
-           },
-           22.1},
-          {"differences, half of them 0", [](Dice& dice) { return uniform(dice) < 0.5 ? 0.0 : normal(dice); }, 0.0},
-          {"30 % fail, 1 run, limit 100", [](Dice& dice) { return with_failures(dice, 1, 0.3, 100.0); },
-           0.7 * usual + 30.0},
-          {"0 to 40 % fail, 20 runs, limit 300",
-           [](Dice& dice) { return with_failures(dice, 20, 0.4 * uniform(dice), 300.0); }, 0.8 * usual + 60.0},
-          {"a mouse less itself, 5 runs", [](Dice& dice) { return difference_of_runs(dice, 5); }, 0.0}};
+  return {
+      {"skewed (log-normal, 0.5)", [](Rng& rng) { return skewed(rng, 0.5); }, 25.0 * std::exp(0.125)},
+      {"very skewed (exponential)", [](Rng& rng) { return -std::log(uniform(rng)); }, 1.0},
+      {"ties: 3 values",
+       [](Rng& rng) {
+         const double u = uniform(rng);
+         return u < 0.4 ? 20.0 : u < 0.7 ? 22.0 : 25.0;
+       },
+       22.1},
+      {"differences, half of them 0", [](Rng& rng) { return uniform(rng) < 0.5 ? 0.0 : normal(rng); }, 0.0},
+      {"30 % fail, 1 run, limit 100", [](Rng& rng) { return with_failures(rng, 1, 0.3, 100.0); }, 0.7 * usual + 30.0},
+      {"0 to 40 % fail, 20 runs, limit 300", [](Rng& rng) { return with_failures(rng, 20, 0.4 * uniform(rng), 300.0); },
+       0.8 * usual + 60.0},
+      {"a mouse less itself, 5 runs", [](Rng& rng) { return difference_of_runs(rng, 5); }, 0.0}};
 }
 
 bool contains(const Interval& interval, double value) { return interval.low <= value && value <= interval.high; }
@@ -84,12 +84,12 @@ Interval student_interval(const Values& values) {
 }
 
 /// The percentile bootstrap, which labmouse used before.
-Interval percentile_interval(const Values& values, Dice& dice) {
+Interval percentile_interval(const Values& values, Rng& rng) {
   Values means(999);
   for (double& each : means) {
     double sum = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i)
-      sum += values[static_cast<std::size_t>(dice.below(static_cast<int>(values.size())))];
+      sum += values[static_cast<std::size_t>(rng.below(static_cast<int>(values.size())))];
     each = sum / static_cast<double>(values.size());
   }
   std::sort(means.begin(), means.end());
@@ -102,18 +102,18 @@ struct Coverage {
 };
 
 Coverage coverage_of(const Scores& scores, int mazes, int trials, bool all_methods) {
-  Dice dice(seed_for(1, scores.name, static_cast<std::uint64_t>(mazes)));
+  Rng rng(seed_for(1, scores.name, static_cast<std::uint64_t>(mazes)));
   Coverage coverage;
   const double part = 100.0 / trials;
   for (int trial = 0; trial < trials; ++trial) {
     Values values(static_cast<std::size_t>(mazes));
-    for (double& value : values) value = scores.draw(dice);
-    coverage.ours += contains(mean_interval(values, dice.bits()), scores.mean) ? part : 0.0;
+    for (double& value : values) value = scores.draw(rng);
+    coverage.ours += contains(mean_interval(values, rng.bits()), scores.mean) ? part : 0.0;
     if (!all_methods) continue;
-    coverage.percentile += contains(percentile_interval(values, dice), scores.mean) ? part : 0.0;
+    coverage.percentile += contains(percentile_interval(values, rng), scores.mean) ? part : 0.0;
     coverage.student += contains(student_interval(values), scores.mean) ? part : 0.0;
     if (scores.mean != 0.0) continue;
-    const PairedDifference found = paired_difference(values, dice.bits());
+    const PairedDifference found = paired_difference(values, rng.bits());
     const TestVerdict verdict = verdict_of(found, found.p);
     coverage.differences_of += verdict == TestVerdict::better || verdict == TestVerdict::worse ? part : 0.0;
   }
@@ -159,14 +159,14 @@ TEST(Coverage, OfIntervalsIsNinetyFivePercent) {
 
 /// So many contests in each maze, in which a mouse finishes by a chance of the maze's own between `low` and `high`.
 double share_coverage(double low, double high, int mazes, int runs, int trials) {
-  Dice dice(7);
+  Rng rng(7);
   double covered = 0.0;
   for (int trial = 0; trial < trials; ++trial) {
     std::vector<MazeSum> sums(static_cast<std::size_t>(mazes));
     for (MazeSum& maze : sums) {
-      const double chance = low + (high - low) * uniform(dice);
+      const double chance = low + (high - low) * uniform(rng);
       maze.count = runs;
-      for (int run = 0; run < runs; ++run) maze.sum += uniform(dice) < chance ? 1.0 : 0.0;
+      for (int run = 0; run < runs; ++run) maze.sum += uniform(rng) < chance ? 1.0 : 0.0;
     }
     covered += contains(share_interval(sums), (low + high) / 2.0) ? 100.0 / trials : 0.0;
   }
@@ -187,11 +187,11 @@ TEST(Coverage, EqualMiceAreSeldomToldApart) {
   const Scores scores = all_scores().back();
   int differences_of = 0;
   const int trials = test::thorough ? 1000 : 100;
-  Dice dice(3);
+  Rng rng(3);
   for (int trial = 0; trial < trials; ++trial) {
     Values values(8);
-    for (double& value : values) value = scores.draw(dice);
-    const PairedDifference found = paired_difference(values, dice.bits());
+    for (double& value : values) value = scores.draw(rng);
+    const PairedDifference found = paired_difference(values, rng.bits());
     const TestVerdict verdict = verdict_of(found, found.p);
     differences_of += verdict == TestVerdict::better || verdict == TestVerdict::worse ? 1 : 0;
   }

@@ -190,20 +190,20 @@ TEST(Evolution, KeepsItsStepWhereChanceRanks) {
   Evolution evolution(order_of(3));
   for (int generation = 0; generation < 80; ++generation) evolution.tell(measured(ellipsoid, evolution.ask()));
   const double before = evolution.step();
-  Dice dice(1);
+  Rng rng(1);
   for (int generation = 0; generation < 60; ++generation)
-    evolution.tell(measured([&](const UnitPoint&) { return dice.below(1000); }, evolution.ask()));
+    evolution.tell(measured([&](const UnitPoint&) { return rng.below(1000); }, evolution.ask()));
   EXPECT_GT(evolution.step(), before / 20.0);
   EXPECT_LT(evolution.step(), before * 20.0);
 }
 
 TEST(Eigenvectors, OfSymmetricMatrices) {
-  Dice dice(3);
+  Rng rng(3);
   for (const std::size_t side : {1U, 2U, 3U, 7U, 20U}) {
     SquareMatrix matrix(side);
     for (std::size_t row = 0; row < side; ++row)
       for (std::size_t column = 0; column <= row; ++column)
-        matrix(row, column) = matrix(column, row) = dice.below(2001) / 1000.0 - 1.0;
+        matrix(row, column) = matrix(column, row) = rng.below(2001) / 1000.0 - 1.0;
     const Eigenvectors found = eigenvectors_of(matrix);
     for (std::size_t i = 0; i < side; ++i)
       for (std::size_t row = 0; row < side; ++row) {

@@ -136,7 +136,7 @@ TEST(PageContest, IsOnItsClock) {
         const json& run = runs[i];
         const std::size_t last = i + 1 < runs.size() ? runs[i + 1]["frame"].get<std::size_t>() : clock.size() - 1;
         const double end = run["end"].get<double>() / 1e6;
-        if (run["kind"] == "fast") {
+        if (run["kind"] == "speed") {
           // The next run may begin with being carried to the start.
           const double told = clock[last].get<double>(), before = clock[last - 1].get<double>();
           EXPECT_TRUE(std::abs(told - end) < 2e-6 || std::abs(before - end) < 2e-6) << world << seed;

@@ -110,8 +110,8 @@ TEST(PageCrash, OfASpeedRunWithTheFailureModelIsOnItsRoute) {
   const json play = play_of(file), &runs = play["drive"]["runs"];
   int crashes = 0;
   for (const json& run : runs) {
-    EXPECT_EQ(run["crash"].is_null(), run["kind"] != "fast");
-    if (run["kind"] != "fast") continue;
+    EXPECT_EQ(run["crash"].is_null(), run["kind"] != "speed");
+    if (run["kind"] != "speed") continue;
     ++crashes;
     const Cell cell = {run["crash"]["cell"][0], run["crash"]["cell"][1]};
     EXPECT_EQ(cell.x, 0) << "on the first straight";

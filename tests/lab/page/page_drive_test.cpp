@@ -54,7 +54,7 @@ TEST(PageDrive, HasEachMoveAndEachSegment) {
   ASSERT_EQ(drive["runs"].size(), 3);
   EXPECT_EQ(drive["runs"][0]["kind"], "search");
   EXPECT_EQ(drive["runs"][1]["kind"], "home");
-  EXPECT_EQ(drive["runs"][2]["kind"], "fast");
+  EXPECT_EQ(drive["runs"][2]["kind"], "speed");
   EXPECT_EQ(play["action"][0], "ahead 1");
   EXPECT_EQ(play["action"].back(), "ahead 1");
   EXPECT_EQ(play["clock"].size(), play["action"].size() + 1);
@@ -70,7 +70,7 @@ TEST(PageDrive, HasEachMoveAndEachSegment) {
   EXPECT_TRUE(play["scores"][0].is_null());
   // From the start it sees that the goal is open, and in the loop it does not.
   EXPECT_EQ(drive["runs"][0]["known"], drive["runs"][2]["known"]);
-  EXPECT_EQ(drive["runs"][2]["known"], drive["runs"][2]["hoped"]);
+  EXPECT_EQ(drive["runs"][2]["known"], drive["runs"][2]["possible"]);
   EXPECT_EQ(play_of(test::loop(), "flood")["drive"]["runs"][0]["known"], nullptr);
 }
 

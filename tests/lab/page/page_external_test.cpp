@@ -64,10 +64,10 @@ TEST(PageExternal, ForfeitsAsItEnds) {
     return answer("program_end", {{"contest", now["contest"]}});
   };
   const json failed = end({{"kind", "failed"}, {"message", "x is not defined"}, {"line", 3}});
-  EXPECT_EQ(failed["play"]["outcome"], "forfeit: died");
+  EXPECT_EQ(failed["play"]["outcome"], "forfeit: ended early");
   EXPECT_EQ(failed["started"], false);
   EXPECT_THAT(failed["play"]["last_words"].get<std::string>(), Says("error", "line 3", "x is not defined"));
-  EXPECT_EQ(end({{"kind", "exited"}, {"code", 0}})["play"]["outcome"], "forfeit: died");
+  EXPECT_EQ(end({{"kind", "exited"}, {"code", 0}})["play"]["outcome"], "forfeit: ended early");
   EXPECT_EQ(end({{"kind", "silent"}, {"seconds", 2}})["play"]["outcome"], "forfeit: hung");
   EXPECT_EQ(end({{"kind", "printed"}, {"what", "x"}})["play"]["outcome"], "forfeit: too much written");
   const json now = answer("program_begin", beginning(test::hook()));

@@ -98,11 +98,11 @@ TEST(PagePlay, HasTheReasonsOfAMouseThatKeepsThem) {
 
 TEST(PagePlay, SaysWhyAMouseGaveUp) {
   const json play = play_of("flood", test::without_route());
-  EXPECT_EQ(play["outcome"], "forfeit: no way");
+  EXPECT_EQ(play["outcome"], "forfeit: no route");
   EXPECT_EQ(play["finished"], false);
   for (const char* field : {"score", "bound", "optimum", "goal_frame", "reset_frame"})
     EXPECT_TRUE(play[field].is_null()) << field;
-  EXPECT_EQ(play["action"].back(), "forfeit: no way");
+  EXPECT_EQ(play["action"].back(), "forfeit: no route");
 }
 
 TEST(PagePlay, ComesWithItsRecord) {

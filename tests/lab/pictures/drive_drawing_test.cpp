@@ -63,10 +63,10 @@ TEST(DriveDrawing, JoinsTheSegmentsOfRoutesInRealMazes) {
 
 TEST(DriveDrawing, JoinsTheSegmentsOfRoutesInMazesByDice) {
   const auto model = test::drive_model("classic");
-  Dice dice(21);
+  Rng rng(21);
   for (int i = 0; i < test::some_of(200); ++i) {
     SCOPED_TRACE(i);
-    expect_joined(fastest_route(test::any_maze(dice, 12), *model), *model);
+    expect_joined(fastest_route(test::any_maze(rng, 12), *model), *model);
     if (HasFailure()) return;
   }
 }

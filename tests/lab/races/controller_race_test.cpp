@@ -156,7 +156,7 @@ TEST(ControllerRace, TellsWhyAMouseGaveUp) {
     EXPECT_FALSE(result.score);
     EXPECT_EQ(result.never_started, "");
   }
-  EXPECT_THAT(table_of(held, false), Says("rubbish", "'what?'"));
+  EXPECT_THAT(table_of(held, false), Says("invalid answer", "'what?'"));
   const Race ended = race(mice("controller:\"" LABMOUSE_BAD_PROGRAM "\" \"pilot end at the start\""));
   for (const ContestResult& result : ended.results) EXPECT_THAT(result.never_started, HasSubstr("labmouse pilot 1"));
 }

@@ -27,9 +27,9 @@ TEST(ResultLine, SaysWhereAMouseStoodThatDidNotSolveIt) {
               SaysAt("flood in loop", "out of steps at (0,4) heading north", "2 search", "0 speed", "bound 4.167"));
   file.run.end = {{3, 1}, Heading::west};
   EXPECT_THAT(result_line(file), HasSubstr("out of steps at (3,1) heading west"));
-  EXPECT_THAT(
-      result_line(test::recorded("flood", test::without_route())),
-      SaysAt("flood in without-route", "forfeit (no way) at (0,0) heading north", "1 search", "0 speed", "; the goal"));
+  EXPECT_THAT(result_line(test::recorded("flood", test::without_route())),
+              SaysAt("flood in without-route", "forfeit (no route) at (0,0) heading north", "1 search", "0 speed",
+                     "; the goal"));
 }
 
 TEST(ResultLine, DoesNotForAFinishedContestOrACutRecord) {

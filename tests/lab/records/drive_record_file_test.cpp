@@ -88,11 +88,11 @@ TEST(DriveRecordFile, HoldsDashes) {
   Robot robot = find_robot("mm2021").robot;
   robot.known_speed = 600.0;
   robot.known_acceleration = 5000.0;
-  Dice dice(23);
+  Rng rng(23);
   std::size_t dashes = 0;
   for (int round = 0; round < test::tenth(12); ++round) {
     DriveRecordFile written = driven("certify");
-    written.maze = test::any_maze(dice, 12);
+    written.maze = test::any_maze(rng, 12);
     written.model = std::make_shared<DriveModel>(make_drive_model(robot));
     const DriveBound bound = drive_bound_of(*written.maze, written.rules, *written.model);
     for (const BuiltinMouse* entry : builtin_mice())
@@ -141,7 +141,7 @@ TEST(DriveRecordFile, ThatIsNoneIsRefusedWithItsLine) {
               Says("'rules.most_runs'", "1 to 1000"));
   EXPECT_THAT(problem(good() + good()).reason, HasSubstr("end of the record"));
   EXPECT_THAT(problem(changed(good(), "\"run\":\"search\"", "\"run\":\"stroll\"")),
-              ProblemAt(2, 1, "run", "search, home, fast"));
+              ProblemAt(2, 1, "run", "search, home, speed"));
   EXPECT_THAT(problem(changed(good(), "{\"move\":[0,1]", "{\"move\":[0,33]")), ProblemAt(3, 1, "'move'", "0 to 32"));
   EXPECT_THAT(problem(changed(good(), "{\"move\"", "{\"love\"")).reason, Says("belong", "seconds"));
   EXPECT_THAT(problem(changed(good(), "\"piece\":\"R90\"", "\"piece\":\"R91\"")).reason,
@@ -235,7 +235,7 @@ TEST(DriveRecordReplay, BeginsWithASearch) {
   file.record.runs.erase(file.record.runs.begin());
   EXPECT_THAT(replay(file), SaysAt("run 1 (home)", "first run", "search"));
   file.record.runs.erase(file.record.runs.begin());
-  EXPECT_THAT(replay(file), SaysAt("run 1 (fast)", "first run", "search"));
+  EXPECT_THAT(replay(file), SaysAt("run 1 (speed)", "first run", "search"));
 }
 
 TEST(DriveRecordReplay, LetsNoRunBeginAtTheStartWhereTheMouseIsNot) {
@@ -243,7 +243,7 @@ TEST(DriveRecordReplay, LetsNoRunBeginAtTheStartWhereTheMouseIsNot) {
   auto& runs = file.record.runs;
   const DriveRun search = runs[0], fast = runs[2];
   runs = {search, later(fast, search.end - fast.begin)};
-  EXPECT_THAT(replay(file), SaysAt("run 2 (fast)", "begins at the start"));
+  EXPECT_THAT(replay(file), SaysAt("run 2 (speed)", "begins at the start"));
   runs = {search, later(search, search.end)};
   EXPECT_THAT(replay(file), SaysAt("run 2 (search)", "begins at the start"));
 }
@@ -263,7 +263,7 @@ TEST(DriveRecordReplay, LetsNoMouseDriveBeforeAGoalWasEntered) {
   search.end = search.begin;
   search.gate_out = std::nullopt;
   runs = {search, later(fast, -fast.begin)};
-  EXPECT_THAT(replay(file), SaysAt("run 2 (fast)", "before a goal"));
+  EXPECT_THAT(replay(file), SaysAt("run 2 (speed)", "before a goal"));
 }
 
 TEST(DriveRecordReplay, CountsTheRunsThatBeginAtTheStart) {
@@ -272,16 +272,16 @@ TEST(DriveRecordReplay, CountsTheRunsThatBeginAtTheStart) {
   file.rules.most_runs = 2;
   EXPECT_EQ(replay(file), "");
   file.rules.most_runs = 1;
-  EXPECT_THAT(replay(file), SaysAt("run 3 (fast)", "rules", "1 run "));
+  EXPECT_THAT(replay(file), SaysAt("run 3 (speed)", "rules", "1 run "));
   // And once more: it is carried to the start.
   runs.push_back(later(runs[2], runs[2].end - runs[2].begin));
   file.rules.most_runs = 3;
   EXPECT_EQ(replay(file), "");
   file.rules.most_runs = 2;
-  EXPECT_THAT(replay(file), SaysAt("run 4 (fast)", "rules", "2 runs "));
+  EXPECT_THAT(replay(file), SaysAt("run 4 (speed)", "rules", "2 runs "));
   file.rules.most_runs = 3;
   runs[3] = later(runs[3], 1);
-  EXPECT_THAT(replay(file), SaysAt("run 4 (fast)", "beginning at"));
+  EXPECT_THAT(replay(file), SaysAt("run 4 (speed)", "beginning at"));
 }
 
 TEST(DriveRecordReplay, LetsNoRunBeginAfterTheTime) {
@@ -290,7 +290,7 @@ TEST(DriveRecordReplay, LetsNoRunBeginAfterTheTime) {
     file.rules.time_limit = file.record.runs[run].begin;
     score_again(file);
     EXPECT_THAT(replay(file), run == 1 ? SaysAt("run 2 (home)", "after the time", "1.374000 s")
-                                       : SaysAt("run 3 (fast)", "after the time", "8.748000 s"));
+                                       : SaysAt("run 3 (speed)", "after the time", "8.748000 s"));
   }
   // Just in time it may begin, though it does not count.
   ++file.rules.time_limit;
@@ -324,10 +324,10 @@ TEST(DriveRecordReplay, WantsTheFastestKnownRoute) {
   set_gates(fast, maze, *file.model);
   fast.end = fast.begin + slower.time;
   score_again(file);
-  EXPECT_THAT(replay(file), SaysAt("run 3 (fast)", "0.904562 s", "fastest", "0.789001 s"));
+  EXPECT_THAT(replay(file), SaysAt("run 3 (speed)", "0.904562 s", "fastest", "0.789001 s"));
   // Nor does it help to say that no faster one was known.
   fast.known = slower.time;
-  EXPECT_THAT(replay(file), SaysAt("run 3 (fast)", "known route", "0.904562 s"));
+  EXPECT_THAT(replay(file), SaysAt("run 3 (speed)", "known route", "0.904562 s"));
 }
 
 TEST(DriveRecordReplay, KnowsWhereASearchEndsInTheMiddleOfAGoal) {
@@ -337,7 +337,7 @@ TEST(DriveRecordReplay, KnowsWhereASearchEndsInTheMiddleOfAGoal) {
                                    "0.300000 s, 1.374000 s and 1.674000 s"));
   // Not where the time ends at the edge of the goal, or where the mouse gives up there.
   for (DriveRecordFile cut : {scripted(to_goal(Action::reset()), 1'374'000),
-                              scripted(to_goal(Action::forfeit(ForfeitReason::no_way)), 100'000'000)}) {
+                              scripted(to_goal(Action::forfeit(ForfeitReason::no_route)), 100'000'000)}) {
     ASSERT_EQ(cut.record.runs.size(), 1U);
     EXPECT_FALSE(cut.record.runs[0].centre);
     EXPECT_EQ(replay(cut), "");
@@ -384,7 +384,7 @@ TEST(DriveRecordFile, HasASummary) {
   const std::string summary = summary_of(file);
   EXPECT_THAT(
       summary,
-      StartsWith("run           begin s     end s    gates   centre    known    hoped\n  1  search     0.000 "));
+      StartsWith("run           begin s     end s    gates   centre    known possible\n  1  search     0.000 "));
   EXPECT_THAT(summary, HasSubstr("\nflood in ring, mm2021, all-japan: "));
   EXPECT_THAT(summary, HasSubstr(" s gate to gate in run "));
 }

@@ -120,11 +120,11 @@ void leave_out(DriveRoute& route, std::size_t index) {
 }
 
 TEST(DriveRouteCheck, AgreesWithTheFastestRoutes) {
-  Dice dice(23);
+  Rng rng(23);
   int driven = 0;
   for (const char* robot : {"mm2021", "classic", "kerise", "beginner"})
     for (int i = 0; i < test::fewer(40); ++i) {
-      const Course course = fastest(test::any_maze(dice, 9), robot);
+      const Course course = fastest(test::any_maze(rng, 9), robot);
       if (course.route.time == no_time) continue;
       EXPECT_EQ(course.checked(), "") << test::drawing_of(course.maze);
       driven += course.route.segments.empty() ? 0 : 1;
@@ -133,10 +133,10 @@ TEST(DriveRouteCheck, AgreesWithTheFastestRoutes) {
 }
 
 TEST(DriveRouteCheck, KnowsTheTimeOfEachSegmentToTheMicrosecond) {
-  Dice dice(29);
+  Rng rng(29);
   for (const char* robot : {"mm2021", "classic", "kerise", "beginner"})
     for (int i = 0; i < test::fewer(15); ++i) {
-      const Course course = fastest(test::any_maze(dice, 9), robot);
+      const Course course = fastest(test::any_maze(rng, 9), robot);
       for (std::size_t segment = 0; segment < course.route.segments.size(); ++segment)
         for (const DriveTime by : {-1, 1}) {
           Course changed = course;

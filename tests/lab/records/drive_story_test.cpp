@@ -31,10 +31,10 @@ DriveRecordFile eventful() {
   run(DriveRun::Kind::search, 7'000'000, 9'000'000, RunEnd::wall_error, 0.8);
   run(DriveRun::Kind::search, 14'000'000, 20'000'000, RunEnd::done, 0.64);
   run(DriveRun::Kind::home, 20'000'000, 25'000'000, RunEnd::done, 0.64);
-  run(DriveRun::Kind::fast, 25'000'000, 27'000'000, RunEnd::done, 0.8);
-  run(DriveRun::Kind::fast, 30'000'000, 31'000'000, RunEnd::position_lost, 1.0);
+  run(DriveRun::Kind::speed, 25'000'000, 27'000'000, RunEnd::done, 0.8);
+  run(DriveRun::Kind::speed, 30'000'000, 31'000'000, RunEnd::position_lost, 1.0);
   file.record.runs[3].known = 2'000'000;
-  file.record.runs[3].hoped = 1'500'000;
+  file.record.runs[3].possible = 1'500'000;
   file.record.runs[4].gate_out = 25'200'000;
   file.record.runs[4].gate_in = 26'950'000;
   const Wall wall = {{1, 1}, Heading::north};

@@ -174,8 +174,8 @@ TEST(Explanation, TellsOnceWhereItBeginsToFlood) {
 TEST(Explanation, TellsOfAForfeit) {
   RecordFile file = explained();
   file.run.steps.resize(4);
-  file.run.steps.back().action = Action::forfeit(ForfeitReason::no_way);
-  EXPECT_THAT(end_of(explanation_of(file, 5)), SaysAt("step 4", "forfeit", "no way"));
+  file.run.steps.back().action = Action::forfeit(ForfeitReason::no_route);
+  EXPECT_THAT(end_of(explanation_of(file, 5)), SaysAt("step 4", "forfeit", "no route"));
 }
 
 TEST(Explanation, OfARecordThatBreaksOffHasNoEnd) {

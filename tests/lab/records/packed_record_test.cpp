@@ -108,6 +108,12 @@ TEST(PackedRecord, KeepsEveryReasonOfAForfeit) {
     EXPECT_EQ(actions_of("n!" + std::string(name_of(reason)) + ";").back(), Action::forfeit(reason));
 }
 
+TEST(PackedRecord, MayHaveReasonsOfEarlierVersions) {
+  EXPECT_EQ(actions_of("n!died;").back(), Action::forfeit(ForfeitReason::ended_early));
+  EXPECT_EQ(actions_of("n!rubbish;").back(), Action::forfeit(ForfeitReason::invalid_answer));
+  EXPECT_EQ(actions_of("n!no way;").back(), Action::forfeit(ForfeitReason::no_route));
+}
+
 RC_GTEST_PROP(PackedRecord, HoldsAnyActions, ()) {
   const auto number = rc::gen::oneOf(rc::gen::inRange(-4, 5), rc::gen::element(-90, 90), rc::gen::arbitrary<int>());
   const auto action = rc::gen::oneOf(rc::gen::apply(Action::step, number, number), rc::gen::just(Action::reset()),

@@ -287,6 +287,16 @@ TEST(Record, AForfeitAtTheEndNeedsAStepThatForfeits) {
               HasSubstr("forfeit"));
 }
 
+TEST(Record, AForfeitMayHaveAReasonOfAnEarlierVersion) {
+  RecordFile file = recorded("flood");
+  file.run.steps.back().action = Action::forfeit(ForfeitReason::no_route);
+  file.run.outcome = Outcome::forfeit;
+  const ReadRecordResult read =
+      read_record(changed(write_record(file), "\"forfeit: no route\"", "\"forfeit: no way\""));
+  ASSERT_TRUE(read.file);
+  EXPECT_EQ(read.file->run.steps.back().action, Action::forfeit(ForfeitReason::no_route));
+}
+
 TEST(Record, AWrongSeedIsRefused) {
   const std::string text = write_record(recorded("flood"));
   EXPECT_THAT(problem(changed(text, "\"seed\":", "\"seed\":-")).reason, HasSubstr("'seed'"));

@@ -76,7 +76,7 @@ json losses(const json& maze, const json& contests) {
   return answer("losses", {{"maze", maze}, {"contests", contests}});
 }
 
-/// For mice of all kinds, with dice and without, in mazes that are large enough to lose something in.
+/// For mice of all kinds, stochastic and not, in mazes that are large enough to lose something in.
 TEST(LostSteps, AddUpToTheScores) {
   for (const char* name : {"capstone-1", "contest-02"}) {
     const json maze = answer("builtin_maze", {{"name", name}})["maze"];

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/routes/route_report.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
@@ -72,10 +72,10 @@ TEST_F(RouteRegionsTest, SinglePlansAtRandomValuesLieInTheirRegions) {
   LABMOUSE_SKIP_SANITIZED();
   const RegionOrder order = order_of_grip(2'000, 40'000);
   const RouteRegions found = find_regions(maze, classic, order);
-  Dice dice(7);
+  Rng rng(7);
   int inside = 0;
   for (int i = 0; i < 60; ++i) {
-    const double value = order.across.from + dice.below(38'000);
+    const double value = order.across.from + rng.below(38'000);
     for (const RouteRegion& region : found.rows.front().regions) {
       if (value < region.from || value > region.to) continue;
       ++inside;

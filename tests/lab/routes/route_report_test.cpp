@@ -126,11 +126,11 @@ class EveryShortestWay {
 };
 
 TEST(RouteReport, FindsTheFastestRouteOfTheFewestCells) {
-  Dice dice(3);
+  Rng rng(3);
   int known = 0;
   for (int i = 0; i < test::fewer(200); ++i) {
     SCOPED_TRACE(i);
-    const Maze maze = test::any_maze(dice, 6);
+    const Maze maze = test::any_maze(rng, 6);
     const RouteReport report = route_report(maze, mm2021());
     if (!report.error.empty() || report.fewest_cells > 9) continue;
     EXPECT_GE(report.cells, report.fewest_cells);

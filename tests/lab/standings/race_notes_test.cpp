@@ -24,7 +24,7 @@ class Mourner final : public Strategy {
  public:
   explicit Mourner(Size size) : knowledge_(size), words_("died on " + std::to_string(size.width) + " columns\n") {}
 
-  Action decide(const Sighting&) override { return Action::forfeit(ForfeitReason::died); }
+  Action decide(const Sighting&) override { return Action::forfeit(ForfeitReason::ended_early); }
   const Knowledge& knowledge() const override { return knowledge_; }
   StrategyReport report() override { return {.last_words = words_}; }
 
@@ -46,7 +46,7 @@ NamedMaze closed() { return {"a closed maze", test::without_route().maze}; }
 
 TEST(RaceNotes, QuoteTheFirstFailureInAMazeThatCounts) {
   const std::string notes = notes_on_a_mourner_in({closed(), test::corridor(), test::loop()});
-  EXPECT_THAT(notes, Says("Failures:", "forfeit (died) 2\n", "first in corridor: died on 4 columns\n"));
+  EXPECT_THAT(notes, Says("Failures:", "forfeit (ended early) 2\n", "first in corridor: died on 4 columns\n"));
   EXPECT_THAT(notes, Not(HasSubstr("died on 2 columns")));
 }
 
@@ -63,7 +63,7 @@ std::string notes_on(const char* mice, const std::vector<std::string>& names) {
 TEST(RaceNotes, NameMazesThatShareTheirSeeds) {
   EXPECT_THAT(notes_on("random", {"a/x.txt", "b/x.txt", "y.txt"}), Says("a/x.txt", "b/x.txt", "seeds"));
   EXPECT_THAT(notes_on("random", {"a/x.txt", "b/y.txt"}), Not(HasSubstr("seeds")));
-  EXPECT_THAT(notes_on("flood", {"a/x.txt", "b/x.txt"}), Not(HasSubstr("seeds"))) << "throws no dice";
+  EXPECT_THAT(notes_on("flood", {"a/x.txt", "b/x.txt"}), Not(HasSubstr("seeds"))) << "makes no random choices";
   EXPECT_EQ(contest_seed(1, "a/x.txt", 0), contest_seed(1, "x.txt", 0)) << "stores have contests under their seeds";
 }
 
@@ -123,8 +123,8 @@ TEST(JUnit, HasATestForEachContestAndOneForTheMean) {
       hold_race({mouse_for_five_columns()}, {test::loop(), {"<hook>", test::hook().maze}}, test::in_steps())};
   const std::string text = junit_of(races, 1.0);
   EXPECT_THAT(text, Says("<testsuite name=\"five (steps)\" tests=\"3\" failures=\"2\" skipped=\"0\">",
-                         "name=\"&lt;hook&gt;, run 1\"><failure message=\"forfeit: died\"/>", "name=\"loop, run 1\"/>",
-                         "name=\"mean score\"><failure"));
+                         "name=\"&lt;hook&gt;, run 1\"><failure message=\"forfeit: ended early\"/>",
+                         "name=\"loop, run 1\"/>", "name=\"mean score\"><failure"));
   EXPECT_THAT(junit_of(races, std::nullopt), Says("tests=\"2\" failures=\"1\""));
 }
 

@@ -87,7 +87,7 @@ TEST_F(RaceAsJson, AMazeWithoutARouteHasNullLimits) {
 
 TEST_F(RaceAsJson, AFailedContestLacksItsScoreAndSpeedSteps) {
   const Json& failed = result("flood:stride=1", "without-route");
-  EXPECT_EQ(failed.at("outcome"), "forfeit: no way");
+  EXPECT_EQ(failed.at("outcome"), "forfeit: no route");
   EXPECT_TRUE(failed.at("score").is_null());
   EXPECT_TRUE(failed.at("speed_steps").is_null());
 }
@@ -175,7 +175,7 @@ TEST(RaceAsCsv, EndsWithTheShares) {
 
 TEST(RaceAsCsv, LeavesEmptyWhatAFailedContestLacks) {
   const auto list = lines(csv_of(hold_race(test::mice("flood"), {test::without_route()}, test::in_steps())));
-  EXPECT_THAT(list[1], HasSubstr(",forfeit: no way,,"));
+  EXPECT_THAT(list[1], HasSubstr(",forfeit: no route,,"));
   EXPECT_THAT(list[1], HasSubstr(",,,,"));
 }
 

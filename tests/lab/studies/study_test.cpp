@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
@@ -318,8 +318,8 @@ Study in_seconds(std::string_view specs, const std::string& rules, int mazes) {
   StudyOrder order = folded(2);
   order.race.world = seconds_world(find_rules(rules).rules, test::drive_model("mm2021"));
   std::vector<NamedMaze> some;
-  for (Dice dice(5); std::ssize(some) < mazes;) {
-    Maze maze = test::any_maze(dice, 6);
+  for (Rng rng(5); std::ssize(some) < mazes;) {
+    Maze maze = test::any_maze(rng, 6);
     maze = maze.with_start({0, 0}, Heading::north).with_goals(centre_of(maze.size()));
     const NamedMaze named = {"maze-" + std::to_string(some.size()), maze};
     if (!maze.is_goal(maze.start()) && select_mazes({named}, *order.race.world).mazes.size() == 1)

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 
 namespace labmouse {
 namespace {
@@ -32,13 +32,13 @@ TEST(NumberRows, SayHowOftenOneIsRepeated) {
 }
 
 TEST(NumberRows, ComeBackWhateverTheyAre) {
-  Dice dice(1);
+  Rng rng(1);
   for (int i = 0; i < 200; ++i) {
-    const auto columns = 1 + static_cast<std::size_t>(dice.bits() % 8);
+    const auto columns = 1 + static_cast<std::size_t>(rng.bits() % 8);
     Numbers numbers;
-    for (std::size_t row = dice.bits() % 20; row > 0; --row)
+    for (std::size_t row = rng.bits() % 20; row > 0; --row)
       for (std::size_t column = 0; column < columns; ++column)
-        numbers.push_back(static_cast<std::int32_t>(dice.bits()) >> dice.bits() % 32);
+        numbers.push_back(static_cast<std::int32_t>(rng.bits()) >> rng.bits() % 32);
     EXPECT_EQ(read(rows_text(numbers, columns), columns), numbers);
   }
   constexpr auto least = std::numeric_limits<std::int32_t>::min(), most = std::numeric_limits<std::int32_t>::max();

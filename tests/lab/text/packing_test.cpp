@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/chance/rng.hpp"
 #include "tests/lab/reports/unpacking.hpp"
 
 namespace labmouse {
@@ -25,9 +25,9 @@ RC_GTEST_PROP(Packing, LosesNothing, (const std::string& bytes)) {
 }
 
 TEST(Packing, OfMoreThanABufferLosesNothing) {
-  Dice dice(1);
+  Rng rng(1);
   std::string bytes;
-  while (bytes.size() < 1'000'000) bytes += static_cast<char>(dice.bits() & 0xFFU);
+  while (bytes.size() < 1'000'000) bytes += static_cast<char>(rng.bits() & 0xFFU);
   EXPECT_EQ(test::from_gzip(gzip(bytes)), bytes);
   EXPECT_LT(gzip(std::string(1'000'000, 'a')).size(), 2'000U);
 }

@@ -70,8 +70,9 @@ TEST(Entering, GivesARaceForEachRobot) {
 }
 
 TEST(Entering, IsRefusedByTheWorldThatIsNamed) {
+  const std::vector<std::string> apart = {"manhattan", program};
   for (const WorldEntry* entry : all_worlds())
-    EXPECT_THAT(enter(of_two_worlds(), entry->name, {}).error, StartsWith("error: ")) << entry->name;
+    EXPECT_THAT(enter(read_specs(apart).contestants, entry->name, {}).error, StartsWith("error: ")) << entry->name;
   EXPECT_THAT(enter({of_two_worlds()[0]}, "seconds", {{"robot", "no-robot"}}).error, HasSubstr("no-robot"));
   EXPECT_THAT(enter({of_two_worlds()[0]}, "seconds", {}).entries, SizeIs(1));
   Contestant nobody;

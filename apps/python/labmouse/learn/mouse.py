@@ -143,6 +143,6 @@ class Learned:
     def shuffled(self, seed: int = 1) -> "Learned":
         """A mouse with the same weights in random order, as a baseline. The last one, the patience of Policy, stays."""
         k = (WEIGHTS - 1) // 2
-        dice, weights = np.random.default_rng(seed), self.weights.copy()
-        weights[: 2 * k] = dice.permutation(weights[: 2 * k])
+        rng, weights = np.random.default_rng(seed), self.weights.copy()
+        weights[: 2 * k] = rng.permutation(weights[: 2 * k])
         return Learned(weights, f"{self.__name__} shuffled")

@@ -63,7 +63,7 @@ def _ctrl_c() -> Iterator[Callable[[], bool]]:
 
 def train(seconds: float, generations: int, jobs: int, seed: int, size: int, budget: int, kind: str = "contest") -> Dict[str, Any]:
     """Trains until `seconds`, `generations` or Ctrl-C end it. Returns the content of the file for the best policy."""
-    dice = np.random.default_rng(seed)
+    rng = np.random.default_rng(seed)
     mazes, validation = MazeSet("train", kind=kind, size=size), MazeSet("validation", kind=kind, size=size)[:100]
     mean, momentum, square = np.zeros(WEIGHTS), np.zeros(WEIGHTS), np.zeros(WEIGHTS)
     best, best_score = mean, np.inf
@@ -81,7 +81,7 @@ def train(seconds: float, generations: int, jobs: int, seed: int, size: int, bud
             if over:
                 break
             first = generation * MAZES
-            noise = dice.standard_normal((PAIRS, WEIGHTS))
+            noise = rng.standard_normal((PAIRS, WEIGHTS))
             tried = mean + SPREAD * np.concatenate([noise, -noise])
             returns = _parts(tried, mazes[first : first + MAZES], budget, pool, jobs).mean(axis=1)
             rank = ranks(returns)

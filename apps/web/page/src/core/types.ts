@@ -110,7 +110,7 @@ export interface WorldInPage {
   plays: boolean;
   /** Whether contests differ for mice, too, that are deterministic themselves. */
   is_stochastic: boolean;
-  /** Contests in each maze of a mouse that meets dice, where nobody says. */
+  /** Contests in each maze of a stochastic mouse or world, by default. */
   usual_runs: number;
   /** What a race there is asked besides. */
   settings: Parameter[];
@@ -330,7 +330,7 @@ export interface DriveScore {
 
 /** One run of a contest in seconds. Times are microseconds on the maze's clock. */
 export interface DriveRun {
-  kind: 'search' | 'home' | 'fast' | 'laps';
+  kind: 'search' | 'home' | 'speed' | 'laps';
   begin: number;
   end: number;
   /** Left the start cell, first entered a goal, first in the middle of a goal; null where that never came. */
@@ -343,7 +343,7 @@ export interface DriveRun {
   dead_ends?: { seen: number; all: number; steps: number; fewest_steps: number };
   /** When it began: times of the fastest route known to exist, and of the fastest that may exist; null for none. */
   known: number | null;
-  hoped: number | null;
+  possible: number | null;
   /**
    * How it ended, in the words of the record: "done", "slid", "no route left"; null in a world in which nothing
    * goes wrong.

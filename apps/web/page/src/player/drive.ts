@@ -108,7 +108,7 @@ export const kinds: Record<DriveRun['kind'], string> = {
 };
 
 /** Whether a run follows a route at full speed: a speed run, or laps. */
-export const followsRoute = (run: DriveRun | undefined) => run?.kind === 'fast' || run?.kind === 'laps';
+export const followsRoute = (run: DriveRun | undefined) => run?.kind === 'speed' || run?.kind === 'laps';
 
 const endings: Record<string, string> = {
   'given up': 'gave up',

@@ -3,7 +3,7 @@ import type { Drive, DriveRun } from '../core/types';
 import { durationText, endText, gateToGate, kinds, madeOf } from './drive';
 import type { PanelProps, Side } from './state';
 
-const heads = ['run', 'begins', 'takes', 'gate to gate', 'known, hoped for', 'counts'];
+const heads = ['run', 'begins', 'takes', 'gate to gate', 'known, possible', 'counts'];
 
 /** Two times of one run stand side by side: what each is, and which of them counts. */
 const timedBy = ({ gate_to_gate, counts }: Drive['rules']) =>
@@ -12,9 +12,9 @@ const timedBy = ({ gate_to_gate, counts }: Drive['rules']) =>
     : '“takes” is the time from the beginning of a run to its end. “gate to gate” is the time from leaving the start cell to ' +
       `entering a goal. These rules count the time ${gate_to_gate ? 'from gate to gate' : 'from the beginning of a run to the middle of a goal'}.`;
 
-function knownText({ known, hoped }: DriveRun): string {
-  if (known === null && hoped === null) return '–';
-  return `${durationText(known)}, ${known === hoped ? 'proven' : durationText(hoped)}`;
+function knownText({ known, possible }: DriveRun): string {
+  if (known === null && possible === null) return '–';
+  return `${durationText(known)}, ${known === possible ? 'proven' : durationText(possible)}`;
 }
 
 interface LineProps {

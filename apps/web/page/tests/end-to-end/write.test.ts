@@ -119,7 +119,7 @@ test('records are those of the command line, byte for byte', async () => {
       readFileSync(join(templates, name), 'utf8'),
       proof ? ['capstone-1', 'contest-05'] : ['capstone-1'],
     ]),
-    ['rubbish', doing(`console.error('a note', [1, 'b'], { c: 3 }); console.log('fly');`), ['contest-01']],
+    ['an invalid answer', doing(`console.error('a note', [1, 'b'], { c: 3 }); console.log('fly');`), ['contest-01']],
     ['flooded', doing(`console.log('move 0 1\\nmove 0 1');`), ['contest-01']],
   ];
   for (const [name, text, mazes] of programs) {
@@ -200,9 +200,9 @@ const failures: [what: string, program: string, outcome: RegExp][] = [
     doing(`self.postMessage(null); self.postMessage({ kind: 'reply', lines: [1] }); console.log('forfeit');`),
     /gave up/,
   ],
-  ['an end of its own', doing('process.exit(3)'), /died.*exit code 3/],
-  ['an error', `// one\n// two\n${doing('undefined.x')}`, /died.*error in line 7/],
-  ['an error in a promise', doing('await null; throw new Error("late")'), /died.*late/],
+  ['an end of its own', doing('process.exit(3)'), /ended early.*exit code 3/],
+  ['an error', `// one\n// two\n${doing('undefined.x')}`, /ended early.*error in line 7/],
+  ['an error in a promise', doing('await null; throw new Error("late")'), /ended early.*late/],
   ['a program that cannot be read', 'const a = ;', /did not start.*line 1.*SyntaxError/],
   ['a module that is not there', `require('net')`, /did not start.*line 1.*'net'/],
 ];
@@ -210,7 +210,11 @@ const failures: [what: string, program: string, outcome: RegExp][] = [
 /** The first waits for its whole patience; the other takes the machine's memory away from the tests beside it. */
 const longFailures: typeof failures = [
   ['an endless loop before its first word', 'for (;;);', /did not start.*within 10 s.*loop without an end/],
-  ['an endless memory', doing('const all = []; for (;;) all.push(new Array(1e6).fill(all.length));'), /hung|died/],
+  [
+    'an endless memory',
+    doing('const all = []; for (;;) all.push(new Array(1e6).fill(all.length));'),
+    /hung|ended early/,
+  ],
 ];
 
 test('its failure is its forfeit, and the page goes on', async () => {

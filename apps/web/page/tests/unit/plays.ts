@@ -124,7 +124,7 @@ export function mms(changes: Partial<Play> = {}): Play {
  */
 export function seconds(changes: Partial<Play> = {}): Play {
   const run = {
-    ...{ gate_out: null, gate_in: null, centre: null, known: null, hoped: null, score: null },
+    ...{ gate_out: null, gate_in: null, centre: null, known: null, possible: null, score: null },
     ...{ ended: null, crash: null },
   };
   return {
@@ -173,7 +173,7 @@ export function seconds(changes: Partial<Play> = {}): Play {
         { ...run, kind: 'search', begin: 0, end: 3e6, gate_out: 1e6, gate_in: 2e6, frame: 0, from: 0, to: 4 },
         {
           ...run,
-          kind: 'fast',
+          kind: 'speed',
           begin: 3e6,
           end: 5.5e6,
           gate_out: 4e6,

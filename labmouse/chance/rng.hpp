@@ -11,9 +11,9 @@
 namespace labmouse {
 
 /// A seeded random number generator. Equal seeds give equal sequences for ever.
-class Dice {
+class Rng {
  public:
-  explicit constexpr Dice(std::uint64_t seed) : state_(seed) {}
+  explicit constexpr Rng(std::uint64_t seed) : state_(seed) {}
 
   /// 64 random bits.
   constexpr std::uint64_t bits() {
@@ -50,7 +50,7 @@ class Dice {
 constexpr std::uint64_t seed_for(std::uint64_t seed, std::string_view name, std::uint64_t number = 0) {
   std::uint64_t hash = 0xCBF29CE484222325U;
   for (const char letter : name) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3U;
-  return Dice(hash ^ Dice(seed).bits() ^ Dice(~number).bits()).bits();
+  return Rng(hash ^ Rng(seed).bits() ^ Rng(~number).bits()).bits();
 }
 
 }  // namespace labmouse
