@@ -10,7 +10,7 @@ foreach(name IN ITEMS
     records/drive_record_writer records/drive_route_check records/drive_story records/explanation records/mms_record
     records/mms_record_reader records/mms_record_replay records/packed_record records/physical_lines records/physical_replay records/record_maze records/record_parts
     records/record_reader records/record_reasons records/record_replay records/record_writer robots/drive_rules_file
-    robots/hardware_keys robots/robot_family robots/robot_file robots/robot_files robots/robot_json robots/robot_keys robots/robot_remarks robots/robot_table
+    robots/hardware_keys robots/robot_data robots/robot_family robots/robot_file robots/robot_files robots/robot_json robots/robot_keys robots/robot_remarks robots/robot_table
     robots/robot_text routes/region_picture routes/region_table routes/route_data
     routes/route_regions routes/route_report routes/varied_number standings/common_fields
     standings/maze_scores standings/mouse_figures standings/mouse_pair standings/race_json standings/race_notes standings/standings system/file_names

@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "frames.hpp"
+#include "labmouse/lab/drives/drive_log.hpp"
+#include "labmouse/lab/records/physical_replay.hpp"
 #include "records.hpp"
 
 namespace labmouse::cli {
@@ -27,8 +29,19 @@ void watch(const Replay& replay, int delay, const std::string& summary) {
   frames.show(summary);
 }
 
+/// Saves all ticks of a contest in the physical world.
+void save_log(const std::string& path, const std::string& text) {
+  const ReadDriveRecordResult read = read_drive_record(text);
+  if (!read.file || !read.file->physical || read.file->physical->notes.by_failure_model)
+    throw UsageError("error: --log: only contests in the physical world have a log");
+  std::vector<LoggedTick> ticks;
+  drive_again(*read.file, 0, &ticks);
+  const DriveModel& model = *read.file->model;
+  save(path, log_text(ticks, labmouse::Field(*read.file->maze, model.tables.cell), *model.robot.hardware));
+}
+
 int replay_file(const ReplayOptions& options) {
-  expect_outputs({{"the record", options.file, Output::Kind::input}, {"--svg", options.svg}});
+  expect_outputs({{"the record", options.file, Output::Kind::input}, {"--svg", options.svg}, {"--log", options.log}});
   return show_replay(options, load_record_text(options.file));
 }
 
@@ -41,6 +54,11 @@ int score_file(const ScoreOptions& options) {
 
 }  // namespace
 
+void add_log(Command& command, std::string& log) {
+  command.add_option("--log", log, "In physical: save the sensor readings, duties and true position of each ms as CSV")
+      ->type_name("FILE");
+}
+
 void add_watch(Command& command, bool& watch, int& delay) {
   command.add_flag("--watch", watch, "Draw every step");
   command.add_option("--delay", delay, "Milliseconds to show each step")
@@ -51,6 +69,7 @@ void add_watch(Command& command, bool& watch, int& delay) {
 int show_replay(const ReplayOptions& options, const std::string& text) {
   const auto replay = open_record(options.file, text, options.maze);
   if (!replay) return exit_finding;
+  if (!options.log.empty()) save_log(options.log, text);
   const std::string summary = replay->summary(text_drawer(colours()));
   if (options.watch)
     watch(*replay, options.delay, summary);
@@ -72,6 +91,7 @@ void add_replay(Command& app, int& exit) {
   add_explain(*command, options->explain);
   add_watch(*command, options->watch, options->delay);
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
+  add_log(*command, options->log);
   command->footer("Example: labmouse run certify capstone-1 --record walk.jsonl && labmouse replay walk.jsonl --watch");
   command->callback([options, &exit] { exit = replay_file(*options); });
 }

@@ -10,13 +10,16 @@ namespace labmouse::cli {
 
 /// The options of `labmouse replay`; `delay` is in milliseconds.
 struct ReplayOptions {
-  std::string file, maze, svg;
+  std::string file, maze, svg, log;
   ExplainOptions explain;
   /// Printed for --explain where a record has no reasons.
   std::string no_reasons = "The record has no reasons; to keep them, use `labmouse run` with --explain and --record.";
   bool watch = false;
   int delay = 60;
 };
+
+/// Adds --log.
+void add_log(Command& command, std::string& log);
 
 /// Adds --watch and --delay.
 void add_watch(Command& command, bool& watch, int& delay);

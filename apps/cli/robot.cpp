@@ -8,6 +8,7 @@
 #include "labmouse/lab/pictures/robot_picture.hpp"
 #include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/robots/robot_arrays.hpp"
+#include "labmouse/lab/robots/robot_data.hpp"
 #include "labmouse/lab/robots/robot_table.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "robot_fit.hpp"
@@ -19,6 +20,7 @@ struct RobotOptions {
   std::string robot = "classic";
   std::string svg;
   std::string arrays;
+  std::string format = "table";
 };
 
 std::vector<std::string> names_of_turn_names() {
@@ -42,9 +44,12 @@ std::string arrays_of(const FoundRobot& found, const std::string& name) {
 void show(const RobotOptions& options) {
   expect_outputs({{"the robot", options.robot, Output::Kind::input}, {"--svg", options.svg}});
   const FoundRobot found = find_robot_or_refuse(options.robot);
-  if (!options.arrays.empty() && !options.svg.empty())
-    throw UsageError("error: --c prints arrays and --svg saves a picture; choose one");
+  const bool json = options.format == "json";
+  if ((options.arrays.empty() ? 0 : 1) + (options.svg.empty() ? 0 : 1) + (json ? 1 : 0) > 1)
+    throw UsageError("error: --c prints arrays, --svg saves a picture and --format json prints JSON; choose one");
   if (!options.arrays.empty()) return print(arrays_of(found, options.arrays));
+  if (json)
+    return print(robot_data(found.robot, found.model).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   if (options.svg.empty()) return print(robot_table(found.robot, found.model));
   save(options.svg, draw_robot(found.robot, found.model));
 }
@@ -92,6 +97,9 @@ void add_robot(Command& app, int& exit) {
                    "those of ukmars or kerikun11")
       ->type_name("NAMES")
       ->check(one_of(names_of_turn_names()));
+  shown->add_option("--format", options->format, "What is printed")
+      ->check(one_of({"table", "json"}))
+      ->capture_default_str();
   shown->footer("Example: labmouse robot show half --svg half.svg\n         labmouse robot show ./my-mouse.toml");
   shown->callback([options, &exit] {
     show(*options);

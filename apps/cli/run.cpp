@@ -18,7 +18,7 @@ namespace labmouse::cli {
 namespace {
 
 struct RunOptions {
-  std::string mouse, maze, svg, record;
+  std::string mouse, maze, svg, record, log;
   Places places;
   WorldChoice world;
   ExplainOptions explain;
@@ -58,6 +58,7 @@ int run_in(std::shared_ptr<const World> world, const RunOptions& options, const 
   ReplayOptions shown_as;
   shown_as.file = "the record of this run";
   shown_as.svg = options.svg;
+  shown_as.log = options.log;
   shown_as.explain = options.explain;
   shown_as.no_reasons = mouse.name + " kept no reasons.";
   shown_as.watch = options.watch;
@@ -69,7 +70,7 @@ int run_in(std::shared_ptr<const World> world, const RunOptions& options, const 
 }
 
 int run_contest(const RunOptions& options) {
-  expect_outputs({{"--record", options.record}, {"--svg", options.svg}});
+  expect_outputs({{"--record", options.record}, {"--svg", options.svg}, {"--log", options.log}});
   if (find_mouse(options.maze) != nullptr && maze_named(options.mouse))
     throw UsageError(fmt::format("error: '{}' is a maze, and the mouse comes first: labmouse run {} {}", options.mouse,
                                  options.maze, options.mouse));
@@ -77,7 +78,8 @@ int run_contest(const RunOptions& options) {
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   Entry entry = options.world.enter_one(std::move(mice));
   const NamedMaze maze = find_maze(options.maze, options.places, {.closes_unseen = true});
-  for (const std::string& file : {options.maze, options.record, options.svg}) options.external_mice.hidden->add(file);
+  for (const std::string& file : {options.maze, options.record, options.svg, options.log})
+    options.external_mice.hidden->add(file);
   if (const std::string reason = entry.world->refuse(maze.maze); !reason.empty())
     throw UsageError(fmt::format("error: {} {}", shown(maze.name), reason));
   suit_defaults(entry, {&maze, 1});
@@ -108,6 +110,7 @@ void add_run(Command& app, int& exit) {
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
   command->add_option("--record", options->record, "Save the record; with --explain, include the reasons")
       ->type_name("FILE");
+  add_log(*command, options->log);
   add_python(*command, options->external_mice);
   add_external_options(*command, options->external_mice);
   command->footer(

@@ -14,6 +14,7 @@ ClockedBody::ClockedBody(const Maze& maze, const DriveModel& model, const Physic
     : maze_(maze),
       cell_(model.tables.cell),
       trace_every_(conditions.trace_every),
+      log_(conditions.log),
       time_limit_(time_limit),
       record_(record),
       body_(maze, cell_, *model.robot.hardware, conditions.noise, seed) {
@@ -21,6 +22,7 @@ ClockedBody::ClockedBody(const Maze& maze, const DriveModel& model, const Physic
 }
 
 bool ClockedBody::step(const Drive& duties) {
+  if (log_ != nullptr) log_->push_back({body_.sense(), duties, body_.motion()});
   const Touch touch = body_.step(duties);
   clock_ += tick_time;
   if (touch != Touch::none) record_.touches.push_back({clock_, pose(), touch == Touch::crash});

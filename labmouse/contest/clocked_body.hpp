@@ -46,6 +46,7 @@ class ClockedBody {
   const Maze& maze_;
   double cell_;
   int trace_every_;
+  std::vector<LoggedTick>* log_;  ///< null: no log
   MazeTime time_limit_;
   PhysicalRecord& record_;
   Body body_;

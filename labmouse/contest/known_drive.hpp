@@ -5,9 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "labmouse/body/plant.hpp"
+#include "labmouse/contest/logged_tick.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
-#include "labmouse/hardware/sense.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 
@@ -42,13 +41,6 @@ struct KnownDrive {
   WayErrors estimate;        ///< of the estimated pose
   double most_aside = 0.0;   ///< largest lateral deviation of the true mouse, mm
   WallReadings side, front;  ///< at the edges of a search
-};
-
-/// One tick of a log: the readings, the duties that follow, and the true motion at the time of the readings.
-struct LoggedTick {
-  Sense sense;
-  Drive drive;
-  BodyMotion motion;
 };
 
 /// Makes one drive; nullopt if no way leads to a goal. The robot must pass why_not_physical(). A log gets all ticks up

@@ -1,8 +1,11 @@
 // Conditions of a contest in the physical world, besides rules and robot.
 #pragma once
 
+#include <vector>
+
 #include "labmouse/body/noise_level.hpp"
 #include "labmouse/contest/drive_record.hpp"
+#include "labmouse/contest/logged_tick.hpp"
 #include "labmouse/controller/controller.hpp"
 #include "labmouse/mouse/log_odds_map.hpp"
 
@@ -18,7 +21,8 @@ struct PhysicalConditions {
   MazeTime handling = 5'000'000;  ///< time to carry a mouse to the start and let it begin
   ControllerChoice controller;
   MapKind map = MapKind::first;
-  int trace_every = 0;  ///< ticks between two points of the trace; 0: none
+  int trace_every = 0;                     ///< ticks between two points of the trace; 0: none
+  std::vector<LoggedTick>* log = nullptr;  ///< gets all ticks of a contest
 };
 
 // Limits of the conditions.

@@ -29,6 +29,17 @@ TEST_F(ABuilder, SavesAPictureInPlaceOfTheTable) {
   EXPECT_THAT(content("half.svg"), StartsWith("<svg "));
 }
 
+TEST_F(ABuilder, ReadsARobotAsJson) {
+  const auto robot = nlohmann::json::parse(labmouse({"robot", "show", "kerise", "--format", "json"}).out);
+  EXPECT_EQ(robot.at("robot").at("parameters").at("motors.drive_gain"), 4216);
+  EXPECT_EQ(robot.at("turns").at(0).at("turn"), "45");
+  EXPECT_GT(robot.at("turns").at(0).at("speeds").at(0).at("ms"), 0.0);
+  // Of given times the curves are not known.
+  const auto given = nlohmann::json::parse(labmouse({"robot", "show", "mm2021", "--format", "json"}).out);
+  EXPECT_TRUE(given.at("turns").at(0).at("length").is_null());
+  is_refused({"robot", "show", "--format", "json", "--c", "plain"}, "--c", "--format json");
+}
+
 TEST_F(ABuilder, IsToldAllThatIsWrongWithAFile) {
   file("my.toml", "cell = 9\nspeed = 3\n[straight]\nspeed = 3000\nacceleration = 10000\n[turns]\n");
   const Ended ended = labmouse({"robot", "show", "my.toml"});
@@ -37,6 +48,12 @@ TEST_F(ABuilder, IsToldAllThatIsWrongWithAFile) {
   EXPECT_THAT(ended.err,
               Says("my.toml:1:8: error: ", "'cell'", "9", "20 to 1000 mm", "\nmy.toml:2:1: error: ", "'speed'"));
   EXPECT_THAT(ended.err, Says("missing", "'turns.45'", "1 to 10000 ms"));
+}
+
+TEST_F(ABuilder, FindsLogsOnlyInThePhysicalWorld) {
+  is_refused({"run", "flood", "parallel-8", "--log", "a.csv"}, "--log", "physical");
+  is_refused({"run", "flood", "parallel-8", "--world", "failures", "--log", "a.csv"}, "--log", "physical");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.csv"));
 }
 
 TEST_F(ABuilder, IsRefused) {

@@ -128,6 +128,16 @@ TEST_P(AControllerTemplate, LeavesRecordsThatReplay) {
   EXPECT_EQ(records, 1);
 }
 
+TEST_P(AControllerTemplate, LeavesALogOfEachMillisecond) {
+  ASSERT_EQ(labmouse({"run", spec_, "ring.txt", "--world", "physical", "--record", "a.jsonl", "--log", "a.csv"}).code,
+            0);
+  ASSERT_EQ(labmouse({"replay", "a.jsonl", "--log", "b.csv"}).code, 0);
+  const std::string log = content_of(folder_ / "a.csv");
+  EXPECT_THAT(log, testing::StartsWith("time,left,right,left_count"));
+  EXPECT_GT(std::count(log.begin(), log.end(), '\n'), 1000);
+  EXPECT_EQ(log, content_of(folder_ / "b.csv"));
+}
+
 TEST_P(AControllerTemplate, IsFoundAndTriedOutAsOneOfAMiceFile) {
   std::filesystem::create_directories(folder_ / "class");
   const bool script = spec_.find(".py") != std::string::npos;

@@ -123,6 +123,7 @@ TEST_P(AnyRobot, IsPlannedForExactlyInEmptyMazes) {
 }
 
 TEST_P(AnyRobot, IsPlannedForExactlyInMazesByDice) {
+  LABMOUSE_SKIP_SANITIZED();
   Rng rng(7);
   for (int i = 0; i < std::max(1, 2000 / rarely); i += GetParam().every) {
     SCOPED_TRACE(i);
@@ -212,6 +213,7 @@ DriveTables coarse(DriveTables tables) {
 }
 
 TEST(CoarseTimes, ArePlannedForExactly) {
+  LABMOUSE_SKIP_SANITIZED();
   Rng rng(12);
   for (const Robot& robot : {published_robot(), small_robot(), large_robot()}) {
     const DriveTables tables = coarse(make_drive_model(robot).tables);

@@ -131,14 +131,17 @@ void expect_least_between(const StraightTimes& straights, double unit, Make make
 }
 
 TEST_P(StraightsInSteps, TakeTheLeastTimeBetweenAllLanes) {
+  LABMOUSE_SKIP_SANITIZED();
   expect_least_between(tables().along, robot().cell / 2.0, along);
 }
 
 TEST_P(StraightsInSteps, TakeTheLeastTimeBetweenAllDiagonalLanes) {
+  LABMOUSE_SKIP_SANITIZED();
   expect_least_between(tables().diagonal, robot().cell / std::numbers::sqrt2, diagonal);
 }
 
 TEST_P(StraightsInSteps, BeginAtRestBehindTheMiddleOfTheStart) {
+  LABMOUSE_SKIP_SANITIZED();
   if (robot().fixed) return;
   for (const int units : sampled_units)
     for (std::size_t lane = 0; lane < tables().along.count(); ++lane) {
@@ -150,6 +153,7 @@ TEST_P(StraightsInSteps, BeginAtRestBehindTheMiddleOfTheStart) {
 }
 
 TEST_P(StraightsInSteps, EndInTheGoalWithRoomToStop) {
+  LABMOUSE_SKIP_SANITIZED();
   if (robot().fixed) return;
   for (int room = 0; room <= tables().rooms(); ++room)
     for (const int units : sampled_units) {

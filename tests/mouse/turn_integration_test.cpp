@@ -10,6 +10,7 @@
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/mouse/turns_in_steps.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -32,12 +33,14 @@ using test::turns_of;
 using test::TurnsInSteps;
 
 TEST_P(TurnsInSteps, AreThoseThatTheRobotDrives) {
+  LABMOUSE_SKIP_SANITIZED();
   for (const Course& course : courses)
     for (const Turn turn : {course.turn, course.back})
       EXPECT_EQ(turns_of(tables(), turn).empty(), !drives(robot(), course)) << name_of(turn);
 }
 
 TEST_P(TurnsInSteps, AreLaidOutForTheSpeedOfTheTables) {
+  LABMOUSE_SKIP_SANITIZED();
   for_each_turn([](const Course& course, const Layout& layout, const std::vector<DrivenTurn>& turns) {
     const double own = std::min(layout.speed, top_speed(course, robot()));
     // With one speed of each turn they share the slowest one's.
@@ -50,6 +53,7 @@ TEST_P(TurnsInSteps, AreLaidOutForTheSpeedOfTheTables) {
 }
 
 TEST_P(TurnsInSteps, EndOnTheirNodesWithTheLeadsOfTheTables) {
+  LABMOUSE_SKIP_SANITIZED();
   for_each_turn([&](const Course& course, const Layout& layout, const std::vector<DrivenTurn>& turns) {
     for (const DrivenTurn& turn : turns) {
       const auto [before, after] = leads_of(tables(), course, turn);
@@ -67,6 +71,7 @@ TEST_P(TurnsInSteps, EndOnTheirNodesWithTheLeadsOfTheTables) {
 
 /// What the steps ask for, by differences.
 TEST_P(TurnsInSteps, KeepEveryLimit) {
+  LABMOUSE_SKIP_SANITIZED();
   const double yaw_speed = robot().yaw_speed > 0.0 ? robot().yaw_speed : endless;
   const double yaw_jerk = robot().yaw_jerk > 0.0 ? robot().yaw_jerk : endless;
   for_each_turn([&](const Course&, const Layout& layout, const std::vector<DrivenTurn>&) {
@@ -86,6 +91,7 @@ TEST_P(TurnsInSteps, KeepEveryLimit) {
 }
 
 TEST_P(TurnsInSteps, TakeTheTimesOfTheTablesAtEachSpeed) {
+  LABMOUSE_SKIP_SANITIZED();
   if (robot().grip > 0.0) return;  // its speed changes in curves
   for_each_turn([](const Course&, const Layout& layout, const std::vector<DrivenTurn>& turns) {
     for (const DrivenTurn& turn : turns) {

@@ -11,6 +11,7 @@
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/robot_request.hpp"
 #include "labmouse/lab/replays/play_seconds.hpp"
+#include "labmouse/lab/robots/robot_data.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/robots/robot_remarks.hpp"
@@ -22,8 +23,6 @@
 
 namespace labmouse {
 namespace {
-
-double ms_of(DriveTime time) { return time / 1e3; }
 
 /// A wall as the line between its posts, in cells from a corner.
 Json wall_line(Wall wall, Cell corner) {
@@ -51,69 +50,29 @@ Json turn_path(const TurnShape& shape, const TurnRoom& room, Cell corner, double
   return points;
 }
 
-/// A kind of turn: its path, which does not depend on the speed, and the walls around it.
-Json turn_json(const Robot& robot, const TurnShape& shape) {
-  const TurnRoom room = room_of(shape.turn);
-  // The panel shows 2×2 cells; the turn begins in the south-eastern one or on its northern side.
-  const Cell corner = neighbour(room.from.cell, Heading::west);
-  Json json = {{"turn", name_of(shape.turn)},
-               {"speeds", Json::array()},
-               {"path", turn_path(shape, room, corner, robot.cell)},
-               {"open", wall_lines(room.open, corner)},
-               {"standing", wall_lines(room.standing, corner)}};
-  // If the robot file gives times, the real curve is not known.
-  const auto known = [&](double value) { return robot.fixed ? Json(nullptr) : Json(value); };
-  json["lead_in"] = known(shape.lead_in);
-  json["lead_out"] = known(shape.lead_out);
-  json["length"] = known(shape.length);
-  json["clearance"] = known(shape.clearance);
-  return json;
-}
-
+/// Adds to each kind of turn its path, which does not depend on the speed, and the walls around it.
 Json turns_json(const Robot& robot, const DriveModel& model) {
-  Json turns = Json::array();
+  Json turns = turns_data(robot, model);
+  std::size_t next = 0;
   for (const std::size_t i : shown_turns(model)) {
-    const DrivenTurn& turn = model.tables.turns[i];
-    if (turns.empty() || turns.back()["turn"] != name_of(turn.turn)) turns.push_back(turn_json(robot, model.shapes[i]));
-    turns.back()["speeds"].push_back({{"speed", turn.speed}, {"ms", ms_of(turn.time)}});
+    const TurnShape& shape = model.shapes[i];
+    if (next == turns.size() || turns[next]["turn"] != name_of(shape.turn)) continue;
+    const TurnRoom room = room_of(shape.turn);
+    // The panel shows 2×2 cells; the turn begins in the south-eastern one or on its northern side.
+    const Cell corner = neighbour(room.from.cell, Heading::west);
+    Json& turn = turns[next++];
+    turn["path"] = turn_path(shape, room, corner, robot.cell);
+    turn["open"] = wall_lines(room.open, corner);
+    turn["standing"] = wall_lines(room.standing, corner);
   }
   return turns;
-}
-
-/// Times of straights in ms, by length, between two turns at the slowest turning speed.
-Json straight_json(std::string_view kind, const StraightTimes& times, int units_a_step, const char* step) {
-  Json list = Json::array();
-  if (times.lanes.empty()) return {};
-  const auto slowest =
-      static_cast<std::size_t>(std::min_element(times.lanes.begin(), times.lanes.end(),
-                                                [](const Lane& a, const Lane& b) { return a.speed < b.speed; }) -
-                               times.lanes.begin());
-  for (const int steps : {1, 2, 4, 8, 16})
-    if (const DriveTime time = times.at(steps * units_a_step, slowest, slowest); time < no_time)
-      list.push_back({{"steps", steps}, {"ms", ms_of(time)}});
-  return {{"kind", kind}, {"step", step}, {"speed", times.lanes[slowest].speed}, {"times", std::move(list)}};
-}
-
-Json straights_json(const Robot& robot, const DriveModel& model) {
-  Json straights = Json::array();
-  straights.push_back(straight_json("straight", model.tables.along, 2, "cells"));
-  if (robot.diagonals) straights.push_back(straight_json("diagonal", model.tables.diagonal, 1, "half diagonals"));
-  straights.erase(std::remove(straights.begin(), straights.end(), Json()), straights.end());
-  return straights;
-}
-
-Json search_json(const SearchDrive& search) {
-  return {{"cell", ms_of(search.cell)},           {"turn", ms_of(search.turn)},
-          {"back", ms_of(search.back)},           {"quarter", ms_of(search.quarter)},
-          {"half_cell", ms_of(search.half_cell)}, {"known_2", ms_of(search.dash(2))},
-          {"known_8", ms_of(search.dash(8))}};
 }
 
 Json robot_result(const Robot& robot, const DriveModel& model) {
   return {{"line", robot_line(robot, model)},
           {"turns", turns_json(robot, model)},
-          {"straights", straights_json(robot, model)},
-          {"search", search_json(model.search)},
+          {"straights", straights_data(robot, model)},
+          {"search", search_data(model.search)},
           {"tables", hash_words(model.tables)}};
 }
 

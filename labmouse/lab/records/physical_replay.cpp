@@ -113,9 +113,10 @@ std::optional<FailureFile> rates_behind(const PhysicalPart& part) {
 
 }  // namespace
 
-PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every) {
+PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every, std::vector<LoggedTick>* log) {
   PhysicalConditions conditions = file.physical->conditions;
   conditions.trace_every = trace_every;
+  conditions.log = log;
   if (const auto& tape = file.physical->notes.tape; !tape.empty()) {
     TapedCode code(tape, file.record.reason);
     return drive_by_code(*file.maze, file.rules, *file.model, conditions, file.seed, code);

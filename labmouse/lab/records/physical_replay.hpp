@@ -16,7 +16,7 @@ std::string replay_physically(const DriveRecordFile& file);
 std::string replay_laps(const DriveRecordFile& file);
 
 /// Re-runs the contest of a record with which replay_physically() found no difference, with one trace point every
-/// `trace_every` ticks.
-PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every);
+/// `trace_every` ticks. A log gets all ticks.
+PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every, std::vector<LoggedTick>* log = nullptr);
 
 }  // namespace labmouse

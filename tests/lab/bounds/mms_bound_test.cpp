@@ -204,6 +204,7 @@ TEST(MmsBound, IsTheLeastOfAllThatCanBeDoneInSmallMazes) {
 }
 
 TEST(MmsBound, IsTheLeastWithResetsAndReturnsToo) {
+  LABMOUSE_SKIP_SANITIZED();
   // Enough for a reset and a run behind it, or for several runs.
   const int steps = test::thorough ? 18 : 15;
   for (const Size size : {Size{1, 1}, {2, 2}, {1, 3}, {3, 1}}) expect_least(open_room(size.width, size.height), steps);

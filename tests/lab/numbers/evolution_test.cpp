@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/slowness.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -107,6 +109,7 @@ int median_evaluations(const Function& function, std::size_t dimension) {
 }
 
 TEST_P(EvolutionOn, ReachesTheLowestPointInTime) {
+  LABMOUSE_SKIP_SANITIZED();
   EXPECT_LE(median_evaluations(GetParam().function, GetParam().dimension), GetParam().evaluations);
 }
 

@@ -48,6 +48,7 @@ TEST(PageContest, IsTheOneOfARace) {
 }
 
 TEST(PageContest, HasTheRulesOfTheMazesSize) {
+  LABMOUSE_SKIP_SANITIZED();
   const auto rules_in = [](Size size, const json& rules) {
     json asked = {{"world", "seconds"}, {"robot", "half"}, {"mouse", "flood"}, {"seed", 1}};
     if (!rules.is_null()) asked["rules"] = rules;

@@ -47,6 +47,7 @@ class RouteRegionsTest : public ::testing::Test {
 };
 
 TEST_F(RouteRegionsTest, BothSidesOfEachBorderAreSinglePlansAndClose) {
+  LABMOUSE_SKIP_SANITIZED();
   const RegionOrder order = order_of_grip(2'000, 40'000);
   const RouteRegions found = find_regions(maze, classic, order);
   ASSERT_EQ(found.rows.size(), 1U);
@@ -113,6 +114,7 @@ TEST_F(RouteRegionsTest, TheRunnerUpIsSlowerAndNoOther) {
 }
 
 TEST_F(RouteRegionsTest, ThreadsMakeNoDifference) {
+  LABMOUSE_SKIP_SANITIZED();
   RegionOrder order = order_of_grip(2'000, 40'000);
   order.jobs = 1;
   const std::string alone = json_of(find_regions(maze, classic, order), order, "contest-01", "classic");

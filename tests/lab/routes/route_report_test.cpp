@@ -126,6 +126,7 @@ class EveryShortestWay {
 };
 
 TEST(RouteReport, FindsTheFastestRouteOfTheFewestCells) {
+  LABMOUSE_SKIP_SANITIZED();
   Rng rng(3);
   int known = 0;
   for (int i = 0; i < test::fewer(200); ++i) {

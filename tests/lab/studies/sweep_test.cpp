@@ -13,6 +13,7 @@
 #include "tests/lab/races/race_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -360,6 +361,7 @@ TEST(RobotVariants, AreRefusedAsRobotFilesAre) {
 }
 
 TEST(RobotSweep, FindsWhatRacesOfTheseRobotsFind) {
+  LABMOUSE_SKIP_SANITIZED();
   const std::vector<NamedMaze> mazes = {test::corridor(), test::loop()};
   for (const auto& [world, vary] : {std::pair("seconds", "straight.acceleration=5000,10000,20000"),
                                     std::pair("physical", "motors.drive_gain=2000,4000,6000")}) {

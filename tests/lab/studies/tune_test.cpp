@@ -14,6 +14,7 @@
 #include "tests/lab/records/drive_record_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -94,6 +95,7 @@ TEST(Tune, CountsGenerationsOfTheGivenSizeAndARest) {
 }
 
 TEST(Tune, FindsBetterValues) {
+  LABMOUSE_SKIP_SANITIZED();
   TuneOrder order = order_of(60);
   order.race.runs = 10;
   // Only chance marks cells: little of it and a full visit are bad, and one can have more and less.

@@ -11,6 +11,7 @@
 #include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/lab/mms/mms_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -108,6 +109,7 @@ std::string condition_of(const Entry& entry, std::string_view key) {
 }
 
 TEST(Entering, RulesFollowTheSizeOfTheMazes) {
+  LABMOUSE_SKIP_SANITIZED();
   const auto rules = [](const std::vector<Size>& sizes) {
     const auto [entry, remark] = suited({{"noise", "3"}}, sizes);
     EXPECT_EQ(remark, "");
@@ -123,6 +125,7 @@ TEST(Entering, RulesFollowTheSizeOfTheMazes) {
 }
 
 TEST(Entering, ARaceInMazesOfBothSizesHasOneSetOfRules) {
+  LABMOUSE_SKIP_SANITIZED();
   const auto [entry, remark] = suited({}, {{16, 16}, {32, 32}, {16, 16}});
   EXPECT_EQ(Json::parse(condition_of(entry, "rules"))["name"], "all-japan");
   EXPECT_THAT(remark, Says("1 of 3", "all-japan", "all-japan-half", "--rules"));
@@ -131,6 +134,7 @@ TEST(Entering, ARaceInMazesOfBothSizesHasOneSetOfRules) {
 }
 
 TEST(Entering, RulesThatAreGivenHoldInMazesOfAllSizes) {
+  LABMOUSE_SKIP_SANITIZED();
   for (const std::vector<Size>& sizes : {std::vector<Size>{{32, 32}}, {{16, 16}, {32, 32}}}) {
     const auto [entry, remark] = suited({{"rules", "uk"}}, sizes);
     EXPECT_EQ(remark, "");
