@@ -9,7 +9,7 @@ import { prepare } from '../player/track';
 import { h } from '../ui/dom';
 import type { Met } from './pairs';
 
-const doing = { search: 'searches', home: 'goes back to the start', fast: 'runs', laps: 'drives laps' };
+const doing = { search: 'searches', home: 'goes back to the start', speed: 'runs', laps: 'drives laps' };
 
 export type Lane = ReturnType<typeof createLane>;
 

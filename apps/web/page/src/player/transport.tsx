@@ -9,7 +9,7 @@ import { timeOf, type Mark, type PanelProps, type Side } from './state';
 import { momentText } from './words';
 
 /** Of a run in seconds. */
-const runTones: Record<DriveRun['kind'], string> = { search: 'to-goal', home: 'onwards', fast: 'route', laps: 'route' };
+const runTones: Record<DriveRun['kind'], string> = { search: 'to-goal', home: 'onwards', speed: 'route', laps: 'route' };
 
 type Part = [tone: string, from: number, to: number];
 
