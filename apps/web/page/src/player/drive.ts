@@ -103,7 +103,7 @@ export function goTo(track: DriveTrack, time: number, moment: Moment) {
 export const kinds: Record<DriveRun['kind'], string> = {
   search: 'search',
   home: 'way home',
-  fast: 'speed run',
+  speed: 'speed run',
   laps: 'laps',
 };
 

@@ -31,7 +31,7 @@ describe('the pace', () => {
   const track = (...runs: [string, number, number][]) =>
     ({ runs: runs.map(([kind, begin, end]) => ({ kind, begin: begin * 1e6, end: end * 1e6 })) }) as DriveTrack;
   it('is that of the contest while anybody runs, and quicker while both search', () => {
-    const tracks = [track(['search', 0, 10], ['fast', 10, 13]), track(['search', 0, 30])];
+    const tracks = [track(['search', 0, 10], ['speed', 10, 13]), track(['search', 0, 30])];
     expect(paceAt(tracks, 5)).toBeGreaterThan(1);
     expect(paceAt(tracks, 11)).toBe(1);
     expect(paceAt(tracks, 14)).toBeGreaterThan(1);
