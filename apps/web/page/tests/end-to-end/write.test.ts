@@ -119,7 +119,7 @@ test('records are those of the command line, byte for byte', async () => {
       readFileSync(join(templates, name), 'utf8'),
       proof ? ['capstone-1', 'contest-05'] : ['capstone-1'],
     ]),
-    ['an invalid answer', doing(`console.error('a note', [1, 'b'], { c: 3 }); console.log('fly');`), ['contest-01']],
+    ['invalid-answer', doing(`console.error('a note', [1, 'b'], { c: 3 }); console.log('fly');`), ['contest-01']],
     ['flooded', doing(`console.log('move 0 1\\nmove 0 1');`), ['contest-01']],
   ];
   for (const [name, text, mazes] of programs) {
