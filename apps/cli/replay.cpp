@@ -33,7 +33,9 @@ void watch(const Replay& replay, int delay, const std::string& summary) {
 void save_log(const std::string& path, const std::string& text) {
   const ReadDriveRecordResult read = read_drive_record(text);
   if (!read.file || !read.file->physical || read.file->physical->notes.by_failure_model)
-    throw UsageError("error: --log: only contests in the physical world have a log");
+    throw UsageError(
+        "error: --log: this contest simulated no sensors and motors; one that does is "
+        "`labmouse run flood contest-01 --world physical --log run.csv`");
   std::vector<LoggedTick> ticks;
   drive_again(*read.file, 0, &ticks);
   const DriveModel& model = *read.file->model;
