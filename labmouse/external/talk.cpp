@@ -50,6 +50,10 @@ std::optional<std::string_view> ExternalTalk::greet(std::string_view briefing) {
 std::optional<std::string_view> ExternalTalk::ask(std::string_view question) {
   if (reason_ != ForfeitReason::none) return std::nullopt;
   process_.send(question);
+  if (process_.unsent() > limits_.most_unread) {
+    give_up(ForfeitReason::flooded, fmt::format("it left more than {} bytes of replies unread", limits_.most_unread));
+    return std::nullopt;
+  }
   return hear(limits_.silence, limits_.decision);
 }
 

@@ -37,6 +37,8 @@ class ExternalTalk {
   bool greeted() const { return greeted_; }
   /// Why it was given up; `none` if it was not.
   ForfeitReason reason() const { return reason_; }
+  /// What it wrote to its standard error.
+  std::string_view errors() { return process_.errors(); }
   /// Why it was given up, and what it wrote to its standard error.
   std::string_view last_words() { return reason_ == ForfeitReason::none ? process_.errors() : last_words_; }
 

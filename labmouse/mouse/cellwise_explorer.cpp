@@ -8,12 +8,13 @@ namespace {
 /// A program that orders so often in a row nothing to drive does so for ever.
 constexpr int most_idle = 10'000;
 
-/// A wall that so many looks in a row did not show counts as closed.
+/// A wall counts as closed after so many actions in a row that did not lead through it.
 constexpr int most_tries = 4;
 
 }  // namespace
 
-CellwiseExplorer::CellwiseExplorer(const Briefing& briefing) : DrivingExplorer(briefing), cell_(briefing.start.cell) {}
+CellwiseExplorer::CellwiseExplorer(const Briefing& briefing)
+    : DrivingExplorer(briefing), cell_(briefing.start.cell), was_in_goal_(briefing.goals.contains(cell_)) {}
 
 WallState CellwiseExplorer::state(Cell cell, Heading side) const {
   const Wall wall = wall_at(cell, side);
@@ -24,12 +25,13 @@ Action CellwiseExplorer::explore() {
   settle();
   for (;;) {
     if (ended_) return end();
-    if (pose().cell != cell_) return way_back();
+    if (pose().cell != cell_) return way_to(CellSet::of(cell_));
     if (left_ > 0 && !is_blocked()) return move();
     const Order order = next_order();
     if (order.kind == Order::Kind::forfeit) return Action::forfeit(order.reason);
     idle_ = order.cells > 0 ? 0 : idle_ + 1;
     ended_ = order.kind == Order::Kind::end || idle_ > most_idle;
+    if (ended_ && !was_in_goal_) return Action::forfeit(ForfeitReason::out_of_time);
     direction_ = order.direction;
     left_ = order.cells;
     tries_ = 0;
@@ -40,6 +42,8 @@ Action CellwiseExplorer::explore() {
 void CellwiseExplorer::settle() {
   for (int cells = asked_; cells > 0; --cells)
     if (pose().cell == neighbour(cell_, direction_, cells)) {
+      for (int i = 1; i <= cells; ++i)
+        was_in_goal_ = was_in_goal_ || briefing().goals.contains(neighbour(cell_, direction_, i));
       cell_ = pose().cell;
       left_ -= cells;
       tries_ = 0;
@@ -68,17 +72,18 @@ Action CellwiseExplorer::move() {
   return search_step(pose().heading, direction_, asked_);
 }
 
-Action CellwiseExplorer::way_back() {
+/// Over known cells. A map whose walls can change may have no such way: then through walls that have to be looked at.
+Action CellwiseExplorer::way_to(const CellSet& cells) {
   SearchField& ways = briefing().drive.fields->ways();
-  ways.fill(knowledge().open(), knowledge().known_cells(), CellSet::of(cell_));
-  const Action step = ways.step(place());
-  // If the map has changed and has no way to the program's cell, the contest mends the map.
-  return step.kind == Action::Kind::step ? step : Action::forfeit(ForfeitReason::no_route);
+  for (const WallSet& passages : {knowledge().open(), knowledge().possible()}) {
+    ways.fill(passages, knowledge().known_cells(), cells);
+    if (const Action step = ways.step(place()); step.kind == Action::Kind::step) return step;
+  }
+  return Action::forfeit(ForfeitReason::no_route);
 }
 
-/// A reset is only for a mouse that has entered a goal.
-Action CellwiseExplorer::end() const {
-  return goal_entered() ? Action::reset() : Action::forfeit(ForfeitReason::no_route);
-}
+/// A reset is only for a mouse that has entered a goal and knows a route to it. If its map has changed, it goes there
+/// again.
+Action CellwiseExplorer::end() { return goal_entered() ? Action::reset() : way_to(briefing().goals); }
 
 }  // namespace labmouse

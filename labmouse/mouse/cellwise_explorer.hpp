@@ -9,6 +9,9 @@
 
 namespace labmouse {
 
+/// Increased when the same orders are driven in another way: stores of contests then do not take the earlier results.
+inline constexpr int driven_edition = 1;
+
 class CellwiseExplorer : public DrivingExplorer {
  protected:
   /// For a briefing in seconds.
@@ -35,8 +38,10 @@ class CellwiseExplorer : public DrivingExplorer {
   void move_to(Cell cell) { cell_ = cell; }
   /// Whether a wall ended its last move early.
   bool was_blocked() const { return left_ > 0; }
-  /// The state of a wall around the mouse's maze; the border is closed.
+  /// The state of a wall in the mouse's map; the border is closed.
   WallState state(Cell cell, Heading side) const;
+  /// Whether its cell was a goal. Unlike goal_entered(), this stays true if the map changes.
+  bool was_in_goal() const { return was_in_goal_; }
 
  private:
   Action explore() final;
@@ -44,16 +49,17 @@ class CellwiseExplorer : public DrivingExplorer {
   bool is_blocked() const;
   int cells_ahead() const;
   Action move();
-  Action way_back();
-  Action end() const;
+  Action way_to(const CellSet& cells);
+  Action end();
 
   Cell cell_;
   Heading direction_ = Heading::north;  ///< of its present move
   int left_ = 0;                        ///< cells that this move still has
   int asked_ = 0;                       ///< how many of them the last action asked for
   bool ended_ = false;                  ///< whether it has ended its search
-  int tries_ = 0;                       ///< actions in a row to leave the same cell
-  int idle_ = 0;                        ///< orders in a row without a move
+  bool was_in_goal_;
+  int tries_ = 0;  ///< actions in a row to leave the same cell
+  int idle_ = 0;   ///< orders in a row without a move
 };
 
 }  // namespace labmouse

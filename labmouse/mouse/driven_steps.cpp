@@ -45,7 +45,7 @@ CellwiseExplorer::Order DrivenSteps::next_order() {
       return {.kind = Order::Kind::forfeit, .reason = action.reason};
     case Action::Kind::reset:
       // Before a goal it does nothing, as in the world of steps.
-      return {.kind = goal_entered() ? Order::Kind::end : Order::Kind::move};
+      return {.kind = was_in_goal() ? Order::Kind::end : Order::Kind::move};
     case Action::Kind::step:
       break;
   }

@@ -13,8 +13,8 @@
 namespace labmouse {
 
 /// Its search ends when it ends itself, when it is back at the start, when it calls ackReset, or when it does nothing
-/// any more but wait, each time after it has entered a goal. Turns are driven with the next move. It must not move by
-/// half cells or turn by 45 degrees. A wall that the mouse has not seen is answered as open.
+/// any more but wait for Reset, each time after it has entered a goal. Turns are driven with the next move. It must not
+/// move by half cells or turn by 45 degrees. A wall that the mouse has not seen is answered as open.
 class DrivenMms final : public CellwiseExplorer {
  public:
   /// Starts the program. `briefing`: in seconds.
@@ -40,6 +40,7 @@ class DrivenMms final : public CellwiseExplorer {
   bool moves_ = false;  ///< whether its last command was a move, which needs a reply
   bool begun_ = false;  ///< whether it has written a line
   int lines_ = 0;       ///< in a row without a move
+  int questions_ = 0;   ///< `wasReset` in a row
 };
 
 }  // namespace labmouse

@@ -10,6 +10,7 @@
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/maze/routes.hpp"
 
 namespace labmouse {
@@ -77,6 +78,14 @@ ContestOutput DriveWorld::hold(const Race& race, ContestResult& result, Keep kee
   if (driven.record.reason == ForfeitReason::not_judged) leave_unjudged(result);
   result.done = !interrupted;
   return kept(mouse, maze, result.seed, std::move(driven), keep);
+}
+
+std::string DriveWorld::refuse_in_laps(const Contestant& mouse) const {
+  if (rules_.counts != Counted::lap || !mouse.external) return "";
+  return fmt::format(
+      "'{}' is an external mouse; by rules with counts = \"lap\" no program is asked, because all mice drive the same "
+      "course: choose other --rules",
+      shown(mouse.name));
 }
 
 std::string DriveWorld::bound_words(const Race& race) const {

@@ -47,6 +47,8 @@ class DriveWorld : public World {
 
  protected:
   const DriveRules& rules() const { return rules_; }
+  /// Why a mouse does not race by rules that count laps, in which nobody decides; empty where it does.
+  std::string refuse_in_laps(const Contestant& mouse) const;
   bool counts_dead_ends() const { return rules_.counts == Counted::dead_end; }
   const DriveModel& model() const { return *model_; }
   /// What the best possible score is, as a sentence.

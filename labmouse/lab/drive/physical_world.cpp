@@ -65,7 +65,8 @@ class PhysicalWorld : public DriveWorld {
                        "'{}' controls motors; rules with counts = \"{}\" are only for mice that this project's "
                        "controller drives: choose other --rules",
                        shown(mouse.name), name_of(rules().counts));
-    return refuse_to_drive({&mouse, 1}, Driving::with_errors);
+    const std::string reason = refuse_in_laps(mouse);
+    return reason.empty() ? refuse_to_drive({&mouse, 1}, Driving::with_errors) : reason;
   }
   using DriveWorld::refuse;
 
@@ -182,7 +183,8 @@ class FailureWorld final : public PhysicalWorld {
   }
   int edition() const override { return failures_edition; }
   std::string refuse(const Contestant& mouse) const override {
-    return refuse_to_drive({&mouse, 1}, Driving::with_errors);
+    const std::string reason = refuse_in_laps(mouse);
+    return reason.empty() ? refuse_to_drive({&mouse, 1}, Driving::with_errors) : reason;
   }
   using PhysicalWorld::refuse;
 

@@ -21,7 +21,10 @@ class SecondsWorld final : public DriveWorld {
   std::string_view name() const override { return "seconds"; }
   std::vector<Condition> conditions() const override { return drive_conditions(RobotParts::limits); }
 
-  std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
+  std::string refuse(const Contestant& mouse) const override {
+    const std::string reason = refuse_in_laps(mouse);
+    return reason.empty() ? refuse_to_drive({&mouse, 1}) : reason;
+  }
   using DriveWorld::refuse;
 
   const WorldFields& fields() const override { return seconds_fields(); }

@@ -23,7 +23,7 @@ std::uint64_t content_of(const Maze& maze) {
   return hash;
 }
 
-Rng dice_of(std::uint64_t number) { return Rng(seed_for(0, "learn", number)); }
+Rng rng_of(std::uint64_t number) { return Rng(seed_for(0, "learn", number)); }
 
 Maze next_maze(const MazeFamily& family, Rng& rng) {
   return family.generator->make({family.size, rng.bits(), family.loops});
@@ -46,7 +46,7 @@ std::string_view refuses(const MazeFamily& family) {
   const GeneratorOrder order{family.size, 1, family.loops};
   if (const auto reason = refuses_out_of_range(order); !reason.empty()) return reason;
   if (const auto reason = family.generator->refuses(order); !reason.empty()) return reason;
-  Rng rng = dice_of(0);
+  Rng rng = rng_of(0);
   for (int attempt = 0; attempt < attempts_before_refusal; ++attempt)
     if (split_of(next_maze(family, rng)) == family.split) return {};
   return "so few mazes of this kind and size exist that none is in this split; choose a larger size";
@@ -54,7 +54,7 @@ std::string_view refuses(const MazeFamily& family) {
 
 Maze maze_of(const MazeFamily& family, std::uint64_t number) {
   // This ends with probability 1: refuses() has found such a maze, so each attempt has a positive chance.
-  for (Rng rng = dice_of(number);;)
+  for (Rng rng = rng_of(number);;)
     if (const Maze maze = next_maze(family, rng); split_of(maze) == family.split) return maze;
 }
 

@@ -423,7 +423,7 @@ std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
 
 std::string refuse_to_walk(const Contestant& mouse) {
   if (!mouse.walks())
-    return fmt::format("mouse '{}' cannot race in steps, only in the world {}", mouse.name,
+    return fmt::format("mouse '{}' cannot race in steps; it races in the world {}", mouse.name,
                        std::holds_alternative<MmsProgram>(mouse.kind)          ? "mms"
                        : std::holds_alternative<ControllerProgram>(mouse.kind) ? "physical"
                                                                                : "seconds");

@@ -70,7 +70,6 @@ class MiceFileReader {
     if (table.contains("mouse")) refuse_for_ours(table);
     if (mouse.kind == Kind::capstone)
       refuse(table, "directory", "has no effect: a robot runs in the folder of its file");
-    if (mouse.kind == Kind::mms) refuse(table, "runs", "has no effect: a program for mms has one run in each maze");
     return mouse;
   }
 

@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <variant>
+#include <vector>
+
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/races/value_json.hpp"
 #include "labmouse/lab/store/build_signature.hpp"
 #include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
+#include "labmouse/mouse/cellwise_explorer.hpp"
 #include "labmouse/mouse/wall_prior.hpp"
 
 namespace labmouse {
@@ -41,7 +46,15 @@ std::string key_of(const World& world) {
 }
 
 std::string key_of(const World& world, const Contestant& mouse) {
-  if (mouse.identity) return mouse.identity();
+  if (mouse.identity) {
+    // Where a robot has tables, it is driven for an external mouse, so the results depend on that code, too.
+    const std::vector<Condition> conditions = world.conditions();
+    const bool driven = mouse.external && !std::holds_alternative<ControllerProgram>(mouse.kind) &&
+                        std::any_of(conditions.begin(), conditions.end(),
+                                    [](const Condition& condition) { return condition.key == "tables"; });
+    return mouse.identity() +
+           (driven ? fmt::format("driven {}\nsignature {}\n", driven_edition, build_signature()) : "");
+  }
   const BuiltinMouse* entry = entry_of(mouse);
   if (entry == nullptr && !mouse.reference) return "";
   std::string text = fmt::format("mouse {}\n", entry != nullptr ? entry->name : std::string_view(spec_of(mouse)));

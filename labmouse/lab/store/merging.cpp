@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -44,9 +45,8 @@ Merging::Merging(Database& ours)
           "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16) ON CONFLICT DO NOTHING")),
       add_timing_(ours.prepare("INSERT INTO timings (contest, figures) VALUES (?1, ?2) ON CONFLICT DO NOTHING")),
       find_(ours.prepare(
-          "SELECT id, outcome, score, outcome IS ?5 AND never_started IS ?6 AND score IS ?7 AND counted IS ?8 AND "
-          "ratio IS "
-          "?9 AND figures IS ?10 FROM contests WHERE world = ?1 AND mouse = ?2 AND maze = ?3 AND seed = ?4")),
+          "SELECT id, outcome, score, never_started IS ?5 AND score IS ?6 AND counted IS ?7 AND ratio IS ?8 AND "
+          "figures IS ?9 FROM contests WHERE world = ?1 AND mouse = ?2 AND maze = ?3 AND seed = ?4")),
       name_(ours.prepare("SELECT worlds.name, mice.name, mazes.name FROM worlds, mice, mazes "
                          "WHERE worlds.id = ?1 AND mice.id = ?2 AND mazes.id = ?3")) {}
 
@@ -119,10 +119,11 @@ void Merging::add_contests(Database& theirs, const std::string& path, Merge& mer
 void Merging::compare(const Statement& row, const std::array<std::int64_t, 4>& place, const std::string& path,
                       Merge& merge) {
   for (int i = 0; i < 4; ++i) find_.bind(i + 1, place[static_cast<unsigned>(i)]);
-  constexpr std::array<int, 6> results = {outcome, never_started, score, counted, ratio, figures};
-  for (int i = 0; i < 6; ++i) find_.bind(i + 5, row, results[static_cast<unsigned>(i)]);
+  constexpr std::array<int, 5> results = {never_started, score, counted, ratio, figures};
+  for (int i = 0; i < 5; ++i) find_.bind(i + 5, row, results[static_cast<unsigned>(i)]);
   while (find_.next()) {
-    if (find_.whole(3) != 0) {
+    // An earlier version may have written the outcome under a former name.
+    if (find_.whole(3) != 0 && today_value(find_.text(1)) == today_value(row.text(outcome))) {
       ++merge.equal;
       if (!row.is_null(clock_figures)) add_timing_.bind(1, find_.whole(0)).bind(2, row, clock_figures).run();
     } else if (merge.conflicts.size() < named_conflicts) {

@@ -183,7 +183,7 @@ void RunCosts::plan(const WallPrices& walls, const RunTolls& tolls, int limit) {
   search([&](std::size_t number) { go_back(number); });
 }
 
-std::optional<HopedRun> RunCosts::through(Cell cell) const {
+std::optional<OptimisticRun> RunCosts::through(Cell cell) const {
   int least = limit_, steps = 0;
   const std::size_t first = number_of({cell, all_headings[0], straight});
   for (std::size_t number = first; number < first + 4 * lasts; ++number) {
@@ -194,7 +194,7 @@ std::optional<HopedRun> RunCosts::through(Cell cell) const {
   }
   if (least == limit_) return std::nullopt;
   const int price = steps * price_step;
-  return HopedRun{least - price * tolls_.per_nat / 32, price};
+  return OptimisticRun{least - price * tolls_.per_nat / 32, price};
 }
 
 }  // namespace labmouse

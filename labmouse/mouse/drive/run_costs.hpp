@@ -31,7 +31,7 @@ struct RunTolls {
 };
 
 /// A run that may exist.
-struct HopedRun {
+struct OptimisticRun {
   int time = 0;   ///< milliseconds, without what prices add
   int price = 0;  ///< of all its unseen walls
 };
@@ -52,7 +52,7 @@ class RunCosts {
   /// Finds A and V of all runs that cost less than a limit in milliseconds.
   void plan(const WallPrices& walls, const RunTolls& tolls, int limit);
   /// The run with the least cost through a cell other than the start's, if one costs less than the limit.
-  std::optional<HopedRun> through(Cell cell) const;
+  std::optional<OptimisticRun> through(Cell cell) const;
 
  private:
   /// The turn by which the cell before was left.

@@ -193,7 +193,7 @@ class Driver final : public DrivingExplorer {
   }
 
   DriveTime saving(Cell cell) const {
-    const std::optional<HopedRun> run = runs_->through(cell);
+    const std::optional<OptimisticRun> run = runs_->through(cell);
     const int gain = run ? known_ - run->time - policy_.run_gain : 0;
     if (gain <= 0) return 0;
     // Small gains count less, because they are less certain. The exponent on the probability allows for correlated

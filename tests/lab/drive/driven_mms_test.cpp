@@ -83,6 +83,7 @@ TEST(DrivenMms, EndsItsSearchBackAtTheStart) {
 TEST(DrivenMms, EndsItsSearchByAResetOrByWaiting) {
   expect_finished(driven(then(to_the_goal(), {"ask:ackReset", "hang"})), 3);
   expect_finished(driven(then(to_the_goal(), {"ask-on:wasReset"})), 3);
+  expect_finished(driven(then(to_the_goal(), {"ask-on:wallFront"})), 3);
 }
 
 TEST(DrivenMms, AnswersFromTheMapOfTheMouse) {
@@ -127,11 +128,27 @@ TEST(DrivenMms, ForfeitsWhereItDoesNotGetToTheGoal) {
   const Driven ended = driven({"ask:moveForward", "errors:I am lost", "exit:3"});
   EXPECT_EQ(ended.record.reason, ForfeitReason::ended_early);
   EXPECT_THAT(ended.words, Says("exit code 3", "I am lost"));
-  EXPECT_EQ(driven({"ask-on:wallFront"}).record.reason, ForfeitReason::hung);
+  EXPECT_EQ(driven({"ask-on:wallFront"}).record.reason, ForfeitReason::out_of_time);
+  EXPECT_EQ(driven({"ask-on:wasReset"}).record.reason, ForfeitReason::out_of_time);
   const Driven half = driven({"ask:moveForwardHalf"});
   EXPECT_EQ(half.record.reason, ForfeitReason::invalid_answer);
   EXPECT_THAT(half.words, Says("half cells", "whole cells"));
   EXPECT_THAT(driven({"ask:turnRight45"}).words, Says("45 degrees"));
+  // What goes wrong behind a goal is no usual end.
+  EXPECT_EQ(driven(then(to_the_goal(), {"ask:moveForwardHalf", "ask:turnLeft", "ask:turnLeft", "ask:moveForwardHalf"}))
+                .record.reason,
+            ForfeitReason::invalid_answer);
+}
+
+TEST(DrivenMms, SeesPostsAtFortyFiveDegrees) {
+  expect_finished(
+      driven(then({"ask:wallFrontLeft", "need:true", "ask:moveForwardHalf 0", "need:crash"}, to_the_goal())), 3);
+}
+
+TEST(ExternalMice, DoNotRaceWhereNobodyDecides) {
+  for (const char* world : {"seconds", "failures", "physical"})
+    EXPECT_THAT(enter(read_specs("program:true").contestants, world, {{"rules", "time-trial"}}).error,
+                Says("external", "lap"));
 }
 
 TEST(DrivenMms, DoesNotStart) {

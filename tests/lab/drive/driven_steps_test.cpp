@@ -177,7 +177,7 @@ TEST(DrivenSteps, EndsItsSearchIfItDoesNothingForEver) {
   DriveRecord record;
   std::vector<Action> answers(20'000, Action::step(90, 0));
   talk_of(answers, &record);
-  EXPECT_EQ(record.outcome, DriveOutcome::forfeit);
+  EXPECT_EQ(record.reason, ForfeitReason::out_of_time);
   answers.insert(answers.begin(), Action::step(0, 3));
   talk_of(answers, &record);
   EXPECT_EQ(record.outcome, DriveOutcome::finished);

@@ -93,7 +93,6 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[[mouse]]\nname = 'a'\nmouse = 'flood'\n[[mouse]]\nname = 'a'\nmms = 'b'\n", 5, 8, {"'a'", "twice"}},
         Mistake{"[[mouse]]\nname = 'a'\nmouse = 'flood'\ndirectory = 'x'\n", 4, 13, {"'directory'", "external mice"}},
         Mistake{"[[mouse]]\nname = 'a'\ncapstone = 'a.py'\ndirectory = 'x'\n", 4, 13, {"'directory'", "robot"}},
-        Mistake{"[[mouse]]\nname = 'a'\nmms = 'a'\nruns = 2\n", 4, 8, {"'runs'", "mms"}},
         Mistake{"[[mouse]]\nname = 'a'\nprogram = 'x'\nargumets = []\n", 4, 1, {"'argumets'", "'arguments'"}},
         Mistake{"[[mouse]]\nname = 'a'\nprogram = 'x'\narguments = 'fast'\n", 4, 13, {"list"}},
         Mistake{"[[mouse]]\nname = 'a'\nprogram = 'x'\nenvironment = { A = 3 }\n", 4, 21, {"A"}},

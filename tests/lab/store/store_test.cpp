@@ -388,6 +388,15 @@ TEST_F(AStore, IsNotMergedWithOneThatContradicts) {
   }
 }
 
+TEST_F(AStore, FindsNoConflictInAFormerNameOfAnOutcome) {
+  race("flood", {test::loop()}, test::in_steps(), "one.db");
+  race("flood", {test::loop()}, test::in_steps(), "two.db");
+  change("UPDATE contests SET outcome = 'solved'", "two.db");
+  const Merge merge = merge_stores({path("one.db"), path("two.db")}, path("new.db"));
+  EXPECT_THAT(merge.conflicts, IsEmpty());
+  EXPECT_EQ(merge.equal, 1);
+}
+
 TEST_F(AStore, NamesTheFirstConflictsOfTheFirstPartThatHasSome) {
   race("random", {test::loop()}, test::in_steps(), "one.db");
   for (const char* name : {"two.db", "three.db"}) {
