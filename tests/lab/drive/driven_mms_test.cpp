@@ -134,10 +134,10 @@ TEST(DrivenMms, ForfeitsWhereItDoesNotGetToTheGoal) {
   EXPECT_EQ(half.record.reason, ForfeitReason::invalid_answer);
   EXPECT_THAT(half.words, Says("half cells", "whole cells"));
   EXPECT_THAT(driven({"ask:turnRight45"}).words, Says("45 degrees"));
-  // What goes wrong behind a goal is no usual end.
-  EXPECT_EQ(driven(then(to_the_goal(), {"ask:moveForwardHalf", "ask:turnLeft", "ask:turnLeft", "ask:moveForwardHalf"}))
-                .record.reason,
+  // Behind a goal, too, where to end or to do nothing any more ends the search.
+  EXPECT_EQ(driven(then(to_the_goal(), {"ask:turnLeft", "ask:turnLeft", "ask:moveForwardHalf"})).record.reason,
             ForfeitReason::invalid_answer);
+  EXPECT_EQ(driven(then(to_the_goal(), {"say:" + std::string(5'000, 'x')})).record.reason, ForfeitReason::flooded);
 }
 
 TEST(DrivenMms, SeesPostsAtFortyFiveDegrees) {
