@@ -1,5 +1,6 @@
 // Any bytes as the actions of a packed record, and as the JSON of one: there is a record or an error, what is a record
-// can be played without a crash, and packs to the same actions again.
+// can be played without a crash, and packs to the same actions again. Only reasons of a forfeit get their names of
+// today.
 #include <cstdlib>
 
 #include "labmouse/lab/records/packed_record.hpp"
@@ -19,7 +20,12 @@ void check(const nlohmann::json& json) {
   const auto result = unpack_record(json, bare_maze());
   if (result.file.has_value() != result.error.empty()) std::abort();
   if (!result.file) return;
-  if (nlohmann::json(pack_record(*result.file))["actions"] != json["actions"]) std::abort();
+  const nlohmann::json packed = pack_record(*result.file);
+  if (packed["actions"] != json["actions"]) {
+    const bool forfeits = json["actions"].get<std::string>().find('!') != std::string::npos;
+    const auto again = unpack_record(packed, bare_maze());
+    if (!forfeits || !again.file || again.file->run.steps != result.file->run.steps) std::abort();
+  }
   replay(*result.file, bare_maze());
 }
 

@@ -180,15 +180,19 @@ TEST(ExternalMice, RaceInEveryWorldInSeconds) {
 }
 
 TEST(ExternalMice, KnowNothingOfTheMazeByTheirSeedWhereTheyDrive) {
-  // The same program under the same seed in two mazes of the failure model.
-  const auto entered = enter(read_specs("program:sh -c 'cat >&2'").contestants, "failures", {});
+  // It prints the seed that it is told, and ends.
+  const auto entered = enter(
+      read_specs("program:sh -c \"while read word n; do case $word in seed) echo $n >&2;; begin) exit;; esac; done\"")
+          .contestants,
+      "failures", {});
   ASSERT_EQ(entered.error, "");
   RaceOrder order;
   order.world = entered.entries.front().world;
   const Race race = hold_race(entered.entries.front().mice, {{"a", test::ring()}, {"b", test::ring()}}, order);
   ASSERT_EQ(race.results.size(), 2U);
   EXPECT_NE(race.results[0].seed, race.results[1].seed);
-  EXPECT_EQ(race.results[0].told, race.results[1].told);
+  for (const ContestResult& result : race.results)
+    EXPECT_THAT(std::get<std::string>(figure_of(race, result, said_last)), Says(std::to_string(result.told)));
 }
 
 TEST(MmsPrograms, RaceInTheWorldOfMmsUnlessAnotherIsNamed) {
