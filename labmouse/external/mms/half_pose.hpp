@@ -42,7 +42,8 @@ struct HalfPlace {
   friend constexpr bool operator==(HalfPlace, HalfPlace) = default;
 };
 
-/// Place and heading of an mms mouse. It starts at the centre of (0,0), heading north, whatever the maze file says.
+/// Place and heading of an mms mouse. In mms it starts at the centre of (0,0), heading north, whatever the maze file
+/// says.
 struct HalfPose {
   HalfPlace place;
   Compass heading = Compass::north;
@@ -62,13 +63,18 @@ constexpr HalfPlace half_step(HalfPlace place, Compass direction) {
 constexpr Cell cell_of(HalfPlace place) { return {place.x / 2, place.y / 2}; }
 
 /// Whether half a step from a place, which must lie inside of the border, leads into a wall or a post.
-inline bool blocked(const Maze& maze, HalfPlace place, Compass direction) {
+/// @param is_open Whether a side of a cell is open, as Maze::is_open() has it.
+template <class IsOpen>
+bool blocked_by(IsOpen is_open, HalfPlace place, Compass direction) {
   const HalfPlace next = half_step(place, direction);
-  assert(next.x >= 0 && next.y >= 0 && next.x <= 2 * maze.size().width && next.y <= 2 * maze.size().height);
+  assert(next.x >= 0 && next.y >= 0);
   const bool on_column = next.x % 2 == 0, on_row = next.y % 2 == 0;
   if (on_column && on_row) return true;
   if (!on_column && !on_row) return false;
-  return !maze.is_open(cell_of(next), on_column ? Heading::west : Heading::south);
+  return !is_open(cell_of(next), on_column ? Heading::west : Heading::south);
+}
+inline bool blocked(const Maze& maze, HalfPlace place, Compass direction) {
+  return blocked_by([&](Cell cell, Heading side) { return maze.is_open(cell, side); }, place, direction);
 }
 
 /// The goals of mms: the centre cells, whatever the maze file marks.

@@ -21,7 +21,12 @@ constexpr std::size_t most_logged = 100;
 }  // namespace
 
 MmsHost::MmsHost(const Maze& maze, const MmsOptions& options)
-    : maze_(maze), goals_(mms_goals(maze.size())), options_(options), canvas_(maze.size()) {}
+    : MmsHost({maze.size(), [maze](Cell cell, Heading side) { return maze.is_open(cell, side); }, HalfPose(),
+               mms_goals(maze.size())},
+              options) {}
+
+MmsHost::MmsHost(MmsMaze maze, const MmsOptions& options)
+    : maze_(std::move(maze)), options_(options), pose_(maze_.start), canvas_(maze_.size) {}
 
 void MmsHost::obey(std::string_view line, std::string& replies) {
   if (!goes_on()) return;
@@ -39,10 +44,10 @@ void MmsHost::obey(std::string_view line, std::string& replies) {
 bool MmsHost::obey(const MmsCommand& command, std::string& replies) {
   switch (command.verb) {
     case MmsVerb::maze_width:
-      replies += std::to_string(maze_.size().width) + '\n';
+      replies += std::to_string(maze_.size.width) + '\n';
       return false;
     case MmsVerb::maze_height:
-      replies += std::to_string(maze_.size().height) + '\n';
+      replies += std::to_string(maze_.size.height) + '\n';
       return false;
     case MmsVerb::wall:
       replies += sees_wall(turned(pose_.heading, command.eighths), command.half_steps) ? "true\n" : "false\n";
@@ -63,7 +68,7 @@ bool MmsHost::obey(const MmsCommand& command, std::string& replies) {
       turn(command.eighths);
       break;
     case MmsVerb::ack_reset:
-      pose_ = {};
+      pose_ = maze_.start;
       was_reset_ = false;
       ledger_.count_reset();
       break;
@@ -74,11 +79,15 @@ bool MmsHost::obey(const MmsCommand& command, std::string& replies) {
   return true;
 }
 
+bool MmsHost::is_blocked(HalfPlace place, Compass direction) const {
+  return blocked_by(maze_.is_open, place, direction);
+}
+
 /// Whether any of so many half steps would end in a wall or a post; at least the first one is checked.
 bool MmsHost::sees_wall(Compass direction, std::int64_t half_steps) const {
   HalfPlace place = pose_.place;
   // The border ends the loop at the latest.
-  while (!blocked(maze_, place, direction)) {
+  while (!is_blocked(place, direction)) {
     if (--half_steps < 1) return false;
     place = half_step(place, direction);
   }
@@ -87,10 +96,10 @@ bool MmsHost::sees_wall(Compass direction, std::int64_t half_steps) const {
 
 /// Moves until a wall, and returns the half steps made. As in mms, the statistics count all that were asked for.
 std::int64_t MmsHost::move(std::int64_t half_steps) {
-  if (half_steps < 1 || blocked(maze_, pose_.place, pose_.heading)) return 0;
-  ledger_.count_move(half_steps, cell_of(pose_.place) == Cell{});
+  if (half_steps < 1 || is_blocked(pose_.place, pose_.heading)) return 0;
+  ledger_.count_move(half_steps, cell_of(pose_.place) == cell_of(maze_.start.place));
   std::int64_t gone = 0;
-  for (; gone < half_steps && !blocked(maze_, pose_.place, pose_.heading); ++gone)
+  for (; gone < half_steps && !is_blocked(pose_.place, pose_.heading); ++gone)
     pose_.place = half_step(pose_.place, pose_.heading);
   work_ += static_cast<double>(gone) * (is_diagonal(pose_.heading) ? diagonal_work : straight_work);
   arrive();
@@ -106,7 +115,7 @@ void MmsHost::turn(int eighths) {
 
 void MmsHost::arrive() {
   const Cell cell = cell_of(pose_.place);
-  ledger_.count_arrival(goals_.contains(cell), cell == Cell{});
+  ledger_.count_arrival(maze_.goals.contains(cell), cell == cell_of(maze_.start.place));
 }
 
 bool MmsHost::draw(const MmsCommand& command) {
@@ -118,7 +127,7 @@ bool MmsHost::draw(const MmsCommand& command) {
     canvas_.clear_texts();
     return true;
   }
-  const Size size = maze_.size();
+  const Size size = maze_.size;
   if (command.x < 0 || command.y < 0 || command.x >= size.width || command.y >= size.height) return false;
   draw({command.x, command.y}, command);
   return true;

@@ -35,10 +35,20 @@ struct MmsEvent {
   double clock = 0;        ///< simulated time after it, in seconds, at mms's default speed
 };
 
+/// What the simulator takes of a maze: whether sides of its cells are open, and where the mouse starts and ends.
+struct MmsMaze {
+  Size size;
+  std::function<bool(Cell, Heading)> is_open;  ///< as Maze::is_open(); the border is closed
+  HalfPose start;
+  CellSet goals;
+};
+
 /// The simulator with one mouse in one maze. It does not wait: time is only counted.
 class MmsHost {
  public:
+  /// With the start and the goals of mms.
   MmsHost(const Maze& maze, const MmsOptions& options);
+  MmsHost(MmsMaze maze, const MmsOptions& options);
 
   /// Obeys one line, without its end; appends the reply with its end, if the line has one. Does nothing if goes_on() is
   /// false.
@@ -56,6 +66,8 @@ class MmsHost {
   bool is_endless() const;
   /// Presses the Reset button.
   void press_reset();
+  /// Puts the mouse there: for a mouse that is driven, and that got less far than it was sent.
+  void put(const HalfPose& pose) { pose_ = pose; }
 
   const HalfPose& pose() const { return pose_; }
   const MmsStatistics& statistics() const { return ledger_.statistics(); }
@@ -72,6 +84,7 @@ class MmsHost {
 
  private:
   bool obey(const MmsCommand& command, std::string& replies);
+  bool is_blocked(HalfPlace place, Compass direction) const;
   bool sees_wall(Compass direction, std::int64_t half_steps) const;
   std::int64_t move(std::int64_t half_steps);
   void turn(int eighths);
@@ -81,8 +94,7 @@ class MmsHost {
   void note_question();
   void log_invalid(std::string_view line, const std::string& problem);
 
-  Maze maze_;
-  CellSet goals_;
+  MmsMaze maze_;
   MmsOptions options_;
   HalfPose pose_;
   MmsLedger ledger_;

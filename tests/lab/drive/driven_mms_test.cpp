@@ -111,7 +111,12 @@ TEST(DrivenMms, AnswersFromTheMapOfTheMouse) {
                   3);
 }
 
-TEST(DrivenMms, IsToldOfAWallInItsWay) {
+TEST(DrivenMms, MayTurnByFortyFiveDegrees) {
+  expect_finished(driven({"ask:moveForward 2", "ask:turnRight45", "ask:turnRight45", "ask:moveForward", "need:ack"}),
+                  3);
+}
+
+TEST(DrivenMms, GetsACrashForAWallInItsWay) {
   expect_finished(driven({"ask:moveForward 3", "need:crash", "ask:moveForward", "need:crash", "ask:turnRight",
                           "ask:moveForward", "need:ack"}),
                   3);
@@ -132,8 +137,7 @@ TEST(DrivenMms, ForfeitsWhereItDoesNotGetToTheGoal) {
   EXPECT_EQ(driven({"ask-on:wasReset"}).record.reason, ForfeitReason::out_of_time);
   const Driven half = driven({"ask:moveForwardHalf"});
   EXPECT_EQ(half.record.reason, ForfeitReason::invalid_answer);
-  EXPECT_THAT(half.words, Says("half cells", "whole cells"));
-  EXPECT_THAT(driven({"ask:turnRight45"}).words, Says("45 degrees"));
+  EXPECT_THAT(half.words, Says("half a cell", "whole cells"));
   // Behind a goal, too, where to end or to do nothing any more ends the search.
   EXPECT_EQ(driven(then(to_the_goal(), {"ask:turnLeft", "ask:turnLeft", "ask:moveForwardHalf"})).record.reason,
             ForfeitReason::invalid_answer);
@@ -180,7 +184,7 @@ TEST(ExternalMice, RaceInEveryWorldInSeconds) {
 }
 
 TEST(ExternalMice, KnowNothingOfTheMazeByTheirSeedWhereTheyDrive) {
-  // It prints the seed that it is told, and ends.
+  // It prints its seed, and ends.
   const auto entered = enter(
       read_specs("program:sh -c \"while read word n; do case $word in seed) echo $n >&2;; begin) exit;; esac; done\"")
           .contestants,
