@@ -96,8 +96,9 @@ int failure_rates(const FailureOptions& options) {
       find_contestants(options.mice.empty() ? std::vector<std::string>{"flood-return", "certify"} : options.mice);
   for (const Contestant& mouse : mice)
     if (mouse.external)
-      throw UsageError(fmt::format("error: --mice: '{}' is an external mouse; rates are counted with built-in mice",
-                                   shown(mouse.name)));
+      throw UsageError(fmt::format(
+          "error: --mice: '{}' is an external mouse; failure rates are counted with built-in mice: remove it",
+          shown(mouse.name)));
   if (const std::string why = refuse_to_drive(mice, Driving::with_errors); !why.empty())
     throw UsageError("error: --mice: " + why);
   const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;

@@ -66,7 +66,7 @@ Trial try_in_steps(const Contestant& mouse, const Maze& maze) {
 }
 
 Trial try_in_mms(const MmsProgram& program, const Maze& maze) {
-  const MmsRun run = run_mms(program, maze, {});
+  const MmsRun run = run_mms(program.launch, maze, {});
   Trial trial;
   trial.walk = fmt::format("{} {} {} {} {}", run.lines, run.clock, run.statistics.total_distance,
                            run.statistics.total_turns, run.statistics.score);

@@ -79,7 +79,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
       if (recorder) recorder->add(event);
       if (watching) watching->tell(event, now);
     };
-  MmsRun run = run_mms(std::get<MmsProgram>(mouse.kind), maze.maze, options.mms, listener);
+  MmsRun run = run_mms(std::get<MmsProgram>(mouse.kind).launch, maze.maze, options.mms, listener);
   if (recorder) save(options.record, recorder->finish(run));
   const std::string drawing = mms_drawing_of(maze.maze, run.canvas, run.pose, text_drawer(colours()));
   if (watching)

@@ -17,7 +17,7 @@ class CellwiseExplorer : public DrivingExplorer {
   /// For a briefing in seconds.
   explicit CellwiseExplorer(const Briefing& briefing);
 
-  /// What the program wants next.
+  /// What the program orders next.
   struct Order {
     enum class Kind : std::uint8_t {
       move,     ///< `cells` cells in `direction`; 0: nothing that the mouse has to drive
@@ -29,7 +29,7 @@ class CellwiseExplorer : public DrivingExplorer {
     int cells = 0;
     ForfeitReason reason = ForfeitReason::none;
   };
-  /// Asks the program. Its last move has ended.
+  /// Asks the program for its next order, once its last move has ended.
   virtual Order next_order() = 0;
 
   /// The cell of the program.

@@ -49,8 +49,7 @@ CellwiseExplorer::Order DrivenSteps::next_order() {
     case Action::Kind::step:
       break;
   }
-  if (action.rotation == 90) heading_ = right_of(heading_);
-  if (action.rotation == -90) heading_ = left_of(heading_);
+  heading_ = rotated(heading_, action.rotation);
   const int cells = std::clamp(action.movement, -longest_, longest_);
   return {.direction = cells < 0 ? opposite(heading_) : heading_, .cells = std::abs(cells)};
 }

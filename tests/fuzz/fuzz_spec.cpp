@@ -19,7 +19,7 @@ LABMOUSE_FUZZER(spec) {
     const auto& kind = again.contestants.front().kind;
     if (kind.index() != mouse.kind.index()) std::abort();
     const auto* program = std::get_if<MmsProgram>(&kind);
-    if (program != nullptr && program->words != std::get<MmsProgram>(mouse.kind).words) std::abort();
+    if (program != nullptr && program->launch.words != std::get<MmsProgram>(mouse.kind).launch.words) std::abort();
   }
   return 0;
 }

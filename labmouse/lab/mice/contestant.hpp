@@ -55,8 +55,9 @@ using PlayedContests = std::map<std::pair<std::string, std::uint64_t>, PlayedCon
 /// Starts a program that is the controller of a mouse in the physical world.
 using ControllerProgram = std::function<std::unique_ptr<ControllerCode>(const ControllerBriefing&)>;
 
-/// A program that talks to mms: how to start it.
-struct MmsProgram : Launch {
+/// A program that talks to mms.
+struct MmsProgram {
+  Launch launch;  ///< how to start it
   /// Starts it as a strategy for a contest with a briefing in seconds.
   std::function<std::unique_ptr<DrivingStrategy>(const Briefing&)> drive = {};
 };

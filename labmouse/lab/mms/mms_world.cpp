@@ -86,7 +86,7 @@ class MmsWorld final : public World {
   ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
     const NamedMaze& maze = race.mazes[result.maze];
     const Contestant& mouse = race.mice[result.mouse];
-    Launch launch = std::get<MmsProgram>(mouse.kind);
+    Launch launch = std::get<MmsProgram>(mouse.kind).launch;
     launch.stop = stop;
     MmsWalk walk{HalfPose()};
     std::optional<MmsRecorder> recorder;

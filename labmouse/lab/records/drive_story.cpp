@@ -116,7 +116,7 @@ class Story {
     const DriveTime known = run.known < no_time ? run.known : fastest_over(run.open);
     const DriveTime possible = run.possible < no_time ? run.possible : fastest_over(not_closed);
     if (known >= no_time || possible >= no_time) return "";
-    return possible < known ? fmt::format(": it knows a route of {}, and to look for one of {} is not worth the time",
+    return possible < known ? fmt::format(": it knows a route of {}; a possible one of {} is not worth looking for",
                                           text_of(known), text_of(possible))
                             : fmt::format(": no route can be faster than that of {} which it knows", text_of(known));
   }

@@ -15,38 +15,32 @@
 namespace labmouse {
 namespace {
 
-/// A number in a file of rules, and what it goes with; times are in seconds.
+/// Sets of what rules can count.
+constexpr unsigned bit_of(Counted counted) { return 1U << static_cast<unsigned>(counted); }
+constexpr unsigned with_runs = bit_of(Counted::run), with_laps = bit_of(Counted::lap),
+                   with_dead_ends = bit_of(Counted::dead_end);
+
+/// A number in a file of rules; times are in seconds.
 struct RulesNumber {
   std::string_view name;
+  unsigned with = 0;  ///< what rules must count for it to have a meaning
   double low = 0.0;
   double high = 0.0;
   bool whole = false;
   bool needed = false;
-  bool with_runs = false;
-  bool with_laps = false;
-  bool with_dead_ends = false;
-
-  bool goes_with(Counted counts) const {
-    return counts == Counted::run ? with_runs : counts == Counted::lap ? with_laps : with_dead_ends;
-  }
 };
 
-constexpr RulesNumber time_limit = {.name = "time_limit",
-                                    .low = 1,
-                                    .high = 7200,
-                                    .needed = true,
-                                    .with_runs = true,
-                                    .with_laps = true,
-                                    .with_dead_ends = true};
+constexpr unsigned with_time = with_runs | with_laps, with_all = with_time | with_dead_ends;
+constexpr RulesNumber time_limit = {.name = "time_limit", .with = with_all, .low = 1, .high = 7200, .needed = true};
 constexpr RulesNumber runs = {
-    .name = "runs", .low = 1, .high = 100, .whole = true, .needed = true, .with_runs = true, .with_dead_ends = true};
-constexpr RulesNumber laps = {.name = "laps", .low = 1, .high = 20, .whole = true, .needed = true, .with_laps = true};
+    .name = "runs", .with = with_runs | with_dead_ends, .low = 1, .high = 100, .whole = true, .needed = true};
+constexpr RulesNumber laps = {.name = "laps", .with = with_laps, .low = 1, .high = 20, .whole = true, .needed = true};
 constexpr RulesNumber marks = {
-    .name = "marks", .low = 1, .high = most_marks, .whole = true, .needed = true, .with_dead_ends = true};
+    .name = "marks", .with = with_dead_ends, .low = 1, .high = most_marks, .whole = true, .needed = true};
 constexpr RulesNumber maze_time_divisor = {
-    .name = "maze_time_divisor", .low = 1, .high = 1000, .whole = true, .with_runs = true, .with_laps = true};
-constexpr RulesNumber touch_penalty = {.name = "touch_penalty", .high = 600, .with_runs = true, .with_laps = true};
-constexpr RulesNumber untouched_bonus = {.name = "untouched_bonus", .high = 600, .with_runs = true, .with_laps = true};
+    .name = "maze_time_divisor", .with = with_time, .low = 1, .high = 1000, .whole = true};
+constexpr RulesNumber touch_penalty = {.name = "touch_penalty", .with = with_time, .high = 600};
+constexpr RulesNumber untouched_bonus = {.name = "untouched_bonus", .with = with_time, .high = 600};
 
 constexpr std::array<std::string_view, 10> rule_keys = {
     "source",        "time_limit",      "counts", "runs", "laps", "marks", "maze_time_divisor",
@@ -75,7 +69,7 @@ class RulesReader {
   double number(const RulesNumber& key) {
     const toml::node* node = table_.get(key.name);
     if (!counts_) return 0.0;
-    if (!key.goes_with(*counts_)) {
+    if ((key.with & bit_of(*counts_)) == 0) {
       if (node != nullptr)
         add(node->source().begin,
             fmt::format("'{}' does not go with counts = \"{}\"; remove it", key.name, name_of(*counts_)));

@@ -26,6 +26,12 @@ std::string prior_text(const WallPrior& prior) {
   return text;
 }
 
+/// Whether contests under these conditions are driven by a robot: they name its tables.
+bool has_robot(const std::vector<Condition>& conditions) {
+  return std::any_of(conditions.begin(), conditions.end(),
+                     [](const Condition& condition) { return condition.key == "tables"; });
+}
+
 }  // namespace
 
 std::string conditions_text(const World& world) { return one_line(conditions_json(world)); }
@@ -47,11 +53,9 @@ std::string key_of(const World& world) {
 
 std::string key_of(const World& world, const Contestant& mouse) {
   if (mouse.identity) {
-    // Where a robot has tables, it is driven for an external mouse, so the results depend on that code, too.
-    const std::vector<Condition> conditions = world.conditions();
-    const bool driven = mouse.external && !std::holds_alternative<ControllerProgram>(mouse.kind) &&
-                        std::any_of(conditions.begin(), conditions.end(),
-                                    [](const Condition& condition) { return condition.key == "tables"; });
+    // The results of an external mouse that is driven depend on what drives it, too.
+    const bool driven =
+        mouse.external && !std::holds_alternative<ControllerProgram>(mouse.kind) && has_robot(world.conditions());
     return mouse.identity() +
            (driven ? fmt::format("driven {}\nsignature {}\n", driven_edition, build_signature()) : "");
   }

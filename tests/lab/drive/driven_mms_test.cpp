@@ -149,7 +149,7 @@ TEST(DrivenMms, SeesPostsAtFortyFiveDegrees) {
       driven(then({"ask:wallFrontLeft", "need:true", "ask:moveForwardHalf 0", "need:crash"}, to_the_goal())), 3);
 }
 
-TEST(ExternalMice, DoNotRaceWhereNobodyDecides) {
+TEST(ExternalMice, DoNotRaceInTimeTrials) {
   for (const char* world : {"seconds", "failures", "physical"})
     EXPECT_THAT(enter(read_specs("program:true").contestants, world, {{"rules", "time-trial"}}).error,
                 Says("external", "lap"));
@@ -183,7 +183,7 @@ TEST(ExternalMice, RaceInEveryWorldInSeconds) {
   }
 }
 
-TEST(ExternalMice, KnowNothingOfTheMazeByTheirSeedWhereTheyDrive) {
+TEST(ExternalMice, GetTheSameSeedInAllMazesWhereTheyDrive) {
   // It prints its seed, and ends.
   const auto entered = enter(
       read_specs("program:sh -c \"while read word n; do case $word in seed) echo $n >&2;; begin) exit;; esac; done\"")

@@ -43,8 +43,8 @@ class AMiceFile : public testing::Test {
 };
 
 /// How the mouse of that place is started, a program that talks to mms.
-const MmsProgram& program_of(const SpecResult& read, std::size_t place) {
-  return std::get<MmsProgram>(read.contestants[place].kind);
+const Launch& program_of(const SpecResult& read, std::size_t place) {
+  return std::get<MmsProgram>(read.contestants[place].kind).launch;
 }
 
 SpecResult read_all(const std::vector<std::string>& specs) { return read_specs(specs); }

@@ -15,7 +15,7 @@ inline Contestant mms_mouse(const std::string& name, std::vector<std::string> wo
   mouse.name = "mms:" + name;
   mouse.runs = 1;
   words.insert(words.begin(), LABMOUSE_MMS_PROGRAM);
-  auto& program = mouse.kind.emplace<MmsProgram>();
+  Launch& program = mouse.kind.emplace<MmsProgram>().launch;
   program.words = std::move(words);
   program.limits.silence = std::chrono::seconds(20);  // on a busy machine
   return mouse;

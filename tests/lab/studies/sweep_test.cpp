@@ -110,7 +110,7 @@ TEST(Variants, OfAExternalStandInItsCommand) {
   ASSERT_EQ(result.contestants.size(), 2U) << result.error;
   EXPECT_EQ(result.contestants[0].name, "program:sh -c 'x=4; y=4{b}'");
   EXPECT_EQ(result.contestants[1].name, "program:sh -c 'x=04; y=04{b}'");
-  EXPECT_EQ(std::get<MmsProgram>(read_variants("mms:sh -c {a}", "a", values).contestants[0].kind).words,
+  EXPECT_EQ(std::get<MmsProgram>(read_variants("mms:sh -c {a}", "a", values).contestants[0].kind).launch.words,
             (std::vector<std::string>{"sh", "-c", "4"}));
   ExternalOptions options;
   options.runs = 7;
