@@ -266,6 +266,7 @@ TEST_F(AUser, IsToldTheRangeThatANumberHas) {
     is_refused({"failure-rates", "--mazes", "m.txt", "--pace", pace}, "--pace", pace, "0.2 to 1");
   }
   is_refused({"failure-rates", "--mazes", "m.txt", "--rules", "time-trial"}, "--rules", "time-trial", "lap");
+  is_refused({"failure-rates", "--mazes", "m.txt", "--mice", "program:true"}, "--mice", "external");
   is_refused({"run", "flood", "m.txt", "--goal", "99,99"}, "'99,99'", "0 to 63");
   is_refused({"sweep", "flood", "--vary", "stride=1-3", "--mazes", "m.txt"}, "'1-3'", "LOW:HIGH:STEP");
 }

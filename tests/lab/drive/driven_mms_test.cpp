@@ -38,12 +38,13 @@ struct Driven {
 };
 
 /// A contest of mms_program with these words; see tests/external/mms/mms_program.cpp.
-Driven driven(std::vector<std::string> words, const Maze& maze = hook()) {
+Driven driven(std::vector<std::string> words, const Maze& maze = hook(), ExternalLimits limits = {}) {
   const auto model = test::drive_model("classic");
   const DriveRules rules = find_rules("all-japan").rules;
   Launch launch;
   words.insert(words.begin(), LABMOUSE_MMS_PROGRAM);
   launch.words = std::move(words);
+  launch.limits = limits;
   launch.limits.silence = std::chrono::seconds(20);  // on a busy machine
   DrivenMms mouse(launch, brief(maze, rules, *model, 1));
   Driven done;
@@ -120,6 +121,38 @@ TEST(DrivenMms, GetsACrashForAWallInItsWay) {
   expect_finished(driven({"ask:moveForward 3", "need:crash", "ask:moveForward", "need:crash", "ask:turnRight",
                           "ask:moveForward", "need:ack"}),
                   3);
+}
+
+TEST(DrivenMms, GetsACrashForAWallThatTheMouseHadNotSeen) {
+  // Beyond the first cell there is a wall, which is seen only from there.
+  const Maze maze = test::drawn(R"(
+    o---o---o
+    | G     |
+    o---o   o
+    |       |
+    o   o---o
+    | S |   |
+    o---o---o
+  )");
+  expect_finished(
+      driven({"ask:moveForward 2", "need:crash", "ask:wallFront", "need:true", "ask:turnRight", "ask:moveForward",
+              "need:ack", "ask:turnLeft", "ask:moveForward", "need:ack", "ask:turnLeft", "ask:moveForward", "need:ack"},
+             maze),
+      4);
+}
+
+TEST(DrivenMms, MayNotLeaveItsRepliesUnread) {
+  ExternalLimits limits;
+  limits.most_unread = 1000;
+  EXPECT_EQ(driven({"burst:90000:wallFront", "hang"}, hook(), limits).record.reason, ForfeitReason::flooded);
+}
+
+TEST(DrivenMms, StartsWhereTheMazeSays) {
+  const Maze maze = hook().with_start({0, 2}, Heading::south).with_goals(CellSet::of({0, 0}));
+  expect_finished(driven({"ask:moveForward", "ask:turnLeft", "ask:ackReset", "ask:wallLeft", "need:false",
+                          "ask:wallBack", "need:true", "ask:moveForward 2", "need:ack"},
+                         maze),
+                  4);
 }
 
 TEST(DrivenMms, MayGoBackToTheStartByAReset) {

@@ -9,7 +9,7 @@
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
-#include "tests/lab/drive/physical_fixture.hpp"
+#include "tests/lab/drive/failures_fixture.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -185,11 +185,10 @@ TEST(DrivenSteps, EndsItsSearchIfItDoesNothingForEver) {
 
 TEST(DrivenSteps, DrivesBackToTheCellOfTheStrategyAfterACrash) {
   // One turn in five ends in a crash, and no wall is read wrongly.
-  FailureRates rates;
-  rates.paces = {{1.0, {no_failures()}}};
-  rates.paces.front().noises.front().noise = 1.0;
-  for (FailureRatesByDraw& by_draws : rates.paces.front().noises.front().by_draws)
-    for (ManoeuvreRates& turn : by_draws.manoeuvres[static_cast<std::size_t>(Manoeuvre::turn)]) turn.crash = 0.2;
+  const FailureRates rates = test::with([](FailureRatesByDraw& some) {
+    for (std::size_t level = 0; level < position_error_levels; ++level)
+      test::at(some, Manoeuvre::turn, level).crash = 0.2;
+  });
   const auto model = test::drive_model("kerise");
   Rng rng(9);
   int crashes = 0, finished = 0;
@@ -214,6 +213,50 @@ TEST(DrivenSteps, DrivesBackToTheCellOfTheStrategyAfterACrash) {
   }
   EXPECT_GT(crashes, 20);
   EXPECT_GT(finished, 20);
+}
+
+/// A mouse with a log-odds map, driven by hand through corridor().
+class ByHand {
+ public:
+  explicit ByHand(std::vector<Action> answers)
+      : map_(corridor().size(), MapKind::log_odds),
+        mouse_(near_sighted(corridor()), corridor().open_walls(), std::make_unique<Answers>(std::move(answers))) {}
+
+  /// Reads the walls of a cell, and asks there.
+  Action ask(Cell cell) {
+    for (const Heading side : all_headings)
+      if (const Wall wall = wall_at(cell, side); !on_border(wall, corridor().size()))
+        map_.add(wall, corridor().is_open(cell, side) ? -LogOddsMap::most : LogOddsMap::most);
+    return mouse_.consider(map_, {{cell, Heading::north}, cell == corridor().start()}, time_ += 1000);
+  }
+  /// After a crash, when its map has lost that wall.
+  Action ask_at_the_start_without(Wall lost) {
+    mouse_.carried(time_ += 1000);
+    map_.forget(lost);
+    return mouse_.consider(map_, {{corridor().start(), Heading::north}, true}, time_ += 1000);
+  }
+
+ private:
+  LogOddsMap map_;
+  DrivenSteps mouse_;
+  std::int64_t time_ = 0;
+};
+
+TEST(DrivenSteps, LooksForTheWayBackThatItsMapHasLost) {
+  ByHand mouse({Action::step(0, 1), Action::step(0, 1), Action::step(0, 1)});
+  mouse.ask({0, 0});
+  mouse.ask({0, 1});
+  mouse.ask({0, 2});
+  EXPECT_EQ(mouse.ask_at_the_start_without(wall_at({0, 1}, Heading::north)).kind, Action::Kind::step);
+}
+
+TEST(DrivenSteps, GoesToTheGoalAgainIfItsMapHasLostTheRoute) {
+  ByHand mouse({Action::step(0, 1), Action::step(0, 1), Action::step(0, 1), Action::reset()});
+  mouse.ask({0, 0});
+  mouse.ask({0, 1});
+  mouse.ask({0, 2});
+  EXPECT_EQ(mouse.ask({0, 3}), Action::reset());
+  EXPECT_EQ(mouse.ask_at_the_start_without(wall_at({0, 1}, Heading::north)).kind, Action::Kind::step);
 }
 
 }  // namespace

@@ -346,6 +346,15 @@ TEST(DriveRecordReplay, KnowsWhereASearchEndsInTheMiddleOfAGoal) {
   }
 }
 
+TEST(DriveRecordFile, MayHaveTheNamesOfEarlierVersions) {
+  const DriveRecordFile file = scripted(to_goal(Action::forfeit(ForfeitReason::no_route)), 100'000'000);
+  const std::string text = changed(write_drive_record(file), "\"reason\":\"no route\"", "\"reason\":\"no way\"");
+  EXPECT_EQ(read(text).record.reason, ForfeitReason::no_route);
+  const std::string runs = write_drive_record(three_runs());
+  EXPECT_EQ(read(changed(runs, "\"run\":\"speed\"", "\"run\":\"fast\"")).record, three_runs().record);
+  EXPECT_EQ(read(changed(runs, "\"possible\":", "\"hoped\":")).record, three_runs().record);
+}
+
 TEST(DriveRecordReplay, ComparesAllPartsOfTheScore) {
   const DriveRecordFile file = three_runs();
   const auto said = [&](auto change) {
