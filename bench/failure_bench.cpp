@@ -27,7 +27,7 @@ class Contests {
  public:
   explicit Contests(std::string_view mouse) : mouse_(*find_mouse(mouse)) {
     share_route_tables(model_);
-    conditions_.noise.all = 1.0;
+    conditions_.errors.variation = 1.0;
   }
 
   std::size_t count() const { return mazes_.size(); }

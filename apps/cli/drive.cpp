@@ -20,9 +20,9 @@ struct DriveOptions {
   std::vector<std::string> mazes;
   Places places;
   std::string robot = "kerise";
-  std::string noise = "1";
+  std::string noise = "1", variation = "1";
   PhysicalConditions conditions;
-  bool fast = false, groups = false, corrections = false;
+  bool fast = false, causes = false, corrections = false;
   int runs = 20;
   std::uint64_t seed = 1;
   int jobs = 0;
@@ -30,25 +30,30 @@ struct DriveOptions {
   std::string log;
 };
 
-/// The cases that are compared: the levels of noise; with --groups or --corrections, for each level the groups of noise
-/// or the corrections of the estimator.
+/// The cases that are compared: the scales of noise and variation; with --causes or --corrections, for each of them the
+/// causes of errors or the corrections of the estimator.
 std::vector<DriveCase> cases_of(const DriveOptions& options) {
-  if (options.groups && options.corrections)
-    throw UsageError("error: --groups and --corrections are two comparisons; ask for one of them");
+  if (options.causes && options.corrections)
+    throw UsageError("error: --causes and --corrections are two comparisons; ask for one of them");
   if (options.fast && options.corrections)
     throw UsageError("error: --corrections compares drives by the moves of a search; leave --fast out");
   std::vector<DriveCase> cases;
-  const std::vector<double> noises = numbers_of(noise_row.setting, options.noise);
+  const std::vector<double> noises = numbers_of(noise_row.setting, options.noise),
+                            variations = numbers_of(variation_row.setting, options.variation);
+  const bool several = noises.size() * variations.size() > 1;
   for (const double noise : noises) {
-    PhysicalConditions conditions = options.conditions;
-    conditions.noise.all = noise;
-    const std::string name = fmt::format("noise {:g}", noise);
-    std::vector<DriveCase> parts = options.groups        ? cases_by_group(conditions)
-                                   : options.corrections ? cases_by_correction(conditions)
-                                                         : std::vector<DriveCase>{{"", conditions}};
-    for (DriveCase& part : parts) {
-      part.name = part.name.empty() ? name : noises.size() > 1 ? name + " " + part.name : part.name;
-      cases.push_back(std::move(part));
+    for (const double variation : variations) {
+      PhysicalConditions conditions = options.conditions;
+      conditions.errors.noise = noise;
+      conditions.errors.variation = variation;
+      const std::string name = fmt::format("noise {:g}, variation {:g}", noise, variation);
+      std::vector<DriveCase> parts = options.causes        ? cases_by_cause(conditions)
+                                     : options.corrections ? cases_by_correction(conditions)
+                                                           : std::vector<DriveCase>{{"", conditions}};
+      for (DriveCase& part : parts) {
+        part.name = part.name.empty() ? name : several ? name + " " + part.name : part.name;
+        cases.push_back(std::move(part));
+      }
     }
   }
   return cases;
@@ -110,11 +115,13 @@ void add_drive(Command& app, int& exit) {
       ->add_option("--robot", options->robot, "Built-in robot, or a file whose name contains a slash or ends in .toml")
       ->type_name("ROBOT")
       ->capture_default_str();
-  command->add_option("--noise", options->noise, "Scales of all noise, separated by commas: 1 as measured, 0 none")
+  command->add_option("--noise", options->noise, "Scales of the noise, separated by commas: 1 as measured, 0 none")
       ->type_name("LIST")
       ->capture_default_str();
-  command->add_option("--variation", options->conditions.noise.variation, std::string(variation_row.setting.meaning))
-      ->check(in_range(variation_row.setting.low, variation_row.setting.high))
+  command
+      ->add_option("--variation", options->variation,
+                   "Scales of the variation, separated by commas, or their names: as --variation of `labmouse race`")
+      ->type_name("LIST")
       ->capture_default_str();
   command
       ->add_option("--search-speed", options->conditions.controller.search_speed,
@@ -122,7 +129,8 @@ void add_drive(Command& app, int& exit) {
       ->check(setting_value(search_speed_row.setting))
       ->capture_default_str();
   command->add_flag("--fast", options->fast, "Drive the fastest route instead of the moves of a search run");
-  command->add_flag("--groups", options->groups, "Compare groups of noise: a row for each with the other groups off");
+  command->add_flag("--causes", options->causes,
+                    "Compare causes of errors: a row for each with the other causes off");
   command->add_flag("--corrections", options->corrections,
                     "Compare corrections of the position by walls: all, some and none");
   command->add_option("--runs", options->runs, "Drives in each maze")
@@ -140,7 +148,7 @@ void add_drive(Command& app, int& exit) {
   command->add_option("--log", options->log, "Save the log of one drive as CSV; takes one maze and --runs 1")
       ->type_name("FILE");
   command->footer(
-      "Example: labmouse drive --mazes contest-01 --noise 0,1,2 --runs 5\n"
+      "Example: labmouse drive --mazes contest-01 --variation lab,contest,bad-day --runs 5\n"
       "         labmouse drive --mazes contest-01 --fast --runs 1 --log run.csv");
   command->callback([options, &exit] { exit = drive(*options); });
 }

@@ -26,7 +26,7 @@ struct FailureOptions {
   std::vector<std::string> mice;
   std::vector<std::string> mazes;
   Places places;
-  std::string robot = "kerise", rules = "all-japan", noise = "1,2,3", pace = "1";
+  std::string robot = "kerise", rules = "all-japan", variation = "0.5,1,1.2", pace = "1";
   std::string map = std::string(name_of(MapKind::first));
   PhysicalConditions conditions;
   int runs = 1;
@@ -41,20 +41,20 @@ struct FailureOptions {
 /// contests differ by more than allowed.
 int check_rates(const FailureOptions& options, FailureOrder order, const std::vector<Contestant>& mice,
                 const std::vector<NamedMaze>& mazes) {
-  for (const std::string name : {"--pace", "--variation", "--search-speed", "--save", "--format"})
+  for (const std::string name : {"--pace", "--noise", "--search-speed", "--save", "--format"})
     if (options.command->count(name) > 0) throw UsageError(fmt::format("error: {} cannot be used with --check", name));
   const FoundRates failure_rates = find_rates(options.check);
   if (!failure_rates.file) throw UsageError(failure_rates.error);
-  const double most_noise = *std::max_element(order.noises.begin(), order.noises.end());
-  if (const std::string why = why_not_failures(*order.model, most_noise, *failure_rates.file); !why.empty())
+  const double most = *std::max_element(order.variations.begin(), order.variations.end());
+  if (const std::string why = why_not_failures(*order.model, most, *failure_rates.file); !why.empty())
     throw UsageError("error: " + why);
   const FidelityBars bars = {options.within / 100.0, options.interval_within / 100.0};
   const Interruptible interruptible;
   const auto all = compare_worlds(order, *failure_rates.file, mice, mazes, &interruptible.stopped());
   print(table_of(all, bars));
-  const std::size_t noises = order.noises.size();
-  if (all.size() < mice.size() * noises) {
-    print(fmt::format("\nStopped early: {} of {} noises compared.\n", all.size() / mice.size(), noises));
+  const std::size_t variations = order.variations.size();
+  if (all.size() < mice.size() * variations) {
+    print(fmt::format("\nStopped early: {} of {} variations compared.\n", all.size() / mice.size(), variations));
     return exit_interrupted();
   }
   const bool good = std::all_of(all.begin(), all.end(), [&](const Fidelity& each) { return is_faithful(each, bars); });
@@ -87,7 +87,7 @@ int failure_rates(const FailureOptions& options) {
                                  shown(options.rules), name_of(order.rules.counts)));
   order.conditions = options.conditions;
   order.conditions.map = *map_kind_of(today_value(options.map));
-  order.noises = numbers_of(noise_row.setting, options.noise);
+  order.variations = numbers_of(variation_row.setting, options.variation);
   order.paces = numbers_of(pace_row.setting, options.pace);
   order.runs = options.runs;
   order.seed = options.seed;
@@ -139,14 +139,17 @@ void add_failure_rates(Command& app, int& exit) {
                    "Built-in rules in seconds, or a file whose name contains a slash or ends in .toml")
       ->type_name("RULES")
       ->capture_default_str();
-  command->add_option("--noise", options->noise, "Scales of all noise, separated by commas: 1 as measured")
+  command
+      ->add_option("--variation", options->variation,
+                   "Scales of the variation, separated by commas, or their names: as --variation of `labmouse race`")
       ->type_name("LIST")
       ->capture_default_str();
   command->add_option("--pace", options->pace, "Shares of the robot's usual speed, separated by commas, 0.2 to 1")
       ->type_name("LIST")
       ->capture_default_str();
-  command->add_option("--variation", options->conditions.noise.variation, std::string(variation_row.setting.meaning))
-      ->check(in_range(variation_row.setting.low, variation_row.setting.high))
+  command
+      ->add_option("--noise", options->conditions.errors.noise, "Scale of the noise of each moment (1 = as measured)")
+      ->check(in_range(noise_row.setting.low, noise_row.setting.high))
       ->capture_default_str();
   command
       ->add_option("--search-speed", options->conditions.controller.search_speed,
@@ -156,7 +159,7 @@ void add_failure_rates(Command& app, int& exit) {
   command->add_option("--map", options->map, "How contradicting wall readings are handled: as --map of `labmouse race`")
       ->check(setting_value(map_row.setting))
       ->capture_default_str();
-  command->add_option("--runs", options->runs, "Contests of each mouse in each maze, under each noise")
+  command->add_option("--runs", options->runs, "Contests of each mouse in each maze, under each variation")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed for all random choices")
@@ -187,7 +190,7 @@ void add_failure_rates(Command& app, int& exit) {
       ->check(in_range(0.0, 100.0))
       ->capture_default_str();
   command->footer(
-      "Example: labmouse failure-rates --mice ariadne --mazes contest-01 --noise 1,2 --save my-rates.json\n"
+      "Example: labmouse failure-rates --mice ariadne --mazes contest-01 --variation 0.5,1 --save my-rates.json\n"
       "         labmouse failure-rates --mice ariadne --mazes contest-01 --check ./my-rates.json");
   options->command = command;
   command->callback([options, &exit] { exit = failure_rates(*options); });

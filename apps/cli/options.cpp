@@ -346,6 +346,7 @@ namespace {
 std::string today_word(const std::string& word, bool is_command) {
   constexpr std::array commands = std::to_array<FormerName>({{"lineup", "mice-file"}, {"hazards", "failure-rates"}});
   constexpr std::array options = std::to_array<FormerName>({{"--lineup", "--mice-file"},
+                                                            {"--groups", "--causes"},
                                                             {"--spread", "--variation"},
                                                             {"--hazards", "--failure-rates"},
                                                             {"--guest-runs", "--external-runs"}});

@@ -9,7 +9,7 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "external.hpp"
-#include "labmouse/lab/noise_curves/noise_curves.hpp"
+#include "labmouse/lab/finish_curves/finish_curves.hpp"
 #include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
@@ -126,24 +126,28 @@ std::string save_junit(const RaceOptions& options, const std::vector<Race>& race
 
 /// Throws UsageError for options that fit only one race or only several.
 void check_races(const RaceOptions& options, const std::vector<Entry>& entries) {
-  if (!options.curves.empty() && options.contests.world.values("noise") < 2)
+  if (!options.curves.empty() &&
+      std::max(options.contests.world.values("noise"), options.contests.world.values("variation")) < 2)
     throw UsageError(
-        "error: --curves draws how mice do as noise grows; give several, as in `labmouse race --world "
-        "failures --noise 0,1,2,3,4 --curves FILE`");
+        "error: --curves draws how mice do as noise or variation grows; give several, as in `labmouse race --world "
+        "failures --variation 0,0.5,1,1.2 --curves FILE`");
+  if (!options.curves.empty() && options.contests.world.values("noise") > 1 &&
+      options.contests.world.values("variation") > 1)
+    throw UsageError("error: --curves draws races that differ in one thing; give one --noise or one --variation");
   if (!options.curves.empty() && options.contests.world.values("robot") > 1)
     throw UsageError("error: --curves draws the races of one robot; give one --robot, or leave it out");
   if (!options.out.empty() && has_several_values(entries))
-    throw UsageError("error: --out keeps the records of one race; give one --robot and one --noise, or leave it out");
+    throw UsageError("error: --out keeps the records of one race; give one --robot, one --noise and one --variation");
   if (options.format == "csv" && entries.size() > 1)
     throw UsageError(
-        "error: --format csv can hold only one race; give one world, one --robot and one --noise, or use --format "
-        "json");
+        "error: --format csv can hold only one race; give one world, one --robot, one --noise and one "
+        "--variation, or use --format json");
 }
 
-/// Reports races with several levels of noise together; does nothing for other races.
+/// Reports races with several scales of noise or variation together; does nothing for other races.
 void report_curves(const RaceOptions& options, const std::vector<Race>& races) {
-  const std::vector<NoiseCurve> curves = noise_curves(races);
-  if (curves.empty()) return;
+  const FinishCurves curves = finish_curves(races);
+  if (curves.curves.empty()) return;
   if (options.format == "table") print("\n" + table_of(curves, races.back().world()));
   if (options.curves.empty()) return;
   const Race& race = races.back();
@@ -318,7 +322,7 @@ void add_race(Command& app, int& exit) {
   command->group(groups::output);
   command
       ->add_option("--curves", options->curves,
-                   "Draw the share of finished contests against --noise 0,1,2,3,4, and what ended the others, as SVG")
+                   "Draw the share of finished contests against several values of --noise or --variation, and what ended the others, as SVG")
       ->type_name("FILE");
   command->add_flag("--shares", options->shares,
                     "Print the shares of the mazes that each mouse discovered and visited");
@@ -328,7 +332,7 @@ void add_race(Command& app, int& exit) {
       "         labmouse race --mice flood,certify --mazes capstone-1 --baseline today.json\n"
       "         labmouse race --world seconds --robot half --rules thirtieth\n"
       "         labmouse race --world physical --robot classic,./my-robot.toml\n"
-      "         labmouse race --world failures --noise 0,1,2,3,4 --curves noise.svg");
+      "         labmouse race --world failures --variation 0,0.5,1,1.2 --curves curves.svg");
   command->callback([options, limit, shard, &exit] {
     if (shard->count() > 0 && options->contests.store_path.empty())
       throw UsageError("error: --shard needs --store, which keeps the part of the race");

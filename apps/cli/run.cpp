@@ -115,7 +115,7 @@ void add_run(Command& app, int& exit) {
   add_external_options(*command, options->external_mice);
   command->footer(
       "Example: labmouse run certify capstone-1 --watch --svg walk.svg\n"
-      "         labmouse run festina contest-05 --world physical --noise 2 --explain --svg drive.svg");
+      "         labmouse run festina contest-05 --world physical --variation bad-day --explain --svg drive.svg");
   command->callback([options, &exit] { exit = run_contest(*options); });
 }
 

@@ -24,40 +24,40 @@ struct SweepOptions {
 
 /// What is raced, before it is raced.
 struct Planned {
-  Variation variation;
+  SweptValues swept;
   Entry entry;
   MazeCollection mazes;
 };
 
 /// The parameter of the mouse, or the number of the robot, with its values.
-Variation variation_of(const SweepOptions& options) {
+SweptValues swept_values_of(const SweepOptions& options) {
   if (options.vary.empty() == options.robot_number.empty())
     throw UsageError(options.vary.empty()
                          ? "error: '--vary' or '--robot-number' is missing: a parameter of the mouse or a number of "
                            "the robot, with its values"
                          : "error: --vary and --robot-number are two sweeps; give one of them");
-  Variation variation = read_variation(options.vary.empty() ? options.robot_number : options.vary);
-  if (!variation.error.empty()) throw UsageError("error: " + variation.error);
-  return variation;
+  SweptValues swept = read_swept_values(options.vary.empty() ? options.robot_number : options.vary);
+  if (!swept.error.empty()) throw UsageError("error: " + swept.error);
+  return swept;
 }
 
 Planned planned(const SweepOptions& options) {
-  Variation variation = variation_of(options);
+  SweptValues swept = swept_values_of(options);
   ExternalOptions external_mice = options.external_mice;
   Entry entry = options.contests.world.enter_one(
       options.vary.empty()
           ? find_contestants({options.mouse}, external_mice)
-          : mice_of(read_variants(options.mouse, variation.parameter, variation.values, external_mice)));
+          : mice_of(read_variants(options.mouse, swept.parameter, swept.values, external_mice)));
   if (options.vary.empty() && entry.mice.size() != 1)
     throw UsageError(fmt::format("error: '{}' names {} mice; name exactly one", options.mouse, entry.mice.size()));
   MazeCollection mazes = find_mazes_of(entry, options.contests);
-  return {std::move(variation), std::move(entry), std::move(mazes)};
+  return {std::move(swept), std::move(entry), std::move(mazes)};
 }
 
 Sweep hold(const SweepOptions& options, const Planned& plan, const RaceOrder& order) {
   RobotVariants robots;
   if (options.vary.empty()) {
-    robots = robot_variants(plan.entry, plan.variation.parameter, plan.variation.values);
+    robots = robot_variants(plan.entry, plan.swept.parameter, plan.swept.values);
     if (!robots.error.empty()) throw UsageError(robots.error);
     tell_remarks(robots.remarks);
   }
@@ -69,7 +69,7 @@ Sweep hold(const SweepOptions& options, const Planned& plan, const RaceOrder& or
   if (options.vary.empty()) return hold_robot_sweep(plan.entry.mice.front(), robots, plan.mazes.mazes, order, hooks);
   ExternalOptions external_mice = options.external_mice;
   external_mice.stop = &interruptible.stopped();
-  return hold_sweep(options.mouse, plan.variation, plan.mazes.mazes, order, hooks, external_mice);
+  return hold_sweep(options.mouse, plan.swept, plan.mazes.mazes, order, hooks, external_mice);
 }
 
 int sweep(const SweepOptions& options) {

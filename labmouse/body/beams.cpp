@@ -61,16 +61,34 @@ void Beams::for_each_crossing(const Ray& ray, Visit visit) const {
     Lines& met = upright ? x : y;
     const double along = upright ? ray.from.y + met.next * sine : ray.from.x + met.next * cosine;
     const int other = field_.index_at(along);
-    const Crossing crossing = {met.next,
-                               met.cosine,
-                               upright ? met.cell : other,
-                               upright ? other : met.cell,
-                               upright ? side_x : side_y,
-                               along - other * cell};
-    if (!field_.contains(crossing.column, crossing.row) || !visit(crossing)) return;
+    Crossing crossing = {met.next,
+                         met.cosine,
+                         upright ? met.cell : other,
+                         upright ? other : met.cell,
+                         upright ? side_x : side_y,
+                         along - other * cell};
+    if (!field_.contains(crossing.column, crossing.row)) return;
+    if (field_.most_shift() > 0.0) displace(crossing, upright, met.step);
+    if (!visit(crossing)) return;
     met.cell += met.step;
     met.next += met.between;
   }
+}
+
+/// Moves a crossing to where the wall and its posts are; `upright`: the line is across x; `step`: 1 if it is crossed
+/// towards higher coordinates, or -1.
+void Beams::displace(Crossing& crossing, bool upright, int step) const {
+  // Towards a wall that the ray hardly meets, the distance changes by more than the shift, but by no more than this.
+  constexpr double least_cosine = 0.2;
+  const int line = (upright ? crossing.column : crossing.row) + (step > 0 ? 1 : 0);
+  const int first = upright ? crossing.row : crossing.column;
+  const double place = first * field_.cell() + crossing.along;
+  const Position low = upright ? field_.post_shift(line, first) : field_.post_shift(first, line);
+  const Position high = upright ? field_.post_shift(line, first + 1) : field_.post_shift(first + 1, line);
+  const double shift = upright ? field_.upright_shift(line, place) : field_.level_shift(place, line);
+  crossing.distance = std::max(0.0, crossing.distance + step * shift / std::max(least_cosine, crossing.cosine));
+  crossing.low = upright ? low.y : low.x;
+  crossing.high = upright ? high.y : high.x;
 }
 
 /// The share of a beam's spot that lies on walls and posts.
@@ -79,13 +97,14 @@ void Beams::for_each_crossing(const Ray& ray, Visit visit) const {
 ///      ---o=========o---          posts o, the side's wall =, its neighbours -
 ///         0        cell
 double Beams::share_of(const Crossing& crossing) const {
-  const double cell = field_.cell(), half = field_.half_wall(), along = crossing.along;
+  const double half = field_.half_wall(), along = crossing.along;
+  const double first = crossing.low, last = field_.cell() + crossing.high;
   const double per_deviation = crossing.cosine * per_footprint_;
   const int column = crossing.column, row = crossing.row;
   const Heading side = crossing.side;
   const bool stands = field_.stands(column, row, side);
-  const bool low = (along - half) * per_deviation < NormalShare::reach;
-  const bool high = (cell - half - along) * per_deviation < NormalShare::reach;
+  const bool low = (along - first - half) * per_deviation < NormalShare::reach;
+  const bool high = (last - half - along) * per_deviation < NormalShare::reach;
   if (!low && !high) return stands ? 1.0 : 0.0;
   const bool upright = side == Heading::east || side == Heading::west;
   const int x = upright ? 0 : 1, y = upright ? 1 : 0;
@@ -94,11 +113,11 @@ double Beams::share_of(const Crossing& crossing) const {
   if (low) {
     const bool more = field_.stands(column - x, row - y, side);
     // The post reaches to both sides of its middle; beyond it is the neighbouring wall, if it stands.
-    share += (stands ? 0.0 : below(half)) - (more ? 0.0 : below(-half));
+    share += (stands ? 0.0 : below(first + half)) - (more ? 0.0 : below(first - half));
   }
   if (high) {
     const bool more = field_.stands(column + x, row + y, side);
-    share += (stands ? 0.0 : 1.0 - below(cell - half)) - (more ? 0.0 : 1.0 - below(cell + half));
+    share += (stands ? 0.0 : 1.0 - below(last - half)) - (more ? 0.0 : 1.0 - below(last + half));
   }
   return std::clamp(share, 0.0, 1.0);
 }
@@ -131,7 +150,7 @@ double Beams::range(const Position& position, const Direction& ahead) const {
   double range = 0.0;
   for_each_crossing(ray, [&](const Crossing& crossing) {
     if (crossing.distance > ranger.reach) return false;
-    const bool post = crossing.along < half || crossing.along > cell - half;
+    const bool post = crossing.along < crossing.low + half || crossing.along > cell + crossing.high - half;
     if (!post && !field_.stands(crossing.column, crossing.row, crossing.side)) return true;
     range = std::max(0.0, crossing.distance);
     return false;

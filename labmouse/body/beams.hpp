@@ -41,11 +41,14 @@ class Beams {
     int column = 0, row = 0;  ///< the cell that it comes from
     Heading side{};           ///< the side of that cell that it meets
     double along = 0.0;       ///< on that side, from the post at its western or southern end
+    double low = 0.0;         ///< where that post is, and the one at the other end less a cell: 0 if in place
+    double high = 0.0;
   };
 
   template <class Visit>
   void for_each_crossing(const Ray& ray, Visit visit) const;
   double share_of(const Crossing& crossing) const;
+  void displace(Crossing& crossing, bool upright, int step) const;
 
   const Field& field_;
   const Sensors& sensors_;

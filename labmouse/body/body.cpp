@@ -17,19 +17,20 @@ constexpr double graze_turn = 0.017453292519943295;  // a degree
 
 }  // namespace
 
-Body::Body(const Maze& maze, double cell, const Hardware& hardware, const NoiseLevel& level, std::uint64_t seed)
+Body::Body(const Maze& maze, double cell, const Hardware& hardware, const ErrorScale& scale, std::uint64_t seed)
     : hardware_(hardware),
-      field_(maze, cell),
-      robot_sample_(hardware, level, maze.size(), seed),
+      robot_sample_(hardware, scale, maze.size(), seed),
+      field_(maze, cell, robot_sample_.post_shifts()),
       plant_(field_, hardware, robot_sample_, seed),
       senses_(field_, hardware, robot_sample_, seed),
       placement_rng_(seed_for(seed, "placement")) {}
 
 void Body::put(const Position& position, double angle) {
-  const double level = robot_sample_.level(NoiseGroup::placement);
+  const double level = robot_sample_.variation_of(ErrorCause::placement);
+  const Variation& variation = hardware_.variation;
   const auto error = [&](double deviation) { return level * deviation * NormalNumber::of(placement_rng_.bits()); };
-  const double x = error(hardware_.noise.placement), y = error(hardware_.noise.placement);
-  plant_.put({position.x + x, position.y + y}, angle + error(hardware_.noise.placement_turn));
+  const double x = error(variation.placement), y = error(variation.placement);
+  plant_.put({position.x + x, position.y + y}, angle + error(variation.placement_turn));
   senses_.calibrate();
   senses_.read(plant_.motion(), plant_.voltage());
   crashed_ = grazing_ = false;

@@ -6,7 +6,7 @@
 #include "labmouse/body/beams.hpp"
 #include "labmouse/body/contact.hpp"
 #include "labmouse/body/field.hpp"
-#include "labmouse/body/noise_level.hpp"
+#include "labmouse/body/error_scale.hpp"
 #include "labmouse/body/plant.hpp"
 #include "labmouse/body/robot_sample.hpp"
 #include "labmouse/body/senses.hpp"
@@ -25,15 +25,16 @@ class Body {
  public:
   /// Maze and hardware must outlive it. All random numbers follow from the seed: those drawn once a contest, and those
   /// of each tick.
-  Body(const Maze& maze, double cell, const Hardware& hardware, const NoiseLevel& level, std::uint64_t seed);
+  Body(const Maze& maze, double cell, const Hardware& hardware, const ErrorScale& scale, std::uint64_t seed);
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
-  /// Puts it there at rest, with a random placement error (Noise::placement); angle in rad to the left of east.
+  /// Puts it there at rest, with a random placement error (Variation::placement); angle in rad to the left of east.
   /// Calibrates the gyro.
   void put(const Position& position, double angle);
   /// The same in the middle of a cell.
   void put(Cell cell, Heading heading);
+  void set_fan(bool on) { plant_.set_fan(on); }
   /// A tick; after a crash the mouse lies still until it is put somewhere.
   Touch step(const Drive& drive);
 
@@ -51,8 +52,8 @@ class Body {
   Touch touch(const Contact& contact);
 
   const Hardware& hardware_;
-  Field field_;
   RobotSample robot_sample_;
+  Field field_;
   Plant plant_;
   Senses senses_;
   Rng placement_rng_;

@@ -27,14 +27,14 @@ void deepen(std::optional<Contact>& contact, const Contact& other) {
   if (!contact || other.depth > contact->depth) contact = other;
 }
 
-/// The grid lines across an axis that are within half a wall of the range `coordinate` ± `reach`.
+/// The grid lines across an axis whose walls may be in the range `coordinate` ± `reach`.
 struct NearLines {
   int first, last;
 
   bool none() const { return first > last; }
 };
 NearLines near_lines(const Field& field, double coordinate, double reach) {
-  const double far = reach + field.half_wall();
+  const double far = reach + field.half_wall() + field.most_shift();
   return {field.index_at(coordinate - far) + 1, field.index_at(coordinate + far)};
 }
 
@@ -55,7 +55,7 @@ void touch_walls(const Field& field, const Position& corner, const Position& mid
                  const NearLines& y, std::optional<Contact>& contact) {
   const double half = field.half_wall();
   for (int line = x.first; line <= x.last; ++line) {
-    const double beyond = corner.x - line * field.cell();
+    const double beyond = corner.x - line * field.cell() - field.upright_shift(line, corner.y);
     const int row = field.index_at(corner.y);
     if (std::abs(beyond) > half || !field.stands_upright(line, row)) continue;
     const bool east = middle.x > corner.x;
@@ -63,7 +63,7 @@ void touch_walls(const Field& field, const Position& corner, const Position& mid
                      wall_at({line, row}, Heading::west)});
   }
   for (int line = y.first; line <= y.last; ++line) {
-    const double beyond = corner.y - line * field.cell();
+    const double beyond = corner.y - line * field.cell() - field.level_shift(corner.x, line);
     const int column = field.index_at(corner.x);
     if (std::abs(beyond) > half || !field.stands_level(column, line)) continue;
     const bool north = middle.y > corner.y;
@@ -107,7 +107,8 @@ std::optional<Contact> contact_of(const Field& field, const Chassis& chassis, co
                   stand.middle, x, y, contact);
   for (int column = x.first; column <= x.last; ++column)
     for (int row = y.first; row <= y.last; ++row)
-      touch_post(field, stand, ahead, {column * field.cell(), row * field.cell()}, contact);
+      touch_post(field, stand, ahead, Position{column * field.cell(), row * field.cell()} + field.post_shift(column, row),
+                 contact);
   return contact;
 }
 

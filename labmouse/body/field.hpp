@@ -19,7 +19,8 @@ namespace labmouse {
 
 class Field {
  public:
-  Field(const Maze& maze, double cell);
+  /// `post_shifts`: by how much each post is off its place in mm, row by row from the south-western one, or none.
+  Field(const Maze& maze, double cell, std::vector<Position> post_shifts = {});
 
   double cell() const { return cell_; }
   double half_wall() const { return half_wall_; }
@@ -46,12 +47,26 @@ class Field {
     return stands(column, line, Heading::south) || stands(column, line - 1, Heading::north);
   }
 
+  /// The most by which a post is off its place, in x or in y.
+  double most_shift() const { return most_shift_; }
+  /// By how much the post at these lines is off its place.
+  Position post_shift(int column, int row) const {
+    if (post_shifts_.empty() || column < 0 || row < 0 || column > size_.width || row > size_.height) return {};
+    return post_shifts_[static_cast<std::size_t>(row * (size_.width + 1) + column)];
+  }
+  /// By how much a wall between two posts is off its line: that across x at y, eastwards; that across y at x,
+  /// northwards.
+  double upright_shift(int line, double y) const;
+  double level_shift(double x, int line) const;
+
  private:
   Size size_;
   double cell_;
   double per_cell_;
   double half_wall_;
   std::vector<std::uint8_t> walls_;  ///< of each cell, a bit for each side
+  std::vector<Position> post_shifts_;
+  double most_shift_ = 0.0;
 };
 
 }  // namespace labmouse

@@ -26,13 +26,13 @@ double root_of_loss(double loss, double step) { return std::sqrt(loss * step); }
 }  // namespace
 
 Plant::Plant(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed)
-    : field_(field), hardware_(hardware), robot_sample_(robot_sample), shaking_rng_(seed_for(seed, "shaking")) {
+    : field_(field), hardware_(hardware), robot_sample_(robot_sample), shaking_rng_(seed_for(seed, "shaking")), charge_(robot_sample.battery), voltage_(charge_) {
   drive_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.drive.time);
   turn_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.turn.time);
   const Noise& noise = hardware.noise;
   const double step = noise.shaking_pitch * tick_seconds;
   shaking_kick_ =
-      2.0 * robot_sample.level(NoiseGroup::shaking) * noise.shaking * root_of_loss(noise.shaking_loss, step);
+      2.0 * robot_sample.noise_of(ErrorCause::shaking) * noise.shaking * root_of_loss(noise.shaking_loss, step);
 }
 
 void Plant::put(const Position& position, double angle) {
@@ -41,19 +41,25 @@ void Plant::put(const Position& position, double angle) {
   motion_.angle = angle;
   motion_.ahead = direction_of(angle);
   shaking_ = shaking_rate_ = 0.0;
-  voltage_ = 1.0;
+  voltage_ = charge_;
 }
 
 void Plant::stop() {
-  motion_.speed = motion_.turning = motion_.yaw = motion_.slip = motion_.speeding = motion_.sideways = 0.0;
+  motion_.speed = motion_.rolling = motion_.turning = motion_.yaw = motion_.slip = motion_.speeding = motion_.sideways = 0.0;
   shaking_ = shaking_rate_ = 0.0;
 }
 
 void Plant::step(const Drive& drive) {
-  const double before = motion_.speed;
+  const double rolled = motion_.rolling;
+  const Floor floor = robot_sample_.floor(field_.cell_at(motion_.position));
+  const Direction& ahead = motion_.ahead;
+  constexpr double gravity = 9810.0;  // mm/s²
+  motion_.pull = {-gravity * (floor.slope.x * ahead.cosine + floor.slope.y * ahead.sine),
+                  -gravity * (floor.slope.y * ahead.cosine - floor.slope.x * ahead.sine)};
   drive_motors(drive);
+  roll(rolled, grip(floor));
   shake();
-  slide(before);
+  slide(grip(floor));
   move();
 }
 
@@ -61,14 +67,17 @@ void Plant::drive_motors(const Drive& drive) {
   const Motors& motors = hardware_.motors;
   const double left = std::clamp(static_cast<double>(drive.left), -1.0, 1.0);
   const double right = std::clamp(static_cast<double>(drive.right), -1.0, 1.0);
-  voltage_ = 1.0 - motors.sag * (std::abs(left) + std::abs(right)) / 2.0;
+  const double both = (std::abs(left) + std::abs(right)) / 2.0;
+  charge_ = std::max(0.0, charge_ - motors.discharge * both * tick_seconds);
+  voltage_ = charge_ * (1.0 - motors.sag * both);
   const double pushed_left = left * robot_sample_.motor[0] * voltage_,
                pushed_right = right * robot_sample_.motor[1] * voltage_;
   const double loss = std::clamp(motion_.speed, -1.0, 1.0) * motors.turning * std::abs(motion_.turning);
-  const double onwards = effective((pushed_left + pushed_right) / 2.0, motion_.speed, motors.drive) - loss;
+  const double onwards = effective((pushed_left + pushed_right) / 2.0, motion_.rolling, motors.drive) - loss;
   const double around = effective(pushed_right - pushed_left, motion_.turning, motors.turn);
-  motion_.speed += drive_share_ * (motors.drive.gain * onwards - motion_.speed);
-  motion_.turning += turn_share_ * (motors.turn.gain * around - motion_.turning);
+  motion_.rolling += drive_share_ * (motors.drive.gain * onwards - motion_.rolling);
+  motion_.turning += turn_share_ * (motors.turn.gain * around - motion_.turning) -
+                     hardware_.tyres.yaw_moment * motion_.sideways * tick_seconds;
 }
 
 void Plant::shake() {
@@ -83,27 +92,51 @@ void Plant::shake() {
   motion_.yaw = motion_.turning + strength * shaking_;
 }
 
-/// Limits the acceleration to the grip, and updates the slip and the lateral acceleration that the tyres give.
-void Plant::slide(double before) {
-  motion_.speeding = (motion_.speed - before) / tick_seconds;
-  const double grip = hardware_.tyres.grip * robot_sample_.grip;
-  const double stiffness = hardware_.tyres.stiffness * robot_sample_.stiffness;
-  if (std::abs(motion_.speeding) > grip) {
-    motion_.speeding = motion_.speeding > 0.0 ? grip : -grip;
-    motion_.speed = before + motion_.speeding * tick_seconds;
+double Plant::grip(const Floor& floor) const {
+  const Tyres& tyres = hardware_.tyres;
+  return (tyres.grip * robot_sample_.grip + (fan_ ? tyres.downforce : 0.0)) * floor.grip;
+}
+
+/// Accelerates the mouse by what the tyres hold of the motors' torque. Wheels that spin keep the rest: it turns their
+/// own share of the inertia. `rolled`: their speed before the motors.
+void Plant::roll(double rolled, double grip) {
+  const double before = motion_.speed, asked = (motion_.rolling - rolled) / tick_seconds;
+  const double ahead = rolled - before;  // of the mouse, where they spin
+  if (ahead == 0.0 && std::abs(asked) <= grip) {
+    motion_.speed = motion_.rolling;
+  } else {
+    const double force = (ahead != 0.0 ? ahead : asked) > 0.0 ? grip : -grip;
+    motion_.speed = before + force * tick_seconds;
+    const double rotating = hardware_.motors.rotating;
+    if (rotating > 0.0) motion_.rolling = rolled + (asked - (1.0 - rotating) * force) / rotating * tick_seconds;
+    // They hold again as soon as they are no longer faster than the mouse, or no longer slower.
+    if (rotating <= 0.0 || (motion_.rolling - motion_.speed) * force <= 0.0) motion_.rolling = motion_.speed;
   }
+  // A mouse at rest stands on a slope.
+  constexpr double creeping = 20.0;  // mm/s
+  const double pulled = motion_.pull.x * std::min(1.0, std::abs(motion_.speed) / creeping) * tick_seconds;
+  motion_.speed += pulled;
+  motion_.rolling += pulled;
+  motion_.speeding = (motion_.speed - before) / tick_seconds;
+}
+
+/// Updates the slip and the lateral acceleration that the tyres give.
+void Plant::slide(double grip) {
+  const double stiffness = hardware_.tyres.stiffness * robot_sample_.stiffness;
   // The slip equations divide by the speed, so it is at least this.
   constexpr double slow = 20.0;  // mm/s
   const double speed = std::max(std::abs(motion_.speed), slow);
   const double most = std::sqrt(std::max(0.0, grip * grip - motion_.speeding * motion_.speeding));
-  const double held = (motion_.slip - motion_.yaw * tick_seconds) * speed / (speed + stiffness * tick_seconds);
+  const double pulled = motion_.pull.y * std::min(1.0, std::abs(motion_.speed) / slow) / speed;
+  const double held =
+      (motion_.slip + (pulled - motion_.yaw) * tick_seconds) * speed / (speed + stiffness * tick_seconds);
   slides_ = std::abs(stiffness * held) > most;
   if (!slides_) {
     motion_.slip = held;
     motion_.sideways = -stiffness * held;
   } else {
     motion_.sideways = held > 0.0 ? -most : most;
-    motion_.slip += (motion_.sideways / speed - motion_.yaw) * tick_seconds;
+    motion_.slip += (motion_.sideways / speed + pulled - motion_.yaw) * tick_seconds;
   }
   motion_.slip = std::clamp(motion_.slip, -0.5, 0.5);
 }
@@ -141,6 +174,7 @@ void Plant::graze(const Position& position, double turn, double speed_kept) {
   motion_.ahead = turned_by(motion_.ahead, turn);
   motion_.angle += turn;
   motion_.speed *= speed_kept;
+  motion_.rolling = motion_.speed;
   motion_.slip = 0.0;
 }
 

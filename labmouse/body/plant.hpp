@@ -1,8 +1,9 @@
-// How a mouse moves: motors, slip, shaking and the floor, a tick at a time.
+// How a mouse moves: motors and battery, wheelspin, slip, shaking and the floor, a tick at a time.
 //
-// Method: forward motion and turning are each a first-order motor with a dead zone. The lateral force of the tyres
-// grows with the slip angle, up to a friction circle that is shared with acceleration and braking. Shaking is a
-// resonance driven by noise. docs/explanation/physical-model.md has the equations, and where each number comes from.
+// Method: forward motion and turning are each a first-order motor with a dead zone. Where the motors ask for more than
+// the tyres hold, the wheels spin: what is left of the torque turns them faster. The lateral force of the tyres grows
+// with the slip angle, up to a friction circle that is shared with acceleration and braking; it acts behind the centre
+// of mass, and so turns the mouse back. Shaking is a resonance driven by noise. docs/explanation/physical-model.md has the equations, and where each number comes from.
 #pragma once
 
 #include <array>
@@ -22,11 +23,13 @@ struct BodyMotion {
   Direction ahead;        ///< where the body points
   double angle = 0.0;     ///< the same in rad, not wrapped to one turn
   double speed = 0.0;     ///< mm/s
+  double rolling = 0.0;   ///< mm/s of the wheels' rims, the mean of both; differs from the speed where they spin
   double turning = 0.0;   ///< rad/s by the motors
   double yaw = 0.0;       ///< rad/s of the body, with shaking
   double slip = 0.0;      ///< slip angle, rad from where it points to where it goes
   double speeding = 0.0;  ///< mm/s² ahead
-  double sideways = 0.0;  ///< mm/s² to the left
+  double sideways = 0.0;  ///< mm/s² to the left, by the tyres
+  Position pull;          ///< mm/s² of gravity ahead and to the left, on a floor that is not level
 };
 
 class Plant {
@@ -39,8 +42,10 @@ class Plant {
   /// Advances by a tick under these duties.
   void step(const Drive& drive);
   const BodyMotion& motion() const { return motion_; }
-  /// The battery's voltage as a share of that at rest.
+  /// The battery's voltage as a share of that of the full battery at rest.
   double voltage() const { return voltage_; }
+  /// Switches the fan.
+  void set_fan(bool on) { fan_ = on; }
   /// Whether its tyres are at their limit, so that it slides outwards.
   bool slides() const { return slides_; }
   /// A graze: moves the mouse out of what it touches, turns it, and keeps this share of its speed.
@@ -49,8 +54,11 @@ class Plant {
 
  private:
   void drive_motors(const Drive& drive);
+  /// What the tyres hold on the floor of this cell, mm/s².
+  double grip(const Floor& floor) const;
+  void roll(double rolled, double grip);
   void shake();
-  void slide(double before);
+  void slide(double grip);
   void move();
   void cross(const Position& from);
 
@@ -62,7 +70,8 @@ class Plant {
   Rng shaking_rng_;
   double shaking_ = 0.0, shaking_rate_ = 0.0;  ///< of the resonance, rad/s
   double shaking_kick_ = 0.0;
-  double voltage_ = 1.0;
+  double charge_, voltage_;  ///< of the battery at rest and now, as shares of the full battery at rest
+  bool fan_ = false;
   bool slides_ = false;
 };
 

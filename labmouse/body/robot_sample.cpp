@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 
 #include "labmouse/chance/rng.hpp"
@@ -18,6 +19,9 @@ double factor_of(double logarithm) {
   return exp_of(std::clamp(logarithm, -most, most));
 }
 
+/// Builders notice and replace a motor that is more than a fifth off: its logarithm is limited to that of 0.8 and 1.2.
+double motor_factor_of(double logarithm) { return std::clamp(factor_of(logarithm), 0.8, 1.2); }
+
 /// Random numbers from a generator of their own, seeded by a name.
 class Draws {
  public:
@@ -32,50 +36,82 @@ class Draws {
 
 }  // namespace
 
-RobotSample::RobotSample(const Hardware& hardware, const NoiseLevel& level, Size size, std::uint64_t seed)
-    : level_(level), size_(size) {
-  const Noise& noise = hardware.noise;
+RobotSample::RobotSample(const Hardware& hardware, const ErrorScale& scale, Size size, std::uint64_t seed)
+    : scale_(scale), size_(size) {
+  const Variation& variation = hardware.variation;
   double fourth_powers = 0.0;
   int drawn = 0;
-  // A factor of one of the mouse's own numbers.
-  const auto own = [&](Draws& draws, NoiseGroup group, double deviation) {
-    const double off = level.variation * level.of(group) * draws.next();
+  // A number of the mouse itself, in standard deviations.
+  const auto own = [&](Draws& draws, ErrorCause cause) {
+    const double off = scale.variation_of(cause) * draws.next();
     fourth_powers += square(square(off));
     ++drawn;
-    return factor_of(off * deviation);
+    return off;
   };
-  Draws motors(seed, "motors"), tyres(seed, "tyres"), encoders(seed, "encoders"), gyros(seed, "gyro"),
-      beams(seed, "infrared");
-  for (double& factor : motor) factor = own(motors, NoiseGroup::motors, noise.motor_gain);
-  stiffness = own(tyres, NoiseGroup::tyres, noise.stiffness);
-  grip = own(tyres, NoiseGroup::tyres, noise.grip);
-  // The variation of the scales of encoders is known from logs, and not scaled.
-  for (double& factor : encoder) factor = encoders.factor(level.of(NoiseGroup::encoders) * noise.encoder_scale);
+  Draws motors(seed, "motors"), batteries(seed, "battery"), tyres(seed, "tyres"), encoders(seed, "encoders"),
+      gyros(seed, "gyro"), accelerometers(seed, "acceleration"), beams(seed, "infrared"), lights(seed, "ambient light");
+  for (double& factor : motor) factor = motor_factor_of(own(motors, ErrorCause::motors) * variation.motor_gain);
+  battery = std::max(0.0, 1.0 - scale.variation_of(ErrorCause::motors) * variation.battery * std::abs(batteries.next()));
+  stiffness = factor_of(own(tyres, ErrorCause::tyres) * variation.stiffness);
+  grip = factor_of(own(tyres, ErrorCause::tyres) * variation.grip);
+  for (double& factor : encoder)
+    factor = encoders.factor(scale.variation_of(ErrorCause::encoders) * variation.encoder_scale);
   for (double& turns : ripple) turns = encoders.unit();
-  gyro = own(gyros, NoiseGroup::gyro, noise.gyro_scale);
+  gyro = factor_of(own(gyros, ErrorCause::gyro) * variation.gyro_scale);
+  for (double& offset : acceleration)
+    offset = scale.variation_of(ErrorCause::accelerometer) * variation.acceleration_bias * accelerometers.next();
+  for (double& factor : infrared) factor = factor_of(own(beams, ErrorCause::infrared) * variation.infrared_gain);
+  for (double& counts : ambient)
+    counts = scale.variation_of(ErrorCause::ambient) * variation.ambient * std::abs(lights.next());
   severity_ = std::sqrt(std::sqrt(fourth_powers / drawn));
-  double squares = 0.0;
-  for (double& factor : infrared) {
-    const double off = level.variation * level.of(NoiseGroup::infrared) * noise.infrared_gain * beams.next();
-    squares += square(off);
-    factor = factor_of(off);
-  }
-  infrared_deviation_ = std::sqrt(squares / beam_count);
+  draw_maze(variation, seed);
+}
 
-  const auto area = static_cast<std::size_t>(size.area());
-  Draws walls(seed, "reflectance"), floor(seed, "floor");
+void RobotSample::draw_maze(const Variation& variation, std::uint64_t seed) {
+  const auto area = static_cast<std::size_t>(size_.area());
+  const double shine = scale_.variation_of(ErrorCause::reflectance), floor = scale_.variation_of(ErrorCause::floor),
+               dust = scale_.variation_of(ErrorCause::tyres) * variation.dust,
+               shift = scale_.variation_of(ErrorCause::posts) * variation.post_shift;
+  Draws walls(seed, "reflectance"), paint(seed, "maze reflectance"), steps(seed, "floor"), tilts(seed, "floor tilt"),
+      dusts(seed, "dust"), posts(seed, "posts");
+  maze_reflectance_ = paint.factor(shine * variation.maze_reflectance);
   reflectances_.resize(4 * area);
   for (float& share : reflectances_)
-    share = static_cast<float>(walls.factor(level.of(NoiseGroup::infrared) * noise.reflectance));
-  if (noise.floor_steps <= 0.0) return;
-  floor_steps_.resize(2 * area);
-  for (FloorStep& step : floor_steps_) {
-    const bool stands = floor.unit() < noise.floor_steps;
-    const double turn = floor.next(), shift = floor.next();
-    if (stands)
-      step = {level.of(NoiseGroup::floor) * noise.floor_turn * turn,
-              level.of(NoiseGroup::floor) * noise.floor_shift * shift};
+    share = static_cast<float>(maze_reflectance_ * walls.factor(shine * variation.reflectance));
+  if (variation.floor_steps > 0.0) {
+    floor_steps_.resize(2 * area);
+    for (FloorStep& step : floor_steps_) {
+      const bool stands = steps.unit() < variation.floor_steps;
+      const double turn = steps.next(), aside = steps.next();
+      if (stands) step = {floor * variation.floor_turn * turn, floor * variation.floor_shift * aside};
+    }
   }
+  if (floor * variation.floor_tilt > 0.0 || dust > 0.0) {
+    floors_.resize(area);
+    for (Floor& cell : floors_) {
+      cell.slope.x = floor * variation.floor_tilt * tilts.next();
+      cell.slope.y = floor * variation.floor_tilt * tilts.next();
+      // Dust takes grip and never adds any.
+      cell.grip = factor_of(-dust * std::abs(dusts.next()));
+    }
+  }
+  if (shift > 0.0) {
+    post_shifts_.resize(static_cast<std::size_t>((size_.width + 1) * (size_.height + 1)));
+    for (Position& post : post_shifts_) {
+      // Farther off it would be put right.
+      constexpr double most = 4.0 / 3.0;  // standard deviations
+      post.x = shift * std::clamp(posts.next(), -most, most);
+      post.y = shift * std::clamp(posts.next(), -most, most);
+    }
+  }
+}
+
+double RobotSample::brightness() const {
+  return maze_reflectance_ * std::accumulate(infrared.begin(), infrared.end(), 0.0) / beam_count;
+}
+
+double RobotSample::brightness(BeamPlace beam, Cell cell, Heading side, bool wall) const {
+  return infrared[static_cast<std::size_t>(beam)] * (wall ? reflectance(cell, side) : maze_reflectance_);
 }
 
 double RobotSample::reflectance(Cell cell, Heading side) const {
@@ -86,6 +122,11 @@ FloorStep RobotSample::floor_step(Wall boundary) const {
   if (floor_steps_.empty() || !size_.contains(boundary.cell)) return {};
   return floor_steps_[static_cast<std::size_t>(2 * size_.index(boundary.cell) +
                                                (boundary.side == Heading::east ? 1 : 0))];
+}
+
+Floor RobotSample::floor(Cell cell) const {
+  if (floors_.empty() || !size_.contains(cell)) return {};
+  return floors_[static_cast<std::size_t>(size_.index(cell))];
 }
 
 }  // namespace labmouse

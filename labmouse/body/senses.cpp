@@ -12,6 +12,8 @@ namespace {
 
 double normal(Rng& rng) { return NormalNumber::of(rng.bits()); }
 
+constexpr double root_of_tick = 0.0316227766016837933;  // of its seconds
+
 /// To the nearest whole number, cut to what the register holds.
 std::int16_t in_register(double number) {
   constexpr double most = std::numeric_limits<std::int16_t>::max();
@@ -32,10 +34,13 @@ Senses::Senses(const Field& field, const Hardware& hardware, const RobotSample& 
       infrared_rng_{Rng(seed_for(seed, "infrared", 0)), Rng(seed_for(seed, "infrared", 1)),
                     Rng(seed_for(seed, "infrared", 2)), Rng(seed_for(seed, "infrared", 3))},
       range_rng_(seed_for(seed, "ranger")),
+      ambient_rng_{Rng(seed_for(seed, "ambient", 0)), Rng(seed_for(seed, "ambient", 1)),
+                   Rng(seed_for(seed, "ambient", 2)), Rng(seed_for(seed, "ambient", 3))},
+      ambient_(robot_sample.ambient),
       infrared_fresh_(std::sqrt(1.0 - square(hardware.noise.infrared_memory))) {}
 
 void Senses::calibrate() {
-  bias_ = robot_sample_.level(NoiseGroup::gyro) * hardware_.noise.gyro_bias * normal(bias_rng_);
+  bias_ = robot_sample_.noise_of(ErrorCause::gyro) * hardware_.noise.gyro_bias * normal(bias_rng_);
 }
 
 void Senses::read(const BodyMotion& motion, double voltage) {
@@ -50,10 +55,10 @@ void Senses::read(const BodyMotion& motion, double voltage) {
 
 void Senses::count(const BodyMotion& motion) {
   const Noise& noise = hardware_.noise;
-  const double level = robot_sample_.level(NoiseGroup::encoders);
+  const double level = robot_sample_.noise_of(ErrorCause::encoders);
   const double around = hardware_.chassis.half_track * motion.yaw;
   for (const std::size_t wheel : {std::size_t{0}, std::size_t{1}}) {
-    travel_[wheel] += robot_sample_.encoder[wheel] * (motion.speed + (wheel == 0 ? -around : around)) * tick_seconds;
+    travel_[wheel] += robot_sample_.encoder[wheel] * (motion.rolling + (wheel == 0 ? -around : around)) * tick_seconds;
     double shown = travel_[wheel];
     if (level > 0.0) {
       const double turns = travel_[wheel] / noise.ripple_length + robot_sample_.ripple[wheel];
@@ -65,8 +70,7 @@ void Senses::count(const BodyMotion& motion) {
 
 void Senses::turn(const BodyMotion& motion) {
   const Noise& noise = hardware_.noise;
-  const double level = robot_sample_.level(NoiseGroup::gyro);
-  constexpr double root_of_tick = 0.0316227766016837933;
+  const double level = robot_sample_.noise_of(ErrorCause::gyro);
   double rate = robot_sample_.gyro * motion.yaw;
   if (level > 0.0) {
     bias_ += level * noise.gyro_walk * root_of_tick * normal(walk_rng_);
@@ -77,9 +81,12 @@ void Senses::turn(const BodyMotion& motion) {
 }
 
 void Senses::accelerate(const BodyMotion& motion) {
-  const double deviation = robot_sample_.level(NoiseGroup::accelerometer) * hardware_.noise.acceleration;
-  std::array<double, 2> rates = {motion.speeding, motion.sideways};
+  const double deviation = robot_sample_.noise_of(ErrorCause::accelerometer) * hardware_.noise.acceleration;
+  // It feels what holds the mouse against gravity.
+  std::array<double, 2> rates = {motion.speeding - motion.pull.x, motion.sideways};
+  if (motion.speed == 0.0) rates[1] -= motion.pull.y;
   for (std::size_t axis = 0; axis < rates.size(); ++axis) {
+    rates[axis] += robot_sample_.acceleration[axis];
     if (deviation > 0.0) rates[axis] += deviation * normal(acceleration_rng_[axis]);
     sense_.acceleration[axis] = in_register(rates[axis] / hardware_.sensors.acceleration_step);
   }
@@ -87,9 +94,13 @@ void Senses::accelerate(const BodyMotion& motion) {
 
 void Senses::shine(const BodyMotion& motion) {
   const Noise& noise = hardware_.noise;
-  const double factor = robot_sample_.level(NoiseGroup::infrared);
+  const double factor = robot_sample_.noise_of(ErrorCause::infrared);
+  const double drift =
+      robot_sample_.variation_of(ErrorCause::ambient) * hardware_.variation.ambient_drift * root_of_tick;
   for (std::size_t beam = 0; beam < beam_count; ++beam) {
     double level = beams_.level(beam, motion.position, motion.ahead);
+    if (drift > 0.0) ambient_[beam] = std::max(0.0, ambient_[beam] + drift * normal(ambient_rng_[beam]));
+    level += ambient_[beam];
     if (factor > 0.0) {
       infrared_noise_[beam] =
           noise.infrared_memory * infrared_noise_[beam] + infrared_fresh_ * normal(infrared_rng_[beam]);
@@ -109,7 +120,7 @@ void Senses::range(const BodyMotion& motion) {
     constexpr double at_rest = 10.0;  // mm/s
     const bool moves = std::abs(motion.speed) > at_rest;
     const double deviation = moves ? hardware_.noise.ranger : hardware_.noise.ranger_rest;
-    distance += robot_sample_.level(NoiseGroup::ranger) * deviation * normal(range_rng_);
+    distance += robot_sample_.noise_of(ErrorCause::ranger) * deviation * normal(range_rng_);
   }
   sense_.range = static_cast<std::uint16_t>(std::clamp(distance + 0.5, 0.0, ranger.reach));
 }

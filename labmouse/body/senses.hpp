@@ -39,6 +39,8 @@ class Senses {
   std::array<Rng, 2> acceleration_rng_;
   std::array<Rng, beam_count> infrared_rng_;
   Rng range_rng_;
+  std::array<Rng, beam_count> ambient_rng_;
+  std::array<double, beam_count> ambient_;  ///< counts
   double infrared_fresh_;           ///< factor of the new noise in a beam's error, an AR(1) process
   std::array<double, 2> travel_{};  ///< mm, of each wheel as its encoder measures it
   double bias_ = 0.0;               ///< rad/s

@@ -17,7 +17,7 @@ ClockedBody::ClockedBody(const Maze& maze, const DriveModel& model, const Physic
       log_(conditions.log),
       time_limit_(time_limit),
       record_(record),
-      body_(maze, cell_, *model.robot.hardware, conditions.noise, seed) {
+      body_(maze, cell_, *model.robot.hardware, conditions.errors, seed) {
   record_.severity = body_.robot_sample().severity();
 }
 

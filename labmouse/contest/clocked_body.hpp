@@ -19,6 +19,7 @@ class ClockedBody {
               MazeTime time_limit, PhysicalRecord& record);
 
   /// Places the mouse at the start, by hand.
+  void set_fan(bool on) { body_.set_fan(on); }
   void put_at_start() { body_.put(maze_.start(), maze_.start_heading()); }
   /// Simulates one tick; false after a crash, and at the end of the time.
   bool step(const Drive& duties);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "labmouse/body/robot_sample.hpp"
+#include "labmouse/contest/brightness.hpp"
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
@@ -22,24 +22,26 @@ FailureDriver::FailureDriver(const Maze& maze, const DriveModel& model, const Ph
       walls_(maze, conditions.map, record),
       rng_(seed_for(seed, "hazards")),
       rates_(failure_rates),
-      noise_(conditions.noise.all),
-      noise_share_(rng_.unit()) {
+      sample_(*model.robot.hardware, conditions.errors, maze.size(), seed),
+      variation_(conditions.errors.variation),
+      variation_share_(rng_.unit()) {
   record.by_failure_model = true;
-  const RobotSample mouse(*model.robot.hardware, conditions.noise, maze.size(), seed);
-  record.severity = mouse.severity();
-  draws_ = draws_of(mouse);
+  record.severity = sample_.severity();
   set_pace(1.0);
 }
 
-/// If the noise lies between two measured levels, one of them is drawn for the contest, the nearer with higher
+/// If the variation lies between two measured ones, one of them is drawn for the contest, the nearer with higher
 /// probability. The same holds for the pace of a run.
 void FailureDriver::set_pace(double pace) {
   pace_ = usual_pace_ * pace;
   const auto paces = between(rates_.paces, pace_, [](const RatesAtPace& at) { return at.pace; });
   const RatesAtPace& at_pace = rates_.paces[rng_.unit() < paces.part ? paces.above : paces.below];
-  const auto noises = between(at_pace.noises, noise_, [](const RatesAtNoise& at) { return at.noise; });
-  const RatesAtNoise& at = at_pace.noises[noise_share_ < noises.part ? noises.above : noises.below];
-  odds_ = &at.by_draws[static_cast<std::size_t>(draws_)];
+  const auto scales = between(at_pace.variations, variation_, [](const RatesAtVariation& at) { return at.variation; });
+  at_variation_ = &at_pace.variations[variation_share_ < scales.part ? scales.above : scales.below];
+}
+
+const FailureRatesByBrightness& FailureDriver::rates() const {
+  return at_variation_->by_brightness[brightness_class(sample_.brightness())];
 }
 
 std::size_t FailureDriver::one_of(std::span<const double> shares) {
@@ -53,7 +55,7 @@ std::size_t FailureDriver::one_of(std::span<const double> shares) {
 
 void FailureDriver::put_at_start() {
   TimedDriver::put_at_start();
-  position_error_ = one_of(odds_->put);
+  position_error_ = one_of(rates().put);
   crash_.reset();
   walls_.put_down();
 }
@@ -81,8 +83,10 @@ Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
   if (on_border(wall, maze_.size())) return 0;
   const bool again = read_.contains(wall);
   read_.insert(wall);
-  const Reading reading = reading_of(maze_.is_open(place_.pose.cell, side), ahead, again);
-  ReadingRates shares = odds_->readings[static_cast<std::size_t>(reading)][position_error_];
+  const bool open = maze_.is_open(place_.pose.cell, side);
+  const Reading reading = reading_of(open, ahead, again);
+  const std::size_t bright = brightness_class(sample_, place_.pose, side, !open);
+  ReadingRates shares = at_variation_->by_brightness[bright].readings[static_cast<std::size_t>(reading)][position_error_];
   double& silent = shares[evidence_class(0)];
   if (clear < silent) return 0;
   for (double& told : shares) told /= 1.0 - silent;
@@ -91,7 +95,7 @@ Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
 }
 
 FailureDriver::ManoeuvreOutcome FailureDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
-  const ManoeuvreRates& failure = odds_->manoeuvres[static_cast<std::size_t>(manoeuvre)][position_error_];
+  const ManoeuvreRates& failure = rates().manoeuvres[static_cast<std::size_t>(manoeuvre)][position_error_];
   if (!way_is_open) return {RunEnd::wall_error, 0.5};
   if (rng_.unit() < failure.crash)
     return {rng_.unit() < failure.slid ? RunEnd::slid : RunEnd::position_lost, rng_.unit()};

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "labmouse/body/robot_sample.hpp"
 #include "labmouse/chance/rng.hpp"
 #include "labmouse/contest/failure_rates.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
@@ -44,6 +45,8 @@ class FailureDriver final : public TimedDriver {
   /// Sets the clock to that time, or to the time limit. Returns whether time is left.
   bool reach(MazeTime time);
   bool is_open(const Action& part) const;
+  /// Rates of contests in which walls are as bright as in this one.
+  const FailureRatesByBrightness& rates() const;
   Evidence read_wall(Heading side, bool ahead, double clear);
 
   MazeTime handling_;
@@ -51,10 +54,10 @@ class FailureDriver final : public TimedDriver {
   BelievedWalls walls_;
   Rng rng_;
   const FailureRates& rates_;
-  double noise_;
-  Draws draws_ = Draws::sound;
-  double noise_share_;  ///< uniform draw of this contest that chooses between two measured noise levels
-  const FailureRatesByDraw* odds_ = nullptr;
+  RobotSample sample_;
+  double variation_;
+  double variation_share_;  ///< uniform draw of this contest that chooses between two measured variations
+  const RatesAtVariation* at_variation_ = nullptr;
   std::size_t position_error_ = 0;  ///< level of the present localization error
   WallSet read_;                    ///< walls read at least once
   std::optional<RunEnd> crash_;

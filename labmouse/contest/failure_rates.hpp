@@ -1,4 +1,4 @@
-// Failure rates of each manoeuvre and each wall reading, by the localization error and the class of the mouse's draws.
+// Failure rates of each manoeuvre and each wall reading, by the localization error and by how bright walls look.
 // labmouse/lab/failure_rates measures them in the physical world; the failure model draws errors at these rates.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "labmouse/contest/draws.hpp"
+#include "labmouse/contest/brightness.hpp"
 #include "labmouse/contest/manoeuvre.hpp"
 #include "labmouse/mouse/evidence.hpp"
 
@@ -44,28 +44,29 @@ constexpr Evidence evidence_in(std::size_t place) {
 /// The shares of all classes of evidence.
 using ReadingRates = std::array<double, evidence_classes>;
 
-/// Rates of contests with the same class of draws.
-struct FailureRatesByDraw {
+/// Rates of one class of brightness: placement and manoeuvres of contests in which walls are that bright on average,
+/// and readings of walls that are.
+struct FailureRatesByBrightness {
   std::array<double, position_error_levels> put = {
       1.0};  ///< distribution of the localization error after placement at the start by hand
   std::array<std::array<ManoeuvreRates, position_error_levels>, all_manoeuvres.size()> manoeuvres{};
   std::array<std::array<ReadingRates, position_error_levels>, all_readings.size()> readings{};
 };
 
-/// Rates at one noise level.
-struct RatesAtNoise {
-  double noise = 0.0;
-  std::array<FailureRatesByDraw, draw_classes> by_draws{};
+/// Rates at one scale of the variation.
+struct RatesAtVariation {
+  double variation = 0.0;
+  std::array<FailureRatesByBrightness, brightness_classes> by_brightness{};
 };
 
 /// Rates at one pace, as a share of the usual one.
 struct RatesAtPace {
   double pace = 1.0;
-  std::vector<RatesAtNoise> noises;  ///< by increasing noise, at least one
+  std::vector<RatesAtVariation> variations;  ///< increasing, at least one
 };
 
 struct FailureRates {
-  double variation = 1.0;          ///< scale of the variation between mice
+  double noise = 1.0;              ///< scale of the noise
   std::vector<RatesAtPace> paces;  ///< by increasing pace, at least one
 };
 
@@ -87,7 +88,7 @@ Between between(const List& list, double key, Key key_of) {
   return {above - 1, above, (key - low) / (key_of(list[above]) - low)};
 }
 
-/// Rates without any failure: noise 0.
-RatesAtNoise no_failures();
+/// Rates without any failure, at variation 0.
+RatesAtVariation no_failures();
 
 }  // namespace labmouse

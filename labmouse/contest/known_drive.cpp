@@ -59,9 +59,9 @@ class KnownDriver {
       : maze_(maze),
         cell_(model.tables.cell),
         known_(knowledge_of(maze)),
-        told_(told_of(model, conditions)),
-        body_(maze, cell_, *model.robot.hardware, conditions.noise, seed),
-        controller_(model, told_, maze.size(), gains_for(told_, cell_), conditions.controller),
+        body_(maze, cell_, *model.robot.hardware, conditions.errors, seed),
+        controller_(model, *model.robot.hardware, maze.size(), gains_for(*model.robot.hardware, cell_),
+                    conditions.controller),
         log_(log) {
     body_.put(maze.start(), maze.start_heading());
     if (log_ != nullptr) stand();
@@ -82,6 +82,7 @@ class KnownDriver {
   KnownDrive run(const DriveRoute& route) {
     controller_.know(&known_);
     if (!drive_on()) return drive_;
+    body_.set_fan(true);
     controller_.run(route);
     drive_on();
     return drive_;
@@ -136,7 +137,6 @@ class KnownDriver {
   const Maze& maze_;
   double cell_;
   Knowledge known_;
-  Hardware told_;
   Body body_;
   Controller controller_;
   std::vector<LoggedTick>* log_;

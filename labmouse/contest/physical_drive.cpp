@@ -38,15 +38,16 @@ PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const 
       handling_(conditions.handling),
       usual_pace_(conditions.controller.pace),
       walls_(maze, conditions.map, record),
-      told_(told_of(model, conditions)),
       body_(maze, model, conditions, seed, time_limit, record),
-      controller_(model, told_, maze.size(), gains_for(told_, model.tables.cell), conditions.controller, parts) {
+      controller_(model, *model.robot.hardware, maze.size(), gains_for(*model.robot.hardware, model.tables.cell),
+                  conditions.controller, parts) {
   record_.foreign_parts = parts.any();
   controller_.know(&walls_.known());
 }
 
 void PhysicalDriver::put_at_start() {
   body_.put_at_start();
+  body_.set_fan(false);
   controller_.put(start_);
   pending_ = false;
   walls_.put_down();
@@ -81,6 +82,7 @@ bool PhysicalDriver::make(const Action& part, bool replanned) {
 bool PhysicalDriver::run(const DriveRoute& route) {
   controller_.run(route);
   in_its_way_ = walls_.standing(walls_of(route));
+  body_.set_fan(true);
   // The clock starts after the mouse has backed up to the beginning of the run.
   while (!controller_.running())
     if (!tick()) return false;

@@ -46,7 +46,6 @@ class PhysicalDriver final : public ContestDriver {
   MazeTime handling_;
   double usual_pace_;
   BelievedWalls walls_;
-  Hardware told_;  ///< the hardware as the controller knows it
   ClockedBody body_;
   Controller controller_;
   Drive drive_;

@@ -108,7 +108,7 @@ void Corrections::see_wall(std::size_t beam, double level, const View& view, con
   // The errors of the readings of one wall are correlated, so their variance is multiplied by the number of readings.
   const double between = std::max(slow, std::abs(estimator.speed())) * ticks_between * tick_seconds;
   const double many = std::max(1.0, alike * cell_ / 2.0 / between);
-  const double share = square(noise.reflectance) + square(noise.infrared_gain) + square(noise.infrared / level);
+  const double share = (reading_variance(hardware_.variation, level) + square(noise.infrared)) / square(level);
   estimator.correct({views_.distance_of(beam, level, view) - view.distance, slopes.distance[0], slopes.distance[1],
                      slopes.distance[2], many * square(infrared.fall) * share + 0.25});
 }

@@ -1,9 +1,10 @@
 // Estimates the pose of a mouse, and its covariance.
 //
 // Method: an extended Kalman filter over x, y, the angle, the gyro bias, and the scale errors of encoders and gyro,
-// which differ between mice. Encoders and gyro predict the motion; in turns, the accelerometer gives the slip angle.
-// Wall observations correct the state, one scalar at a time. The scale errors are kept when the mouse is put down
-// elsewhere.
+// which differ between mice. Encoders and gyro predict the motion. Two scalar filters beside it give the offset of the
+// lateral accelerometer, and the slip angle in turns: the integral of the lateral acceleration, weighed against the
+// nominal tyre model. Wall observations correct the state, one scalar at a time. The scale errors and the offset are
+// kept when the mouse is put down elsewhere.
 #pragma once
 
 #include <array>
@@ -34,14 +35,15 @@ class Estimator {
   void put(const Position& position, const Direction& ahead);
   /// Predicts the motion since the last call. Ticks may have been left out.
   void predict(const Sense& sense);
-  /// Applies an observation unless it is more than three standard deviations off. Returns whether it was applied.
+  /// Applies an observation unless it is more than three standard deviations off. Returns whether it was applied. After
+  /// many in a row that were not, the pose counts as less certain, so that a lost mouse can find itself again.
   bool correct(const Observation& observation);
 
   const Position& position() const { return position_; }
   /// The direction in which it points, and in which it moves.
   const Direction& ahead() const { return ahead_; }
   Direction way() const { return turned_by(ahead_, slip()); }
-  /// Slip angle from the accelerometer, rad. estimate() has that of the nominal tyre model instead: steering by the
+  /// The slip angle, rad. estimate() has that of the nominal tyre model instead: steering by the
   /// measured slip while the tyres slide makes the mouse turn in more, and slide more.
   double slip() const { return felt_slip_; }
   double speed() const { return speed_; }      ///< mm/s
@@ -55,8 +57,11 @@ class Estimator {
   enum State : std::size_t { at_x, at_y, at_angle, at_bias, at_scale, at_gyro };
   using Row = std::array<double, states>;
 
-  void spread(double way, double turn, const Direction& went);
-  void add_noise(double way);
+  void measure_offset(double pulled, double seconds);
+  void estimate_slip(double pulled, double turn, double seconds);
+  void spread(double way, double turn, double seconds, const Direction& went);
+  void add_noise(double way, double seconds);
+  void doubt();
   /// Whether it turns and drives fast enough to measure its slip.
   bool feels_slip() const;
 
@@ -68,7 +73,10 @@ class Estimator {
   double bias_ = 0.0;   ///< gyro rate at rest, rad/s
   double scale_ = 0.0;  ///< relative error of the encoders' scale
   double gyro_ = 0.0;   ///< relative error of the gyro's scale
-  double nominal_slip_ = 0.0, felt_slip_ = 0.0;
+  double offset_ = 0.0, offset_variance_;  ///< of the lateral accelerometer, mm/s²
+  double straight_ = 0.0;                  ///< s since it last turned
+  double nominal_slip_ = 0.0, felt_slip_ = 0.0, slip_variance_ = 0.0;
+  int rejected_ = 0;  ///< observations in a row
   double speed_ = 0.0, turning_ = 0.0;
   std::array<Row, states> covariance_{};
   Sense last_;

@@ -108,8 +108,8 @@ double WallReader::post_share(double along, double cosine) const {
 /// Likelihood of a mean reading, given the expected one.
 double WallReader::likelihood(double level, double expected) const {
   const Noise& noise = hardware_.noise;
-  const double alike = square(noise.reflectance) + square(noise.infrared_gain) + square(noise.infrared_share);
-  const double variance = alike * square(expected) + square(noise.infrared) + 1.0;
+  const double variance = reading_variance(hardware_.variation, expected) +
+                          square(noise.infrared_share * expected) + square(noise.infrared) + 1.0;
   return density(level - expected, variance);
 }
 
@@ -126,13 +126,14 @@ double WallReader::nats_of(std::size_t beam, const PoseEstimate& estimate) const
   };
   const double off = deviation(by.distance), shifted = deviation(by.along);
   double with = 0.0, without = 0.0;
-  for (const Trial& aside : trials) {
-    const double whole = expected * exp_of(-aside.deviations * off / infrared.fall);
-    for (const Trial& on : trials) {
-      const double weight = aside.weight * on.weight, place = along + on.deviations * shifted;
-      // Past the post, the spot is not on this wall; half of its reading is expected.
-      const double wall = place < 0.0 || place > cell_ ? 0.5 : 1.0;
-      const double posts = std::min(1.0, post_share(place, stretch.view.cosine));
+  for (const Trial& on : trials) {
+    const double place = along + on.deviations * shifted;
+    // Past the post, the spot is not on this wall; half of its reading is expected.
+    const double wall = place < 0.0 || place > cell_ ? 0.5 : 1.0;
+    const double posts = std::min(1.0, post_share(place, stretch.view.cosine));
+    for (const Trial& aside : trials) {
+      const double weight = aside.weight * on.weight;
+      const double whole = expected * exp_of(-aside.deviations * off / infrared.fall);
       with += weight * likelihood(level, std::min(infrared.most, wall * whole));
       without += weight * likelihood(level, std::min(infrared.most, posts * whole));
     }

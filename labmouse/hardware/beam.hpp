@@ -34,4 +34,13 @@ constexpr double returned_at(double cosine) {
   return cosine < almost_right ? cosine / almost_right : 1.0;
 }
 
+/// The variance of a reading, of which that level is expected, by what differs between walls, sensors and rooms; in
+/// counts squared.
+constexpr double reading_variance(const Variation& variation, double level) {
+  const auto square = [](double number) { return number * number; };
+  return square(level) * (square(variation.reflectance) + square(variation.maze_reflectance) +
+                          square(variation.infrared_gain)) +
+         square(variation.ambient);
+}
+
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// The hardware of a robot: its shape, motors and sensors, and how far each of them varies.
+// The hardware of a robot: its shape, motors and sensors, their noise, and how far mice and mazes vary.
 //
 //              front
 //        +---------------+      x ahead of the middle of the axle, y to the left of it, in mm;
@@ -41,9 +41,11 @@ struct MotorAxis {
 struct Motors {
   MotorAxis drive;       ///< of the mean duty of both wheels
   MotorAxis turn;        ///< of the right wheel's duty less the left one's
-  double turning = 0.0;  ///< forward duty that turning takes, per rad/s
-  double sag = 0.0;      ///< share of the voltage that is lost at full duty of both
-  double volts = 0.0;    ///< V, of the battery at rest
+  double turning = 0.0;    ///< forward duty that turning takes, per rad/s
+  double rotating = 0.0;   ///< share of the inertia that turns with the wheels; 0: wheels never spin
+  double sag = 0.0;        ///< share of the voltage that is lost at full duty of both
+  double discharge = 0.0;  ///< share of the voltage that is lost for good in a second at full duty of both
+  double volts = 0.0;      ///< V, of the full battery at rest
 
   friend bool operator==(const Motors&, const Motors&) = default;
 };
@@ -51,6 +53,10 @@ struct Motors {
 struct Tyres {
   double stiffness = 0.0;  ///< mm/s² of lateral acceleration per rad of slip angle
   double grip = 0.0;       ///< mm/s², the most in any direction
+  double downforce = 0.0;  ///< mm/s² of grip that the fan adds; it runs in speed runs
+  /// rad/s² of turning for each mm/s² of lateral acceleration: the yaw moment of the tyres, which act behind the centre
+  /// of mass. That is its distance ahead of the axle, divided by the square of the radius of gyration, in 1/mm.
+  double yaw_moment = 0.0;
 
   friend bool operator==(const Tyres&, const Tyres&) = default;
 };
@@ -98,21 +104,9 @@ struct Sensors {
   friend bool operator==(const Sensors&, const Sensors&) = default;
 };
 
-/// How far reality differs from the numbers above: standard deviations, unless stated otherwise.
+/// Random errors at each moment: standard deviations, unless stated otherwise.
 struct Noise {
-  // Drawn once a contest.
-  double motor_gain = 0.0;     ///< share, of each motor
-  double stiffness = 0.0;      ///< share
-  double grip = 0.0;           ///< share
-  double encoder_scale = 0.0;  ///< share, of each wheel
-  double gyro_scale = 0.0;     ///< share
-  double gyro_bias = 0.0;      ///< rad/s, after each calibration at rest
-  double infrared_gain = 0.0;  ///< share, of each sensor
-  double reflectance = 0.0;    ///< share, of each side of each wall
-  double floor_steps = 0.0;    ///< share of the boundaries between cells that have a step of the floor
-  double floor_turn = 0.0;     ///< rad by which such a step turns the mouse
-  double floor_shift = 0.0;    ///< mm by which it moves it aside
-  // At each moment.
+  double gyro_bias = 0.0;        ///< rad/s, after each calibration at rest
   double ripple = 0.0;           ///< mm, amplitude of an encoder's error over a turn of its magnet
   double ripple_length = 1.0;    ///< mm of travel in such a turn
   double encoder = 0.0;          ///< mm
@@ -128,11 +122,38 @@ struct Noise {
   double shaking_speed = 1.0;    ///< mm/s
   double shaking_pitch = 0.0;    ///< rad/s, angular frequency of its resonance
   double shaking_loss = 0.0;     ///< damping ratio of the resonance
+
+  friend bool operator==(const Noise&, const Noise&) = default;
+};
+
+/// How mice, mazes and days differ from the nominal numbers: standard deviations of what is drawn once a contest,
+/// unless stated otherwise. Shares are deviations of a logarithm.
+struct Variation {
+  // Of the mouse.
+  double motor_gain = 0.0;         ///< share, of each motor, at most a fifth off
+  double battery = 0.0;            ///< share of the voltage that it lacks at the start
+  double stiffness = 0.0;          ///< share
+  double grip = 0.0;               ///< share
+  double encoder_scale = 0.0;      ///< share, of each wheel: its diameter
+  double gyro_scale = 0.0;         ///< share
+  double acceleration_bias = 0.0;  ///< mm/s², of each axis: offset, and a sensor that is mounted at an angle
+  double infrared_gain = 0.0;      ///< share, of each sensor
+  // Of the maze and the day.
+  double reflectance = 0.0;       ///< share, of each side of each wall
+  double maze_reflectance = 0.0;  ///< share, of all walls
+  double post_shift = 0.0;        ///< mm, of each post, in x and in y, at most 4/3 of it; walls stand between posts
+  double ambient = 0.0;           ///< counts that the ambient light adds to an infrared sensor, of each sensor
+  double ambient_drift = 0.0;     ///< counts per square root of a second by which that changes
+  double dust = 0.0;              ///< share of the grip, of each cell
+  double floor_steps = 0.0;       ///< share of the boundaries between cells that have a step of the floor
+  double floor_turn = 0.0;        ///< rad by which such a step turns the mouse
+  double floor_shift = 0.0;       ///< mm by which it moves it aside
+  double floor_tilt = 0.0;        ///< rad, of the floor of each cell, along x and along y
   // Each time that it is put down.
   double placement = 0.0;       ///< mm, in x and in y
   double placement_turn = 0.0;  ///< rad
 
-  friend bool operator==(const Noise&, const Noise&) = default;
+  friend bool operator==(const Variation&, const Variation&) = default;
 };
 
 /// The whole hardware. The size of the cells is in Robot.
@@ -142,37 +163,34 @@ struct Hardware {
   Tyres tyres;
   Sensors sensors;
   Noise noise;
+  Variation variation;
 
   friend bool operator==(const Hardware&, const Hardware&) = default;
 };
 
-/// The noise with the variation between mice scaled by a factor: the deviations of the numbers that are drawn once a
-/// contest for the mouse itself. The scales of encoders are left as they are: their variation was measured.
-constexpr Noise varied_by(Noise noise, double factor) {
-  for (double* share : {&noise.motor_gain, &noise.stiffness, &noise.grip, &noise.gyro_scale, &noise.infrared_gain})
-    *share *= factor;
-  return noise;
-}
-
-/// The parts of Noise that can be switched one by one.
-enum class NoiseGroup : std::size_t {
-  motors,
-  tyres,
+/// The causes of errors, which can be switched one by one. Each has parts in Noise, in Variation, or in both.
+enum class ErrorCause : std::size_t {
+  motors,  ///< and the battery
+  tyres,   ///< and dust
   floor,
+  posts,
   encoders,
   gyro,
   accelerometer,
   infrared,
+  reflectance,
+  ambient,
   ranger,
   shaking,
   placement
 };
-inline constexpr std::size_t noise_groups = 10;
+inline constexpr std::size_t error_causes = 13;
 
-constexpr std::string_view name_of(NoiseGroup group) {
-  constexpr std::array<std::string_view, noise_groups> names = {
-      "motors", "tyres", "floor", "encoders", "gyro", "accelerometer", "infrared", "ranger", "shaking", "placement"};
-  return names[static_cast<std::size_t>(group)];
+constexpr std::string_view name_of(ErrorCause cause) {
+  constexpr std::array<std::string_view, error_causes> names = {
+      "motors",      "tyres",         "floor",      "posts",   "encoders", "gyro", "accelerometer", "infrared",
+      "reflectance", "ambient light", "ToF sensor", "shaking", "placement"};
+  return names[static_cast<std::size_t>(cause)];
 }
 
 }  // namespace labmouse

@@ -55,21 +55,26 @@ struct labmouse_drive {
 /* What the robot is built of, as in its file (docs/reference/files.md): body.front, in mm, is body_front. */
 #define LABMOUSE_ROBOT_NUMBERS(number)                                                                                \
   number(body, front) number(body, back) number(body, half_width) number(body, half_track)                            \
-  number(body, slip_stiffness) number(body, grip) number(motors, drive_gain) number(motors, drive_time)               \
-  number(motors, drive_dead_zone) number(motors, turn_gain) number(motors, turn_time) number(motors, turn_dead_zone)  \
-  number(motors, turning) number(motors, sag) number(motors, volts) number(sensors, count)                            \
+  number(body, slip_stiffness) number(body, grip) number(body, downforce) number(body, yaw_moment)                    \
+  number(motors, drive_gain) number(motors, drive_time) number(motors, drive_dead_zone) number(motors, turn_gain)     \
+  number(motors, turn_time) number(motors, turn_dead_zone) number(motors, turning) number(motors, rotating)           \
+  number(motors, sag) number(motors, discharge) number(motors, volts) number(sensors, count)                          \
   number(sensors, gyro_step) number(sensors, gyro_most) number(sensors, acceleration_step)                            \
   number(sensors, side_ahead) number(sensors, side_aside) number(sensors, side_angle) number(sensors, front_ahead)    \
   number(sensors, front_aside) number(sensors, front_angle) number(sensors, infrared_gain)                            \
   number(sensors, infrared_fall) number(sensors, infrared_most) number(sensors, infrared_footprint)                   \
   number(sensors, ranger_ahead) number(sensors, ranger_reach) number(sensors, ranger_period)                          \
-  number(noise, motor_gain) number(noise, slip_stiffness) number(noise, grip) number(noise, encoder_scale)            \
-  number(noise, gyro_scale) number(noise, gyro_bias) number(noise, infrared_gain) number(noise, reflectance)          \
-  number(noise, floor_steps) number(noise, floor_turn) number(noise, floor_shift) number(noise, ripple)               \
-  number(noise, ripple_length) number(noise, encoder) number(noise, gyro) number(noise, gyro_walk)                    \
-  number(noise, acceleration) number(noise, infrared) number(noise, infrared_share) number(noise, infrared_memory)    \
-  number(noise, ranger_rest) number(noise, ranger) number(noise, shaking) number(noise, shaking_speed)                \
-  number(noise, shaking_pitch) number(noise, shaking_loss) number(noise, placement) number(noise, placement_turn)
+  number(noise, gyro_bias) number(noise, ripple) number(noise, ripple_length) number(noise, encoder)                  \
+  number(noise, gyro) number(noise, gyro_walk) number(noise, acceleration) number(noise, infrared)                    \
+  number(noise, infrared_share) number(noise, infrared_memory) number(noise, ranger_rest) number(noise, ranger)       \
+  number(noise, shaking) number(noise, shaking_speed) number(noise, shaking_pitch) number(noise, shaking_loss)        \
+  number(variation, motor_gain) number(variation, battery) number(variation, slip_stiffness) number(variation, grip)  \
+  number(variation, dust) number(variation, encoder_scale) number(variation, gyro_scale)                              \
+  number(variation, acceleration_bias) number(variation, infrared_gain) number(variation, reflectance)                \
+  number(variation, maze_reflectance) number(variation, post_shift) number(variation, ambient)                        \
+  number(variation, ambient_drift) number(variation, floor_steps) number(variation, floor_turn)                       \
+  number(variation, floor_shift) number(variation, floor_tilt) number(variation, placement)                           \
+  number(variation, placement_turn)
 
 #define LABMOUSE_ROBOT_FIELD(section, name) double section##_##name;
 struct labmouse_robot {

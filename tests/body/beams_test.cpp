@@ -195,8 +195,8 @@ TEST(Beams, ReadNoMoreThanTheirMost) {
 
 TEST(Beams, ReadWallsAsTheirSidesReflect) {
   Hardware hardware = test::plain_mouse();
-  hardware.noise.reflectance = 0.3;
-  hardware.noise.infrared_gain = 0.2;
+  hardware.variation.reflectance = 0.3;
+  hardware.variation.infrared_gain = 0.2;
   hardware.sensors.infrared.footprint = 0.5;
   const Maze maze = test::hall(4);
   const Field field(maze, test::cell);
@@ -232,6 +232,47 @@ TEST(Ranger, ReadsTheDistanceToTheFirstBoxAhead) {
     }
   }
   EXPECT_GT(seen, 1000);
+}
+
+/// Posts that are all off by as much are a maze that is moved.
+TEST(Shifts, MoveWallsAndPosts) {
+  const Hardware hardware = test::plain_mouse();
+  const Maze maze = test::some_maze(3);
+  const Position shift = {1.5, -1.0};
+  const Field field(maze, test::cell), moved(maze, test::cell, std::vector<Position>(9 * 9, shift));
+  const RobotSample robot_sample(hardware, {}, maze.size(), 1);
+  const Beams beams(field, hardware.sensors, robot_sample), moved_beams(moved, hardware.sensors, robot_sample);
+  Rng rng(4);
+  int near = 0;
+  constexpr int times = 500;
+  for (int i = 0; i < times; ++i) {
+    const Position at = {(rng.below(8) + 0.4 + 0.002 * rng.below(100)) * test::cell,
+                         (rng.below(8) + 0.4 + 0.002 * rng.below(100)) * test::cell};
+    const Direction ahead = direction_of(pi / 2.0 * rng.below(4) + 0.002 * rng.below(100));
+    near += std::abs(moved_beams.range(at + shift, ahead) - beams.range(at, ahead)) < 0.4 ? 1 : 0;
+    for (std::size_t beam = 0; beam < beam_count; ++beam) {
+      // Where the ray is oblique, the place on the line is that of the wall that is not moved.
+      const double level = moved_beams.level(beam, at + shift, ahead), usual = beams.level(beam, at, ahead);
+      near += std::abs(level - usual) < 5.0 + 0.1 * usual ? 1 : 0;
+    }
+  }
+  EXPECT_GT(near, 0.95 * times * (beam_count + 1));
+}
+
+/// A wall stands between its posts, so in its middle it is off by their mean.
+TEST(Shifts, OfAWallAreThoseBetweenItsPosts) {
+  const Hardware hardware = test::plain_mouse();
+  const Maze maze = test::hall(2);
+  std::vector<Position> shifts(9);
+  shifts[0] = {2.0, 0.0};  // the south-western post
+  const Field field(maze, test::cell, shifts);
+  const RobotSample robot_sample(hardware, {}, maze.size(), 1);
+  const Beams beams(field, hardware.sensors, robot_sample);
+  const Direction west = {0.0, -1.0};
+  const double usual = 90.0 - 20.0 - half_wall_of(test::cell);
+  EXPECT_NEAR(beams.range({90.0, 50.0}, west), usual - 1.0, 1e-9);
+  EXPECT_NEAR(beams.range({90.0, 25.0}, west), usual - 1.5, 1e-9);
+  EXPECT_NEAR(beams.range({90.0, 150.0}, west), usual, 1e-9);
 }
 
 }  // namespace

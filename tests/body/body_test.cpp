@@ -14,12 +14,6 @@
 namespace labmouse {
 namespace {
 
-Hardware noisy_mouse() {
-  Hardware hardware = test::plain_mouse();
-  hardware.noise = test::plain_noise();
-  return hardware;
-}
-
 /// A mouse without noise in a hall of 8 by 8 cells, that drives towards the east wall at an angle and a speed, without
 /// losing any.
 class TowardsAWall {
@@ -134,9 +128,9 @@ TEST(Body, KnowsWhetherItHasSlidLately) {
   EXPECT_FALSE(body.slid_within(50));
 }
 
-TEST(Hand, IsOffByThePlacementOfTheNoise) {
+TEST(Hand, IsOffByThePlacementOfTheVariation) {
   const Maze maze = test::hall(4);
-  const Hardware hardware = noisy_mouse();
+  const Hardware hardware = test::varied_mouse();
   Body body(maze, test::cell, hardware, {}, 1);
   double x = 0.0, y = 0.0, angle = 0.0;
   constexpr int times = 2000;
@@ -151,7 +145,7 @@ TEST(Hand, IsOffByThePlacementOfTheNoise) {
   EXPECT_NEAR(std::sqrt(angle), 0.02, 0.001);
 }
 
-std::vector<Sense> driven(const Hardware& hardware, const NoiseLevel& level, std::uint64_t seed) {
+std::vector<Sense> driven(const Hardware& hardware, const ErrorScale& level, std::uint64_t seed) {
   const Maze maze = test::some_maze(2);
   Body body(maze, test::cell, hardware, level, seed);
   body.put({50.0, 50.0}, 1.5);
@@ -164,15 +158,13 @@ std::vector<Sense> driven(const Hardware& hardware, const NoiseLevel& level, std
 }
 
 TEST(Body, IsTheSameForTheSameSeedAndAnotherForAnother) {
-  EXPECT_EQ(driven(noisy_mouse(), {}, 1), driven(noisy_mouse(), {}, 1));
-  EXPECT_NE(driven(noisy_mouse(), {}, 1), driven(noisy_mouse(), {}, 2));
+  EXPECT_EQ(driven(test::varied_mouse(), {}, 1), driven(test::varied_mouse(), {}, 1));
+  EXPECT_NE(driven(test::varied_mouse(), {}, 1), driven(test::varied_mouse(), {}, 2));
 }
 
 TEST(Body, HasNoChanceInItWithoutNoise) {
-  NoiseLevel none;
-  none.all = 0.0;
-  EXPECT_EQ(driven(noisy_mouse(), none, 1), driven(noisy_mouse(), none, 2));
-  EXPECT_EQ(driven(test::plain_mouse(), {}, 1), driven(noisy_mouse(), none, 2));
+  EXPECT_EQ(driven(test::varied_mouse(), no_errors, 1), driven(test::varied_mouse(), no_errors, 2));
+  EXPECT_EQ(driven(test::plain_mouse(), {}, 1), driven(test::varied_mouse(), no_errors, 2));
 }
 
 TEST(Body, ReadsOnceATick) {

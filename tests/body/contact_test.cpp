@@ -128,5 +128,27 @@ TEST(Contact, IsFoundForLongMiceToo) {
   EXPECT_TRUE(contact_of(field, chassis, {220.0, 180.0}, {0.0, 1.0})) << "posts at 200 and 300, 200";
 }
 
+/// Posts that are all off by as much are a maze that is moved.
+TEST(Contact, IsWithWallsAndPostsWhereTheyStand) {
+  const Chassis chassis = test::plain_mouse().chassis;
+  const Position shift = {1.5, -1.0};
+  const Maze maze = test::some_maze(5);
+  const Field field(maze, test::cell), moved(maze, test::cell, std::vector<Position>(9 * 9, shift));
+  Rng rng(6);
+  int touching = 0, same = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto share = [&] { return rng.below(1 << 20) / static_cast<double>(1 << 20); };
+    const Position at = {(0.3 + 7.4 * share()) * test::cell, (0.3 + 7.4 * share()) * test::cell};
+    const Direction ahead = direction_of(2.0 * pi * share());
+    const auto usual = contact_of(field, chassis, at, ahead), there = contact_of(moved, chassis, at + shift, ahead);
+    if (!usual && !there) continue;
+    ++touching;
+    // A corner may lie beside another wall of its line than before.
+    same += usual && there && usual->out == there->out && std::abs(usual->depth - there->depth) < 1e-6 ? 1 : 0;
+  }
+  EXPECT_GT(touching, 300);
+  EXPECT_GT(same, 0.95 * touching);
+}
+
 }  // namespace
 }  // namespace labmouse

@@ -11,8 +11,8 @@ inline constexpr double cell = 100.0;  ///< mm; walls are 6.67 mm thick
 inline Hardware plain_mouse() {
   Hardware hardware;
   hardware.chassis = {25.0, 15.0, 18.0, 16.0};
-  hardware.motors = {{3000.0, 0.1, 0.05}, {80.0, 0.08, 0.04}, 0.0, 0.0, 4.0};
-  hardware.tyres = {100000.0, 10000.0};
+  hardware.motors = {.drive = {3000.0, 0.1, 0.05}, .turn = {80.0, 0.08, 0.04}, .volts = 4.0};
+  hardware.tyres = {.stiffness = 100000.0, .grip = 10000.0};
   hardware.sensors.count = 0.001;
   hardware.sensors.gyro_step = 0.001;
   hardware.sensors.gyro_most = 30.0;
@@ -30,17 +30,7 @@ inline Hardware plain_mouse() {
 /// Round noise of all kinds.
 inline Noise plain_noise() {
   Noise noise;
-  noise.motor_gain = 0.1;
-  noise.stiffness = 0.2;
-  noise.grip = 0.1;
-  noise.encoder_scale = 0.01;
-  noise.gyro_scale = 0.005;
   noise.gyro_bias = 0.01;
-  noise.infrared_gain = 0.05;
-  noise.reflectance = 0.05;
-  noise.floor_steps = 0.2;
-  noise.floor_turn = 0.01;
-  noise.floor_shift = 0.5;
   noise.ripple = 0.1;
   noise.ripple_length = 12.5;
   noise.encoder = 0.02;
@@ -56,23 +46,53 @@ inline Noise plain_noise() {
   noise.shaking_speed = 300.0;
   noise.shaking_pitch = 200.0;
   noise.shaking_loss = 0.25;
-  noise.placement = 1.0;
-  noise.placement_turn = 0.02;
   return noise;
 }
 
-/// The level with just one group of noise.
-inline NoiseLevel only(NoiseGroup group) {
-  NoiseLevel level;
-  level.groups.fill(0.0);
-  level.groups[static_cast<std::size_t>(group)] = 1.0;
-  return level;
+/// Round variation of all kinds.
+inline Variation plain_variation() {
+  return {.motor_gain = 0.05,
+          .battery = 0.05,
+          .stiffness = 0.2,
+          .grip = 0.1,
+          .encoder_scale = 0.01,
+          .gyro_scale = 0.005,
+          .acceleration_bias = 300.0,
+          .infrared_gain = 0.05,
+          .reflectance = 0.05,
+          .maze_reflectance = 0.1,
+          .post_shift = 1.0,
+          .ambient = 30.0,
+          .ambient_drift = 10.0,
+          .dust = 0.1,
+          .floor_steps = 0.2,
+          .floor_turn = 0.01,
+          .floor_shift = 0.5,
+          .floor_tilt = 0.01,
+          .placement = 1.0,
+          .placement_turn = 0.02};
 }
-/// The level without a group.
-inline NoiseLevel all_but(NoiseGroup group) {
-  NoiseLevel level;
-  level.groups[static_cast<std::size_t>(group)] = 0.0;
-  return level;
+
+/// The plain mouse with all noise and all variation.
+inline Hardware varied_mouse() {
+  Hardware hardware = plain_mouse();
+  hardware.noise = plain_noise();
+  hardware.variation = plain_variation();
+  return hardware;
+}
+
+/// The scale with just one cause of errors.
+inline ErrorScale only(ErrorCause cause) {
+  ErrorScale scale;
+  scale.causes.fill(0.0);
+  scale.causes[static_cast<std::size_t>(cause)] = 1.0;
+  return scale;
+}
+/// The scale without a cause.
+inline ErrorScale all_but(ErrorCause cause) {
+  ErrorScale scale;
+  scale.causes[static_cast<std::size_t>(cause)] = 0.0;
+  return scale;
 }
 
 /// Nothing but the border: room to drive.

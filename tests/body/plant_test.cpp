@@ -15,7 +15,7 @@ namespace {
 /// A plant in a hall of 64 by 64 cells, from its middle.
 class World {
  public:
-  explicit World(const Hardware& hardware, const NoiseLevel& level = {}, std::uint64_t seed = 1)
+  explicit World(const Hardware& hardware, const ErrorScale& level = {}, std::uint64_t seed = 1)
       : hardware_(hardware),
         field_(maze_, test::cell),
         robot_sample_(hardware_, level, maze_.size(), seed),
@@ -111,7 +111,7 @@ TEST(Motors, AreCutAtFullDuty) {
 
 TEST(Motors, DifferAsTheContestDrewThem) {
   Hardware hardware = test::plain_mouse();
-  hardware.noise.motor_gain = 0.1;
+  hardware.variation.motor_gain = 0.1;
   World world(hardware, {}, 3);
   const auto& [left, right] = world.robot_sample().motor;
   ASSERT_GT(std::abs(right - left), 0.02);
@@ -198,9 +198,128 @@ TEST(Tyres, PushNoHarderThanTheirGrip) {
   EXPECT_NEAR(before, 600.0, 1.0);
 }
 
+/// The wheels turn faster than the mouse drives: what the tyres do not hold of the motors' torque turns them, whose share
+/// of the inertia is r. Their speed approaches `last` - (1 - r) grip time with the time constant r time.
+TEST(Wheels, SpinAsTheExponentialWhereTheTyresDoNotHold) {
+  Hardware hardware = test::plain_mouse();
+  hardware.motors.drive.dead_zone = 0.0;
+  hardware.motors.rotating = 0.2;
+  World world(hardware);
+  const double grip = 10'000.0, time = 0.1, share = 0.2, last = 3000.0;
+  const double end = last - (1.0 - share) * grip * time;
+  for (int tick = 1; tick <= 100; ++tick) {
+    const BodyMotion& motion = world.after(1, 1.0, 1.0);
+    ASSERT_NEAR(motion.speed, grip * 0.001 * tick, 1e-6) << tick;
+    // The motor steps by an exact exponential, the wheels by Euler's method: 2.5 % of the way at most.
+    ASSERT_NEAR(motion.rolling, end * (1.0 - std::exp(-0.001 * tick / (share * time))), 0.025 * end) << tick;
+  }
+}
+
+TEST(Wheels, HoldAgainWhenTheMouseIsAsFast) {
+  Hardware hardware = test::plain_mouse();
+  hardware.motors.rotating = 0.2;
+  World world(hardware);
+  ASSERT_GT(world.after(50, 1.0, 1.0).rolling, 1.5 * world.plant().motion().speed);
+  const BodyMotion& motion = world.after(1500, 0.25, 0.25);
+  EXPECT_EQ(motion.rolling, motion.speed);
+  EXPECT_NEAR(motion.speed, 3000.0 * (0.25 - 0.05), 0.1);
+  // They slide in the same way when it brakes.
+  world.after(20, -1.0, -1.0);
+  EXPECT_LT(motion.rolling, motion.speed);
+  EXPECT_NEAR(motion.speeding, -10'000.0, 1e-6);
+}
+
+TEST(Wheels, NeverSpinWithoutInertiaOfTheirOwn) {
+  World world(test::plain_mouse());
+  for (int tick = 0; tick < 200; ++tick) {
+    const BodyMotion& motion = world.after(1, 1.0, 1.0);
+    ASSERT_EQ(motion.rolling, motion.speed);
+  }
+}
+
+/// In a steady turn the moment takes time * moment * lateral acceleration from the yaw speed that the motors ask for.
+TEST(Tyres, TurnTheMouseBack) {
+  Hardware hardware = test::plain_mouse();
+  hardware.tyres.yaw_moment = 0.005;
+  World world(hardware);
+  const BodyMotion& motion = world.hold(3000, 330.0, 9.0);
+  EXPECT_NEAR(motion.turning, 9.0 / (1.0 + 0.08 * 0.005 * motion.speed), 0.01);
+  EXPECT_LT(motion.turning, 8.5);
+}
+
+TEST(Battery, LosesAShareASecondAtFullDuty) {
+  Hardware hardware = test::plain_mouse();
+  hardware.motors.discharge = 0.01;
+  World world(hardware);
+  world.after(1000, 0.5, -0.5);
+  EXPECT_NEAR(world.plant().voltage(), 1.0 - 0.01 * 0.5, 1e-9);
+  world.after(1000, 0.0, 0.0);
+  EXPECT_NEAR(world.plant().voltage(), 1.0 - 0.01 * 0.5, 1e-9);
+  world.plant().put({3250.0, 3250.0}, 0.0);
+  EXPECT_NEAR(world.plant().voltage(), 1.0 - 0.01 * 0.5, 1e-9) << "it is the same battery";
+}
+
+TEST(Battery, BeginsWithWhatTheContestDrewAndSags) {
+  Hardware hardware = test::plain_mouse();
+  hardware.motors.sag = 0.1;
+  hardware.variation.battery = 0.1;
+  World world(hardware, {}, 3);
+  const double full = world.robot_sample().battery;
+  ASSERT_LT(full, 0.99);
+  EXPECT_EQ(world.plant().voltage(), full);
+  const double duty = 0.25;
+  EXPECT_NEAR(world.after(3000, duty, duty).speed, 3000.0 * (duty * full * (1.0 - 0.1 * duty) - 0.05), 1e-3);
+}
+
+TEST(Fan, AddsGripWhileItRuns) {
+  Hardware hardware = test::plain_mouse();
+  hardware.tyres.downforce = 5000.0;
+  World world(hardware);
+  world.plant().set_fan(true);
+  EXPECT_NEAR(world.after(40, 1.0, 1.0).speeding, 15'000.0, 1e-6);
+  world.plant().set_fan(false);
+  EXPECT_NEAR(world.after(1, 1.0, 1.0).speeding, 10'000.0, 1e-6);
+}
+
+TEST(Dust, TakesGripInItsCell) {
+  Hardware hardware = test::plain_mouse();
+  hardware.variation.dust = 0.3;
+  World world(hardware, {}, 2);
+  const double grip = world.robot_sample().floor({32, 32}).grip;
+  ASSERT_LT(grip, 0.95);
+  EXPECT_NEAR(world.after(10, 1.0, 1.0).speeding, 10'000.0 * grip, 1e-6);
+}
+
+/// Downhill by a slope s, a mouse whose motors hold its speed gains g s time; across it, the tyres hold g s.
+TEST(Slope, PullsAMouse) {
+  Hardware hardware = test::plain_mouse();
+  hardware.variation.floor_tilt = 0.01;
+  World world(hardware, {}, 9);
+  const Position slope = world.robot_sample().floor({32, 32}).slope;
+  ASSERT_GT(std::abs(slope.x), 0.0015);
+  ASSERT_GT(std::abs(slope.y), 0.002);
+  for (int tick = 0; tick < 2000; ++tick) {
+    world.hold(1, 300.0, 0.0);
+    world.plant().graze({3250.0, 3250.0}, 0.0, 1.0);
+  }
+  // Ten ticks from the middle of the cell on: a graze ends the slip.
+  const BodyMotion& motion = world.hold(10, 300.0, 0.0);
+  EXPECT_NEAR(motion.speed, 300.0 - 9810.0 * slope.x * 0.1, 0.02 * 9810.0 * 0.1 * std::abs(slope.x) + 0.5);
+  EXPECT_NEAR(motion.sideways, 9810.0 * slope.y, 0.1 * 9810.0 * std::abs(slope.y));
+}
+
+TEST(Slope, LeavesAMouseThatStands) {
+  Hardware hardware = test::plain_mouse();
+  hardware.variation.floor_tilt = 0.05;
+  World world(hardware, {}, 6);
+  const BodyMotion& motion = world.after(500, 0.0, 0.0);
+  EXPECT_EQ(motion.speed, 0.0);
+  EXPECT_EQ(motion.position.x, 3250.0);
+}
+
 TEST(Tyres, AreAsStiffAndHoldAsMuchAsTheContestDrew) {
   Hardware hardware = test::plain_mouse();
-  hardware.noise.stiffness = 0.2;
+  hardware.variation.stiffness = 0.2;
   World world(hardware, {}, 5);
   ASSERT_GT(std::abs(world.robot_sample().stiffness - 1.0), 0.03);
   const BodyMotion& motion = world.hold(1000, 330.0, 9.0);
@@ -222,7 +341,7 @@ TEST(Plant, DrivesTheArcThatItsSpeedsSay) {
 TEST(Shaking, HasTheDeviationAndThePitchOfTheNoise) {
   Hardware hardware = test::plain_mouse();
   hardware.noise = test::plain_noise();
-  World world(hardware, test::only(NoiseGroup::shaking), 11);
+  World world(hardware, test::only(ErrorCause::shaking), 11);
   world.hold(2000, 400.0, 0.0);
   constexpr int ticks = 200'000;
   double squares = 0.0, steps = 0.0, before = 0.0;
@@ -247,7 +366,7 @@ TEST(Shaking, HasTheDeviationAndThePitchOfTheNoise) {
 TEST(Shaking, FallsWithTheSpeedBelowItsSpeed) {
   Hardware hardware = test::plain_mouse();
   hardware.noise = test::plain_noise();
-  World slow(hardware, test::only(NoiseGroup::shaking), 11), fast(hardware, test::only(NoiseGroup::shaking), 11);
+  World slow(hardware, test::only(ErrorCause::shaking), 11), fast(hardware, test::only(ErrorCause::shaking), 11);
   for (int tick = 0; tick < 1000; ++tick) {
     slow.hold(1, 60.0, 0.0);
     fast.hold(1, 300.0, 0.0);
@@ -256,14 +375,14 @@ TEST(Shaking, FallsWithTheSpeedBelowItsSpeed) {
     const BodyMotion &a = slow.hold(1, 60.0, 0.0), &b = fast.hold(1, 300.0, 0.0);
     ASSERT_NEAR(a.yaw - a.turning, (b.yaw - b.turning) * a.speed / b.speed, 1e-9);
   }
-  EXPECT_EQ(World(hardware, test::only(NoiseGroup::shaking), 11).after(100, 0.0, 0.0).yaw, 0.0);
+  EXPECT_EQ(World(hardware, test::only(ErrorCause::shaking), 11).after(100, 0.0, 0.0).yaw, 0.0);
 }
 
 TEST(Floor, TurnsAndShiftsAMouseWhereItHasAStep) {
   Hardware hardware = test::plain_mouse();
-  hardware.noise.floor_steps = 1.0;
-  hardware.noise.floor_turn = 0.02;
-  hardware.noise.floor_shift = 1.0;
+  hardware.variation.floor_steps = 1.0;
+  hardware.variation.floor_turn = 0.02;
+  hardware.variation.floor_shift = 1.0;
   World world(hardware, {}, 4);
   world.plant().put({3299.0, 3250.0}, 0.0);
   const FloorStep step = world.robot_sample().floor_step({{32, 32}, Heading::east});

@@ -19,7 +19,7 @@ namespace {
 /// The sensors of a mouse in a hall of 8 by 8 cells.
 class Sensed {
  public:
-  explicit Sensed(const Hardware& hardware, const NoiseLevel& level = {}, std::uint64_t seed = 1)
+  explicit Sensed(const Hardware& hardware, const ErrorScale& level = {}, std::uint64_t seed = 1)
       : hardware_(hardware),
         field_(maze_, test::cell),
         robot_sample_(hardware_, level, maze_.size(), seed),
@@ -50,12 +50,6 @@ class Sensed {
   Senses senses_;
 };
 
-Hardware noisy_mouse() {
-  Hardware hardware = test::plain_mouse();
-  hardware.noise = test::plain_noise();
-  return hardware;
-}
-
 double mean_of(const std::vector<double>& numbers) {
   double sum = 0.0;
   for (const double number : numbers) sum += number;
@@ -80,7 +74,7 @@ double memory_of(const std::vector<double>& numbers) {
 
 TEST(Encoders, CountTheTravelOfEachWheel) {
   Sensed mouse(test::plain_mouse());
-  mouse.motion.speed = 200.0;
+  mouse.motion.speed = mouse.motion.rolling = 200.0;
   mouse.motion.yaw = 3.0;
   for (int tick = 1; tick <= 1000; ++tick) mouse.read();
   // Half a track of 16 mm: the left wheel is slower by 48 mm/s.
@@ -91,14 +85,14 @@ TEST(Encoders, CountTheTravelOfEachWheel) {
 
 TEST(Encoders, CountBackwards) {
   Sensed mouse(test::plain_mouse());
-  mouse.motion.speed = -100.0;
+  mouse.motion.speed = mouse.motion.rolling = -100.0;
   for (int tick = 0; tick < 100; ++tick) mouse.read();
   EXPECT_NEAR(mouse.read().counts[0] * 0.001, -10.1, 0.0011);
 }
 
 TEST(Encoders, OverstateByTheScaleThatTheContestDrew) {
-  Sensed mouse(noisy_mouse(), {}, 3);
-  mouse.motion.speed = 500.0;
+  Sensed mouse(test::varied_mouse(), {}, 3);
+  mouse.motion.speed = mouse.motion.rolling = 500.0;
   for (int tick = 0; tick < 2000; ++tick) mouse.read();
   const std::array<double, 2>& scale = mouse.robot_sample().encoder;
   EXPECT_GT(std::abs(scale[0] - scale[1]), 0.001);
@@ -111,7 +105,7 @@ TEST(Encoders, AreOffByARippleOverATurnOfTheirMagnets) {
   hardware.noise.ripple = 0.1;
   hardware.noise.ripple_length = 12.5;
   Sensed mouse(hardware);
-  mouse.motion.speed = 125.0;
+  mouse.motion.speed = mouse.motion.rolling = 125.0;
   // In ten turns, each of a hundred ticks: the part that goes with the turn.
   double sine = 0.0, cosine = 0.0;
   for (int tick = 1; tick <= 1000; ++tick) {
@@ -148,7 +142,7 @@ TEST(Gyro, IsCutWhereItCanShowNoMore) {
 
 TEST(Gyro, OverstatesByTheScaleThatTheContestDrew) {
   Hardware hardware = test::plain_mouse();
-  hardware.noise.gyro_scale = 0.01;
+  hardware.variation.gyro_scale = 0.01;
   Sensed mouse(hardware, {}, 2);
   ASSERT_GT(std::abs(mouse.robot_sample().gyro - 1.0), 0.002);
   mouse.motion.yaw = 20.0;
@@ -212,6 +206,55 @@ TEST(Accelerometer, HasWhiteNoise) {
   }
 }
 
+TEST(Accelerometer, HasTheOffsetsThatTheContestDrew) {
+  Hardware hardware = test::plain_mouse();
+  hardware.variation.acceleration_bias = 300.0;
+  Sensed mouse(hardware, {}, 4);
+  mouse.motion.speeding = 1000.0;
+  mouse.motion.sideways = -500.0;
+  const auto& offsets = mouse.robot_sample().acceleration;
+  ASSERT_GT(std::abs(offsets[0] - offsets[1]), 50.0);
+  EXPECT_NEAR(mouse.read().acceleration[0] * 5.0, 1000.0 + offsets[0], 2.6);
+  EXPECT_NEAR(mouse.read().acceleration[1] * 5.0, -500.0 + offsets[1], 2.6);
+}
+
+/// At rest with its nose up it feels what holds it there: an acceleration ahead.
+TEST(Accelerometer, FeelsWhatHoldsItOnASlope) {
+  Sensed mouse(test::plain_mouse());
+  mouse.motion.pull = {-98.1, 49.05};
+  EXPECT_NEAR(mouse.read().acceleration[0] * 5.0, 98.1, 2.6);
+  EXPECT_NEAR(mouse.read().acceleration[1] * 5.0, -49.05, 2.6);
+}
+
+/// Far from all walls, an infrared sensor reads the light of the room.
+TEST(Infrared, ReadsTheLightOfTheRoom) {
+  Hardware hardware = test::plain_mouse();
+  hardware.variation.ambient = 30.0;
+  Sensed mouse(hardware, {}, 4);
+  for (std::size_t beam = 0; beam < beam_count; ++beam)
+    EXPECT_NEAR(mouse.read().infrared[beam], mouse.robot_sample().ambient[beam], 0.51) << beam;
+}
+
+/// A random walk: over t seconds its deviation is the drift times the square root of t.
+TEST(Infrared, ReadsThatLightChange) {
+  Hardware hardware = test::plain_mouse();
+  hardware.variation.ambient = 2000.0;
+  hardware.variation.ambient_drift = 50.0;
+  double squares = 0.0;
+  int count = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Sensed mouse(hardware, {}, seed);
+    const std::vector<double> levels =
+        mouse.readings(1001, [](const Sense& sense) { return double(sense.infrared[1]); });
+    // Not where it is dark, or beyond the range of the sensor.
+    if (levels.front() < 300.0 || levels.front() > 3300.0) continue;
+    squares += square(levels.back() - levels.front());
+    ++count;
+  }
+  ASSERT_GT(count, 60);
+  EXPECT_NEAR(std::sqrt(squares / count), 50.0, 12.0);
+}
+
 TEST(Infrared, HasNoiseThatGrowsWithTheLevelAndRemembers) {
   Hardware hardware = test::plain_mouse();
   hardware.noise.infrared = 30.0;
@@ -249,7 +292,7 @@ TEST(Ranger, IsLessSureWhereTheMouseMoves) {
   for (const double speed : {0.0, 300.0}) {
     Sensed mouse(hardware);
     mouse.motion.position = {700.0, 350.0};
-    mouse.motion.speed = speed;
+    mouse.motion.speed = mouse.motion.rolling = speed;
     const auto readings = mouse.readings(5000, [](const Sense& sense) { return double(sense.range); });
     // The face of the east wall, less where the ranger sits.
     EXPECT_NEAR(mean_of(readings), 800.0 - test::cell / 30.0 - 720.0, 0.3);
@@ -334,11 +377,11 @@ TEST(Noise, IsAnotherOfEachSource) {
 }
 
 /// All that a mouse reads at rest before a wall, over some ticks, with a calibration.
-std::vector<Sense> readings_with(const NoiseLevel& level) {
-  Sensed mouse(noisy_mouse(), level, 17);
+std::vector<Sense> readings_with(const ErrorScale& level) {
+  Sensed mouse(test::varied_mouse(), level, 17);
   mouse.motion.position = {50.0, 350.0};
   mouse.motion.ahead = {0.0, -1.0};
-  mouse.motion.speed = 100.0;
+  mouse.motion.speed = mouse.motion.rolling = 100.0;
   mouse.motion.yaw = 0.5;
   mouse.motion.speeding = 300.0;
   mouse.calibrate();
@@ -356,26 +399,28 @@ bool same(const std::vector<Sense>& a, const std::vector<Sense>& b, Part part) {
 
 TEST(Streams, OneSourceOffShiftsNoOther) {
   const std::vector<Sense> all = readings_with({});
-  for (std::size_t i = 0; i < noise_groups; ++i) {
-    const auto group = static_cast<NoiseGroup>(i);
+  for (std::size_t i = 0; i < error_causes; ++i) {
+    const auto group = static_cast<ErrorCause>(i);
     const std::vector<Sense> without = readings_with(test::all_but(group));
-    const auto expect = [&](NoiseGroup of, auto part) {
-      EXPECT_EQ(same(all, without, part), of != group) << name_of(of) << " without " << name_of(group);
+    const auto expect = [&](ErrorCause of, auto part) {
+      const bool light = group == ErrorCause::reflectance || group == ErrorCause::ambient;
+      const bool matters = of == group || (of == ErrorCause::infrared && light);
+      EXPECT_EQ(same(all, without, part), !matters) << name_of(of) << " without " << name_of(group);
     };
-    expect(NoiseGroup::encoders, [](const Sense& sense) { return sense.counts; });
-    expect(NoiseGroup::gyro, [](const Sense& sense) { return sense.gyro; });
-    expect(NoiseGroup::accelerometer, [](const Sense& sense) { return sense.acceleration; });
-    expect(NoiseGroup::infrared, [](const Sense& sense) { return sense.infrared; });
-    expect(NoiseGroup::ranger, [](const Sense& sense) { return sense.range; });
+    expect(ErrorCause::encoders, [](const Sense& sense) { return sense.counts; });
+    expect(ErrorCause::gyro, [](const Sense& sense) { return sense.gyro; });
+    expect(ErrorCause::accelerometer, [](const Sense& sense) { return sense.acceleration; });
+    expect(ErrorCause::infrared, [](const Sense& sense) { return sense.infrared; });
+    expect(ErrorCause::ranger, [](const Sense& sense) { return sense.range; });
   }
 }
 
 TEST(Streams, NoiseIsAsStrongAsItsLevelSays) {
   Hardware hardware = test::plain_mouse();
   hardware.noise.gyro = 0.02;
-  NoiseLevel level;
-  level.all = 2.0;
-  level.groups[static_cast<std::size_t>(NoiseGroup::gyro)] = 3.0;
+  ErrorScale level;
+  level.noise = 2.0;
+  level.causes[static_cast<std::size_t>(ErrorCause::gyro)] = 3.0;
   Sensed mouse(hardware, level);
   EXPECT_NEAR(deviation_of(mouse.readings(20'000, [](const Sense& sense) { return sense.gyro * 0.001; })), 0.12, 0.003);
 }

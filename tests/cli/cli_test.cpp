@@ -254,9 +254,9 @@ TEST_F(AUser, IsToldWhichArgumentsACommandTakes) {
 }
 
 TEST_F(AUser, IsToldInWhichWorldsASettingCounts) {
-  is_refused({"run", "flood", "capstone-1", "--noise", "2"}, "--noise", "--world physical", "--world failures");
+  is_refused({"run", "flood", "capstone-1", "--variation", "2"}, "--variation", "--world physical", "--world failures");
   is_refused({"race", "--world", "steps", "--robot", "half"}, "--robot", "--world seconds", "--world failures");
-  is_refused({"race", "--world", "failures", "--variation", "2"}, "--variation", "--world physical");
+  is_refused({"race", "--world", "failures", "--noise", "2"}, "--noise", "--world physical");
 }
 
 TEST_F(AUser, IsToldTheRangeThatANumberHas) {

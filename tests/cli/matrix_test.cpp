@@ -56,7 +56,7 @@ const std::map<std::string, Words> usual = {
     {"bound", {"m.txt"}},
     {"route", {"m.txt", "--svg", "route.svg"}},
     {"drive", {"--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
-    {"failure-rates", {"--mazes", "m.txt", "--noise", "1", "--jobs", "1"}},
+    {"failure-rates", {"--mazes", "m.txt", "--variation", "1", "--jobs", "1"}},
     {"replay", {"r.jsonl"}},
     {"score", {"r.jsonl"}},
     {"page", {"-o", "page.html"}},

@@ -99,10 +99,13 @@ TEST_F(ADriver, ComparesRobots) {
   EXPECT_EQ(nlohmann::json::parse(labmouse(with({"--format", "json"})).out).at("groups").size(), 2U);
   is_refused(with({"--format", "csv"}), "--format csv", "--robot", "json");
   is_refused(with({"--out", "out"}), "--out", "--robot");
-  is_refused(with({"--curves", "curves.svg"}), "--curves", "--noise");
+  is_refused(with({"--curves", "curves.svg"}), "--curves", "--variation");
   is_refused({"race", "--world", "physical", "--mice", "flood", "--mazes", "corner.txt", "--runs", "1", "--noise",
               "0,1", "--robot", "classic,kerise", "--curves", "curves.svg"},
              "--curves", "--robot");
+  is_refused({"race", "--world", "physical", "--mice", "flood", "--mazes", "corner.txt", "--runs", "1", "--noise",
+              "0,1", "--variation", "lab,contest", "--curves", "curves.svg"},
+             "--curves", "--noise", "--variation");
 }
 
 TEST_F(ADriver, IsToldWhichOptionsMakeNoSense) {
@@ -139,7 +142,7 @@ TEST_F(ADriver, HasTheRulesOfTheMazesSize) {
   const auto [mixed, remark] = rules_of(with({"corner.txt", "large.txt"}));
   EXPECT_EQ(mixed, "all-japan");
   EXPECT_THAT(remark, Says("1 of 2", "all-japan-half", "--rules"));
-  const std::string several = labmouse({"race", "--world", "failures", "--noise", "0,1", "--runs", "1", "--mice",
+  const std::string several = labmouse({"race", "--world", "failures", "--variation", "0,1", "--runs", "1", "--mice",
                                         "flood", "--mazes", "corner.txt", "large.txt"})
                                   .err;
   EXPECT_THAT(several, HasSubstr("1 of 2"));

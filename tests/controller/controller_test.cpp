@@ -71,7 +71,7 @@ TEST(Controller, TurnsOnTheSpotBothWays) {
 TEST(Controller, TakesTheTimeThatItsSpeedSays) {
   ControllerChoice choice;
   choice.search_speed = 330.0;
-  Driven driven(ring(), test::kerise(), test::no_noise(), 1, choice);
+  Driven driven(ring(), test::kerise(), no_errors, 1, choice);
   ASSERT_TRUE(driven.drive_on());
   ASSERT_TRUE(driven.search(on));
   for (const Action& step : {on, right, on}) {

@@ -8,15 +8,9 @@
 
 namespace labmouse::test {
 
-inline NoiseLevel no_noise() {
-  NoiseLevel level;
-  level.all = 0.0;
-  return level;
-}
-
 class Driven {
  public:
-  Driven(const Maze& maze, const DriveModel& model, const NoiseLevel& level = no_noise(), std::uint64_t seed = 1,
+  Driven(const Maze& maze, const DriveModel& model, const ErrorScale& level = no_errors, std::uint64_t seed = 1,
          const ControllerChoice& choice = {})
       : maze_(maze),
         cell_(model.tables.cell),

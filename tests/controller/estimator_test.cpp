@@ -21,7 +21,7 @@ const Hardware& hardware() { return *test::kerise().robot.hardware; }
 /// A mouse on a floor without walls, driven by duties alone, and what it believes.
 class OnAFloor {
  public:
-  explicit OnAFloor(const Hardware& built, const NoiseLevel& level, std::uint64_t seed = 1)
+  explicit OnAFloor(const Hardware& built, const ErrorScale& level, std::uint64_t seed = 1)
       : hardware_(built), body_(floor_, 1000.0, hardware_, level, seed), estimator_(hardware(), 90.0, 0.2) {
     body_.put({3500.0, 3500.0}, 0.4);
     estimator_.put({3500.0, 3500.0}, direction_of(0.4));
@@ -53,7 +53,7 @@ class OnAFloor {
 };
 
 TEST(Estimator, FollowsAMouseWithoutNoise) {
-  OnAFloor mouse(hardware(), test::no_noise());
+  OnAFloor mouse(hardware(), no_errors);
   mouse.drive(600, 0.2, 0.2);
   EXPECT_LT(mouse.error(), 0.05) << "straight on";
   for (int i = 0; i < 5; ++i) {
@@ -66,7 +66,7 @@ TEST(Estimator, FollowsAMouseWithoutNoise) {
 }
 
 TEST(Estimator, KnowsHowFastItIs) {
-  OnAFloor mouse(hardware(), test::no_noise());
+  OnAFloor mouse(hardware(), no_errors);
   for (int i = 0; i < 10; ++i) {
     mouse.drive(50, 0.05 * i, 0.04 * i);
     EXPECT_NEAR(mouse.estimator().speed(), mouse.body().motion().speed, 0.02 * mouse.body().motion().speed + 3.0);
@@ -80,7 +80,7 @@ TEST(Estimator, FeelsHowItSlips) {
   for (const bool slides : {false, true}) {
     Hardware built = hardware();
     (slides ? built.tyres.grip : built.tyres.stiffness) /= 6.0;
-    OnAFloor mouse(built, test::no_noise());
+    OnAFloor mouse(built, no_errors);
     mouse.drive(400, 0.1, 0.1);
     bool slid = false;
     for (int curve = 0; curve < 3; ++curve) {
@@ -103,7 +103,7 @@ TEST(Estimator, FeelsHowItSlips) {
 TEST(Estimator, TellsOfTheSlipOfTheBook) {
   Hardware built = hardware();
   built.tyres.grip /= 6.0;
-  OnAFloor mouse(built, test::no_noise());
+  OnAFloor mouse(built, no_errors);
   mouse.drive(400, 0.1, 0.1);
   mouse.drive(150, 0.0, 0.2);
   EXPECT_GT(std::abs(mouse.estimator().slip()), 0.08);
@@ -116,6 +116,7 @@ double across_a_curve(double felt, double noise) {
   Hardware book = hardware();
   book.noise = {};
   book.noise.acceleration = noise;
+  book.variation = {.stiffness = 0.3};
   Estimator estimator(book, 90.0, 0.2);
   estimator.put({0.0, 0.0}, {1.0, 0.0});
   constexpr double speed = 330.0, turning = 8.0;
@@ -140,7 +141,7 @@ TEST(Estimator, IsLessSureAsideTheMoreItSlipsAndTheLessExactlyItFeelsThat) {
 }
 
 TEST(Estimator, CountsATickOnce) {
-  OnAFloor mouse(hardware(), test::no_noise());
+  OnAFloor mouse(hardware(), no_errors);
   mouse.drive(300, 0.2, 0.25);
   const Position before = mouse.estimator().position();
   const Direction ahead = mouse.estimator().ahead();
@@ -184,7 +185,7 @@ TEST(Estimator, DoesNotBelieveWhatIsMoreThanThreeDeviationsOff) {
 }
 
 TEST(Estimator, TurnsAnErrorOfTheAngleIntoOneAside) {
-  OnAFloor mouse(hardware(), test::no_noise());
+  OnAFloor mouse(hardware(), no_errors);
   const double turned = mouse.estimator().variance_of(0.0, 0.0, 1.0);
   const Direction ahead = direction_of(0.4);
   const double before = mouse.estimator().variance_of(-ahead.sine, ahead.cosine, 0.0);
@@ -201,8 +202,8 @@ TEST(Estimator, LearnsHowMuchItsEncodersOverstate) {
   Hardware built = hardware();
   built.noise = {};
   built.noise.shaking_speed = 1.0;
-  NoiseLevel level;
-  OnAFloor mouse(built, level);
+  built.variation = {};
+  OnAFloor mouse(built, {});
   // A way of which it is told each so often where it is: it is told of less than it counts.
   for (int i = 0; i < 30; ++i) {
     mouse.drive(100, 0.2, 0.2);

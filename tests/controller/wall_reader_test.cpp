@@ -37,13 +37,12 @@ const Maze& half_open() {
 /// The evidence of a mouse that passes the middle cell northwards, really so far aside and ahead of where it believes
 /// to be, and as sure of its place as so many mm and a share of its angle.
 WallEvidence passing(double aside, double ahead, double sure) {
-  NoiseLevel none = test::no_noise();
   const Field field(half_open(), cell);
-  const RobotSample robot_sample(hardware(), none, half_open().size(), 1);
+  const RobotSample robot_sample(hardware(), no_errors, half_open().size(), 1);
   const Beams beams(field, hardware().sensors, robot_sample);
   Hardware book = hardware();
-  book.noise.placement = sure / 2.0;
-  book.noise.placement_turn = 1e-6;
+  book.variation.placement = sure / 2.0;
+  book.variation.placement_turn = 1e-6;
   WallReader reader(book, cell);
   reader.begin({{1, 1}, Heading::north});
   Estimator estimator(book, cell, 0.2);
@@ -94,7 +93,7 @@ TEST(WallReader, IsLessSureTheLessItKnowsOfItsPlace) {
 /// that.
 Evidence ranging(double sure) {
   Hardware book = hardware();
-  book.noise.placement = sure / 2.0;
+  book.variation.placement = sure / 2.0;
   WallReader reader(book, cell);
   reader.begin({{1, 1}, Heading::north});
   Estimator estimator(book, cell, 0.2);
@@ -164,13 +163,11 @@ void add(Tallies& tallies, Evidence evidence, bool stands) {
 }
 
 /// Of mice that wander in mazes of contests.
-Tallies read_walls(const DriveModel& model, double noise, int mazes) {
+Tallies read_walls(const DriveModel& model, const ErrorScale& scale, int mazes) {
   Tallies tallies;
-  NoiseLevel level;
-  level.all = noise;
   for (int i = 0; i < mazes; ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
-    test::Driven driven(contest_generator.make({{16, 16}, seed, 60}), model, level, seed);
+    test::Driven driven(contest_generator.make({{16, 16}, seed, 60}), model, scale, seed);
     Rng rng(seed);
     if (!driven.drive_on()) continue;
     for (int move = 0; move < 40; ++move) {
@@ -193,11 +190,11 @@ Tallies read_walls(const DriveModel& model, double noise, int mazes) {
   return tallies;
 }
 
-TEST(Evidence, IsNeverSureAndWrongByTheNoiseThatItKnows) {
+TEST(Evidence, IsNeverSureAndWrongByTheErrorsThatItKnows) {
   LABMOUSE_SKIP_SANITIZED();
   for (const DriveModel* model : {&test::kerise(), &test::classic(), &test::beginner()}) {
     SCOPED_TRACE(model->robot.name);
-    const Tallies tallies = read_walls(*model, 1.0, test::some_of(200));
+    const Tallies tallies = read_walls(*model, {}, test::some_of(200));
     int all = 0, wrong = 0;
     for (std::size_t nats = 0; nats < tallies.size(); ++nats) {
       all += tallies[nats].all;
@@ -212,10 +209,26 @@ TEST(Evidence, IsNeverSureAndWrongByTheNoiseThatItKnows) {
   }
 }
 
-/// Four times as much noise as it knows of: then it errs, and where it does it is less sure.
+/// At a contest, whose variation the reader knows: of evidence of n nats, about one of e^n is wrong.
+TEST(Evidence, IsWrongAsOftenAsItSays) {
+  LABMOUSE_SKIP_SANITIZED();
+  const Tallies tallies = read_walls(test::model_of("kerise"), {}, test::some_of(400));
+  int all = 0, wrong = 0;
+  for (std::size_t nats = 0; nats < tallies.size(); ++nats) {
+    all += tallies[nats].all;
+    wrong += tallies[nats].wrong;
+    // Evidence is limited to 8 nats, but few readings deserve as many.
+    const double expected = tallies[nats].all * std::exp(-std::min(6.0, static_cast<double>(nats)));
+    EXPECT_LE(tallies[nats].wrong, 3.0 * expected + 3.0 * std::sqrt(expected) + 1.0) << nats << " nats";
+  }
+  EXPECT_GT(wrong, 0);
+  EXPECT_LE(wrong, 0.03 * all);
+}
+
+/// Four times as many errors as it knows of: then it errs, and where it does it is less sure.
 TEST(Evidence, IsWrongLessOftenTheSurerItIs) {
   LABMOUSE_SKIP_SANITIZED();
-  const Tallies tallies = read_walls(test::kerise(), 4.0, test::some_of(200));
+  const Tallies tallies = read_walls(test::kerise(), {.noise = 4.0, .variation = 4.0}, test::some_of(200));
   const auto share = [&](std::size_t from, std::size_t to) {
     Tally sum;
     for (std::size_t nats = from; nats < to; ++nats) {

@@ -29,7 +29,6 @@ Contest contest(const Launch& launch, MazeTime limit = 3600'000'000) {
   DriveRules rules = find_rules("all-japan").rules;
   rules.time_limit = limit;
   PhysicalConditions conditions;
-  conditions.noise = {};
   conditions.trace_every = 1;
   ExternalController code(launch, "labmouse pilot 1\nbegin\n");
   Contest held;

@@ -25,14 +25,14 @@ LABMOUSE_FUZZER(failure_rates) {
   const FailureRates failure_rates = rates_of(*read.file);
   require(!failure_rates.paces.empty());
   for (const RatesAtPace& pace : failure_rates.paces) {
-    require(!pace.noises.empty());
-    for (const RatesAtNoise& noise : pace.noises)
-      for (const FailureRatesByDraw& by_draws : noise.by_draws) {
-        require(are_shares(by_draws.put));
-        for (const auto& levels : by_draws.manoeuvres)
+    require(!pace.variations.empty());
+    for (const RatesAtVariation& noise : pace.variations)
+      for (const FailureRatesByBrightness& by_brightness : noise.by_brightness) {
+        require(are_shares(by_brightness.put));
+        for (const auto& levels : by_brightness.manoeuvres)
           for (const ManoeuvreRates& failure : levels)
             require(failure.crash >= 0.0 && failure.crash <= 1.0 && are_shares(failure.after));
-        for (const auto& levels : by_draws.readings)
+        for (const auto& levels : by_brightness.readings)
           for (const ReadingRates& failure : levels) require(are_shares(failure));
       }
   }

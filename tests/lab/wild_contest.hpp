@@ -34,9 +34,9 @@ inline constexpr int most_decisions = 20 * (wild_time / 1'000'000);
 
 /// As many readings as that are of any evidence, the others right and sure.
 inline FailureRates wild_rates(double wild, double crash) {
-  RatesAtNoise noise = no_failures();
-  noise.noise = 1.0;
-  for (FailureRatesByDraw& some : noise.by_draws) {
+  RatesAtVariation rates = no_failures();
+  rates.variation = 1.0;
+  for (FailureRatesByBrightness& some : rates.by_brightness) {
     for (auto& levels : some.readings)
       for (ReadingRates& shares : levels)
         for (double& share : shares) share = (1.0 - wild) * share + wild / static_cast<double>(evidence_classes);
@@ -44,7 +44,7 @@ inline FailureRates wild_rates(double wild, double crash) {
       for (ManoeuvreRates& failure : levels) failure.crash = crash;
   }
   FailureRates failure_rates;
-  failure_rates.paces = {{1.0, {noise}}};
+  failure_rates.paces = {{1.0, {rates}}};
   return failure_rates;
 }
 

@@ -24,7 +24,7 @@ LOGS = Path(os.environ.get("LABMOUSE_LOGS", ROOT.parent / "shared" / "cases" / "
 
 @pytest.fixture(scope="module")
 def robot():
-    return fit.base_numbers("classic") | {"motors.sag": 0.0, "noise.encoder_scale": 0.002, "noise.gyro_scale": 0.002}
+    return fit.base_numbers("classic") | {"motors.sag": 0.0, "variation.encoder_scale": 0.002, "variation.gyro_scale": 0.002}
 
 
 def driven(duties, gain=4000.0, time=0.15, zone=0.05, step=1, seed=1, row=None):

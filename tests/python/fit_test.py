@@ -90,7 +90,7 @@ class Simulator:
 @pytest.fixture(scope="module")
 def robot():
     """The parameters of kerise, with the mm per count and the track of the simulated mouse."""
-    changes = {"sensors.count": 0.1, "body.half_track": 20.0, "motors.sag": 0.0, "noise.encoder_scale": 0.002, "sensors.side_angle": math.pi / 2}
+    changes = {"sensors.count": 0.1, "body.half_track": 20.0, "motors.sag": 0.0, "variation.encoder_scale": 0.002, "sensors.side_angle": math.pi / 2}
     return fit.base_numbers("kerise") | changes
 
 
@@ -113,7 +113,7 @@ def test_a_drive_of_the_physical_world_gives_its_robot_back(driven, tmp_path):
         assert abs(numbers[key].value - base[key]) < 2.86 * numbers[key].error, key
     assert numbers["motors.drive_gain"].error < 0.005 * base["motors.drive_gain"]
     assert numbers["sensors.count"].error < 0.001 * base["sensors.count"]
-    assert abs(numbers["sensors.count"].value / base["sensors.count"] - 1.0) < 3.0 * base["noise.encoder_scale"]
+    assert abs(numbers["sensors.count"].value / base["sensors.count"] - 1.0) < 3.0 * base["variation.encoder_scale"]
     file = tmp_path / "mine.toml"
     result = fit.robot_of_logs([fitted], "kerise")
     file.write_text(result.text, encoding="utf-8")
@@ -141,7 +141,7 @@ def test_a_mouse_of_another_making_is_recovered(robot):
 def test_errors_of_motors_contain_those_of_counts_and_of_the_scale_of_the_gyro(robot):
     log = Simulator(1).drive(30)
     travelled = abs(log["left_count"][-1] + log["right_count"][-1]) / 2.0 * 0.1
-    fitted = fit.fit_log(log, robot | {"noise.gyro_scale": 0.15}, way=travelled, way_error=0.1 * travelled)
+    fitted = fit.fit_log(log, robot | {"variation.gyro_scale": 0.15}, way=travelled, way_error=0.1 * travelled)
     assert fitted.drive.gain.error == pytest.approx(0.1 * fitted.drive.gain.value, rel=0.05)
     assert fitted.turn.gain.error == pytest.approx(0.15 * fitted.turn.gain.value, rel=0.05)
 

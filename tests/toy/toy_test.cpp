@@ -237,7 +237,7 @@ TEST(ToyWorld, IsStudied) {
 }
 
 TEST(ToyWorld, IsSwept) {
-  const Variation variation = read_variation("stride=1:3:1");
+  const SweptValues variation = read_swept_values("stride=1:3:1");
   const Sweep sweep = hold_sweep("flood", variation, some_mazes(), order_with("20"));
   ASSERT_EQ(sweep.error, "");
   EXPECT_EQ(sweep.points.size(), 3U);

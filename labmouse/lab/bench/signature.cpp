@@ -98,8 +98,8 @@ void add_drives(const Maze& maze, const DriveModel& model, Hash& hash) {
 Hardware hardware() {
   Hardware all;
   all.chassis = {26.0, 16.0, 17.0, 15.0};
-  all.motors = {{3000.0, 0.125, 0.0625}, {80.0, 0.1, 0.05}, 0.002, 0.05, 4.0};
-  all.tyres = {100'000.0, 9000.0};
+  all.motors = {{3000.0, 0.125, 0.0625}, {80.0, 0.1, 0.05}, 0.002, 0.15, 0.05, 0.001, 4.0};
+  all.tyres = {100'000.0, 9000.0, 3000.0, 0.005};
   Sensors& sensors = all.sensors;
   sensors.count = 0.001;
   sensors.gyro_step = 0.001;
@@ -109,16 +109,7 @@ Hardware hardware() {
       {Beam{12, -12, -1.16}, Beam{20, -8, -0.09}, Beam{12, 12, 1.16}, Beam{20, 8, 0.09}}, 700.0, 12.9, 3600.0, 5.0};
   sensors.ranger = {20.0, 255.0, 11.0};
   Noise& noise = all.noise;
-  noise.motor_gain = noise.grip = 0.1;
-  noise.stiffness = 0.2;
-  noise.encoder_scale = 0.01;
-  noise.gyro_scale = 0.005;
   noise.gyro_bias = 0.002;
-  noise.infrared_gain = 0.03;
-  noise.reflectance = 0.05;
-  noise.floor_steps = 0.05;
-  noise.floor_turn = 0.01;
-  noise.floor_shift = 0.5;
   noise.ripple = 0.1;
   noise.ripple_length = 12.5;
   noise.encoder = 0.015;
@@ -134,8 +125,26 @@ Hardware hardware() {
   noise.shaking_speed = 300.0;
   noise.shaking_pitch = 100.0;
   noise.shaking_loss = 0.25;
-  noise.placement = 1.0;
-  noise.placement_turn = 0.0175;
+  all.variation = {.motor_gain = 0.1,
+                   .battery = 0.05,
+                   .stiffness = 0.3,
+                   .grip = 0.15,
+                   .encoder_scale = 0.01,
+                   .gyro_scale = 0.01,
+                   .acceleration_bias = 300.0,
+                   .infrared_gain = 0.15,
+                   .reflectance = 0.1,
+                   .maze_reflectance = 0.1,
+                   .post_shift = 1.0,
+                   .ambient = 30.0,
+                   .ambient_drift = 2.0,
+                   .dust = 0.15,
+                   .floor_steps = 0.05,
+                   .floor_turn = 0.01,
+                   .floor_shift = 0.5,
+                   .floor_tilt = 0.01,
+                   .placement = 1.0,
+                   .placement_turn = 0.0175};
   return all;
 }
 
@@ -205,13 +214,13 @@ std::uint64_t physical_signature() {
   built.hardware = hardware();
   DriveModel model = make_drive_model(built);
   share_route_tables(model);
-  for (const double noise : {0.0, 1.0, 4.0})
+  for (const double scale : {0.0, 1.0, 3.0})
     for (const Generator* generator : all_generators()) {
       const GeneratorOrder order{Size{7, 5}, 1, 100};
       if (!generator->refuses(order).empty()) continue;
       const Maze maze = generator->make(order);
       PhysicalConditions conditions;
-      conditions.noise.all = noise;
+      conditions.errors.noise = conditions.errors.variation = scale;
       conditions.trace_every = 100;
       for (const KnownWay way : {KnownWay::search, KnownWay::fast})
         if (const auto drive = drive_known_way(maze, model, conditions, way, 1)) add_known_drive(*drive, hash);

@@ -110,7 +110,7 @@ WorldResult make_physical(const WorldSettings& chosen) {
 
 std::shared_ptr<const World> failures_world_of(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
                                                PhysicalConditions conditions, const FailureFile& failure_rates) {
-  conditions.noise.variation = failure_rates.variation;
+  conditions.errors.noise = failure_rates.noise;
   conditions.controller.search_speed = 0.0;
   return failure_world(rules, std::move(model), conditions, failure_rates);
 }
@@ -120,7 +120,7 @@ WorldResult make_failures(const WorldSettings& chosen) {
   if (!parts.error.empty()) return {nullptr, parts.error};
   const FoundRates failure_rates = find_rates(text_of(failures_settings, chosen, "failure-rates"));
   if (!failure_rates.file) return {nullptr, failure_rates.error};
-  if (const std::string why = why_not_failures(*parts.model, parts.conditions.noise.all, *failure_rates.file);
+  if (const std::string why = why_not_failures(*parts.model, parts.conditions.errors.variation, *failure_rates.file);
       !why.empty())
     return {nullptr, why};
   return {failures_world_of(parts.rules, parts.model, parts.conditions, *failure_rates.file), "",
@@ -165,23 +165,23 @@ std::shared_ptr<const World> restore_failures(const ReadJson& json) {
   if (!json.contains("failure_rates_hash") || !json["failure_rates_hash"].is_string()) return nullptr;
   const auto failure_rates =
       builtin_rates_of(json["failure_rates"].get<std::string>(), json["failure_rates_hash"].get<std::string>());
-  if (!failure_rates || !why_not_failures(*parts->model, parts->conditions.noise.all, *failure_rates).empty())
+  if (!failure_rates || !why_not_failures(*parts->model, parts->conditions.errors.variation, *failure_rates).empty())
     return nullptr;
   return failures_world_of(parts->rules, parts->model, parts->conditions, *failure_rates);
 }
 
 }  // namespace
 
-/// The highest level of noise at which failure rates were measured for every pace.
-double most_noise_of(const FailureFile& failure_rates) {
-  double most = failure_rates.tallies.back().noise;
+/// The largest variation at which failure rates were measured for every pace.
+double most_variation_of(const FailureFile& failure_rates) {
+  double most = failure_rates.tallies.back().variation;
   for (std::size_t i = 0; i + 1 < failure_rates.tallies.size(); ++i)
     if (failure_rates.tallies[i].pace != failure_rates.tallies[i + 1].pace)
-      most = std::min(most, failure_rates.tallies[i].noise);
+      most = std::min(most, failure_rates.tallies[i].variation);
   return most;
 }
 
-std::string why_not_failures(const DriveModel& model, double noise, const FailureFile& failure_rates) {
+std::string why_not_failures(const DriveModel& model, double variation, const FailureFile& failure_rates) {
   if (failure_rates.tables != hash_text(model.tables.hash))
     return fmt::format(
         "error: --failure-rates: {} were counted of the robot {}, which is not that of --robot, {}; count those of "
@@ -197,9 +197,9 @@ std::string why_not_failures(const DriveModel& model, double noise, const Failur
         "error: --failure-rates: {} were counted in edition {} of the physical world, which is edition {} now; count "
         "them again with `labmouse failure-rates --save FILE`",
         shown(failure_rates.name), failure_rates.edition, physical_edition);
-  if (const double most = most_noise_of(failure_rates); noise > most)
-    return fmt::format("error: --noise: {:g} is more than {:g}, the most under which {} were counted", noise, most,
-                       shown(failure_rates.name));
+  if (const double most = most_variation_of(failure_rates); variation > most)
+    return fmt::format("error: --variation: {:g} is more than {:g}, the most under which {} were counted", variation,
+                       most, shown(failure_rates.name));
   return "";
 }
 

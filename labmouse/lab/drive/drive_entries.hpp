@@ -15,6 +15,6 @@ extern const WorldEntry failures_entry;
 
 /// Why these failure rates cannot be used for that robot under that noise; the message names the options to change.
 /// Empty if they can be used.
-std::string why_not_failures(const DriveModel& model, double noise, const FailureFile& failure_rates);
+std::string why_not_failures(const DriveModel& model, double variation, const FailureFile& failure_rates);
 
 }  // namespace labmouse

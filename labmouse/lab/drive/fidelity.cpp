@@ -17,8 +17,8 @@ struct MazeCount {
   int contests = 0, physical = 0, failures = 0;
 };
 
-Fidelity fidelity_of(const Race& physical, const Race& failures, std::size_t mouse, double noise) {
-  Fidelity sum = {physical.mice[mouse].name, noise, 0, 0, 0, 0.0, std::nullopt};
+Fidelity fidelity_of(const Race& physical, const Race& failures, std::size_t mouse, double variation) {
+  Fidelity sum = {physical.mice[mouse].name, variation, 0, 0, 0, 0.0, std::nullopt};
   std::vector<MazeCount> by_maze(physical.mazes.size());
   for (std::size_t i = 0; i < physical.results.size(); ++i) {
     const ContestResult& one = physical.results[i];
@@ -49,10 +49,10 @@ std::vector<Fidelity> compare_worlds(const FailureOrder& order, const FailureFil
   std::vector<Fidelity> all;
   RaceHooks hooks;
   hooks.stop = stop;
-  for (const double noise : order.noises) {
+  for (const double variation : order.variations) {
     PhysicalConditions conditions = order.conditions;
-    conditions.noise.all = noise;
-    conditions.noise.variation = failure_rates.variation;
+    conditions.errors.noise = failure_rates.noise;
+    conditions.errors.variation = variation;
     const auto race_in = [&](std::shared_ptr<const World> world) {
       RaceOrder race;
       race.world = std::move(world);
@@ -65,7 +65,7 @@ std::vector<Fidelity> compare_worlds(const FailureOrder& order, const FailureFil
     const Race failures = race_in(failure_world(order.rules, order.model, conditions, failure_rates));
     if (physical.stopped || failures.stopped) return all;
     for (std::size_t mouse = 0; mouse < physical.mice.size(); ++mouse)
-      all.push_back(fidelity_of(physical, failures, mouse, noise));
+      all.push_back(fidelity_of(physical, failures, mouse, variation));
   }
   return all;
 }
@@ -79,12 +79,12 @@ bool is_faithful(const Fidelity& fidelity, const FidelityBars& bars) {
 std::string table_of(std::span<const Fidelity> all, const FidelityBars& bars) {
   std::size_t width = 5;
   for (const Fidelity& each : all) width = std::max(width, shown(each.mouse).size());
-  std::string text = fmt::format("{:<{}} {:>6} {:>9} {:>10} {:>10} {:>11} {:>15}\n", "mouse", width, "noise",
+  std::string text = fmt::format("{:<{}} {:>9} {:>9} {:>10} {:>10} {:>11} {:>15}\n", "mouse", width, "variation",
                                  "contests", "physical %", "failures %", "difference", "95 %");
   for (const Fidelity& each : all) {
     const auto percent = [&](int finished) { return 100.0 * finished / std::max(1, each.contests); };
     text += fmt::format(
-        "{:<{}} {:>6g} {:>9} {:>10.1f} {:>10.1f} {:>+11.1f} {:>15}{}\n", shown(each.mouse), width, each.noise,
+        "{:<{}} {:>9g} {:>9} {:>10.1f} {:>10.1f} {:>+11.1f} {:>15}{}\n", shown(each.mouse), width, each.variation,
         each.contests, percent(each.physical), percent(each.failures), 100.0 * each.difference,
         each.interval ? fmt::format("{:+.1f} to {:+.1f}", 100.0 * each.interval->low, 100.0 * each.interval->high)
                       : "-",

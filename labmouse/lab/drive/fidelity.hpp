@@ -13,10 +13,10 @@
 
 namespace labmouse {
 
-/// A mouse under one noise.
+/// A mouse under one variation.
 struct Fidelity {
   std::string mouse;
-  double noise = 0.0;
+  double variation = 0.0;
   int contests = 0;
   int physical = 0, failures = 0;  ///< of them finished with a score, in each world
   /// By how much the share is larger in the failure model, with its interval over mazes; nothing of one maze alone.
@@ -30,7 +30,7 @@ struct FidelityBars {
   double interval = 0.05;
 };
 
-/// Runs all contests of an order in both worlds. Returns the comparison for each mouse under each noise.
+/// Runs all contests of an order in both worlds. Returns the comparison for each mouse under each variation.
 std::vector<Fidelity> compare_worlds(const FailureOrder& order, const FailureFile& failure_rates,
                                      std::span<const Contestant> mice, std::span<const NamedMaze> mazes,
                                      const std::atomic<bool>* stop = nullptr);

@@ -14,6 +14,7 @@
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/mice/stoppable.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/text/errors_text.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -55,7 +56,7 @@ class PhysicalWorld : public DriveWorld {
     return all;
   }
   int edition() const override { return physical_edition; }
-  std::string heading() const override { return ", " + noise_text(); }
+  std::string heading() const override { return ", " + errors_text(); }
 
   std::string refuse(const Contestant& mouse) const override {
     if (std::holds_alternative<ControllerProgram>(mouse.kind))
@@ -78,7 +79,7 @@ class PhysicalWorld : public DriveWorld {
         "Rules {}: {}. Lower is better; mice that finished more contests come first.\nRobot {}, cells of {:g} mm, {}. "
         "'score' is the mean of finished contests; 'failures at limit' counts the others as {:g} {}.\nCrashes: the "
         "tyres slipped, the mouse lost its position, or it hit a wall that its map had as open.\n{}\n",
-        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, noise_text(), limit_score(),
+        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, errors_text(), limit_score(),
         unit(), bound_words(race));
   }
 
@@ -92,10 +93,7 @@ class PhysicalWorld : public DriveWorld {
   }
 
  private:
-  /// The noise was measured on one robot. The variation between mice is an assumption, so it is stated, too.
-  std::string noise_text() const {
-    return fmt::format("noise {:g}, variation {:g}", conditions_.noise.all, conditions_.noise.variation);
-  }
+  std::string errors_text() const { return text_of(conditions_.errors); }
 
   DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
                       bool traced, const std::atomic<bool>* stop) const override {

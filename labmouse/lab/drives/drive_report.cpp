@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "labmouse/lab/drives/known_drives.hpp"
@@ -36,19 +37,20 @@ Json readings_json(const WallReadings& readings) {
 }  // namespace
 
 std::string table_of(std::span<const DriveTally> tallies, const DriveOrder& order) {
-  std::string text =
-      fmt::format("Robot {}, variation {:g}\n\n", shown(order.model->robot.name), tallies.front().variation);
-  text += fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", "",
+  std::size_t width = 14;
+  for (const DriveTally& tally : tallies) width = std::max(width, shown(tally.name).size());
+  std::string text = fmt::format("Robot {}\n\n", shown(order.model->robot.name));
+  text += fmt::format("{:<{}} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", width, "",
                       "crashed", "95 %", "without", "worst", "lateral", "longit.", "heading", "max. lateral", "side",
                       "front", "cells a");
   text +=
-      fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", "runs", "%",
+      fmt::format("{:<{}} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", width, "runs", "%",
                   "interval", "any %", "maze %", "mm", "mm", "deg.", "50, 95 % mm", "wrong %", "wrong %", "crash");
   for (const DriveTally& tally : tallies) {
     const Interval& interval = tally.interval;
     text += fmt::format(
-        "{:<14} {:>6} {:>8.2f} {:>13} {:>7.0f} {:>7.0f} {:>8.2f} {:>8.2f} {:>8.2f} {:>12} {:>9.4f} {:>9.4f} {:>8}\n",
-        shown(tally.name), tally.runs, 100.0 * share_of(tally.crashed, tally.runs),
+        "{:<{}} {:>6} {:>8.2f} {:>13} {:>7.0f} {:>7.0f} {:>8.2f} {:>8.2f} {:>8.2f} {:>12} {:>9.4f} {:>9.4f} {:>8}\n",
+        shown(tally.name), width, tally.runs, 100.0 * share_of(tally.crashed, tally.runs),
         fmt::format("{:.2f}-{:.2f}", 100.0 * interval.low, 100.0 * interval.high),
         100.0 * share_of(tally.mazes_without_crash, tally.mazes), 100.0 * tally.worst_share,
         deviation(tally.truth.aside, tally.ticks), deviation(tally.truth.along, tally.ticks),
@@ -66,7 +68,6 @@ std::string json_of(std::span<const DriveTally> tallies, const DriveOrder& order
   for (const DriveTally& tally : tallies) {
     const Interval& interval = tally.interval;
     list.push_back({{"name", tally.name},
-                    {"variation", tally.variation},
                     {"stopped", tally.stopped},
                     {"mazes", tally.mazes},
                     {"mazes_without_crash", tally.mazes_without_crash},

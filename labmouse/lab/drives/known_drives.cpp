@@ -67,7 +67,6 @@ std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<cons
   for (std::size_t c = 0; c < cases.size(); ++c) {
     DriveTally& tally = tallies.emplace_back();
     tally.name = cases[c].name;
-    tally.variation = cases[c].conditions.noise.variation;
     std::vector<MazeSum> crashes;
     for (std::size_t m = 0; m < mazes.size(); ++m) {
       const auto& [here, stopped] = drives[c * mazes.size() + m];
@@ -95,12 +94,12 @@ bool is_stopped(std::span<const DriveTally> tallies) {
   return std::any_of(tallies.begin(), tallies.end(), [](const DriveTally& tally) { return tally.stopped; });
 }
 
-std::vector<DriveCase> cases_by_group(const PhysicalConditions& conditions) {
+std::vector<DriveCase> cases_by_cause(const PhysicalConditions& conditions) {
   std::vector<DriveCase> cases = {{"all", conditions}};
-  for (std::size_t group = 0; group < noise_groups; ++group) {
-    DriveCase& alone = cases.emplace_back(DriveCase{std::string(name_of(static_cast<NoiseGroup>(group))), conditions});
-    alone.conditions.noise.groups.fill(0.0);
-    alone.conditions.noise.groups[group] = conditions.noise.groups[group];
+  for (std::size_t cause = 0; cause < error_causes; ++cause) {
+    DriveCase& alone = cases.emplace_back(DriveCase{std::string(name_of(static_cast<ErrorCause>(cause))), conditions});
+    alone.conditions.errors.causes.fill(0.0);
+    alone.conditions.errors.causes[cause] = conditions.errors.causes[cause];
   }
   return cases;
 }

@@ -1,5 +1,5 @@
-// Tests the controller on known routes: rates of crashes, tracking errors and wall detection errors. Compares noise
-// groups, and corrections of the estimated pose by sensed walls.
+// Tests the controller on known routes: rates of crashes, tracking errors and wall detection errors. Compares causes
+// of errors, and corrections of the estimated pose by sensed walls.
 #pragma once
 
 #include <atomic>
@@ -34,7 +34,6 @@ struct DriveOrder {
 /// Results of all drives of a case, in mazes with a route.
 struct DriveTally {
   std::string name;
-  double variation = 0.0;  ///< scale of the differences between robot samples, 1 as measured
   bool stopped = false;    ///< whether it was stopped before all drives were done
   int mazes = 0;
   int mazes_without_crash = 0;
@@ -63,8 +62,8 @@ std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<cons
 /// Whether drives are missing, because they were stopped.
 bool is_stopped(std::span<const DriveTally> tallies);
 
-/// The conditions with all noise, then with each noise group alone.
-std::vector<DriveCase> cases_by_group(const PhysicalConditions& conditions);
+/// The conditions with all errors, then with each cause of errors alone.
+std::vector<DriveCase> cases_by_cause(const PhysicalConditions& conditions);
 /// The conditions with all corrections; with side walls only; with wall edges and walls ahead only; and with none.
 std::vector<DriveCase> cases_by_correction(const PhysicalConditions& conditions);
 

@@ -8,7 +8,7 @@ OpenFloor::OpenFloor(const Hardware& hardware, double cell, double stronger)
     : hardware_(hardware),
       maze_(MazeDraft({1, 1}, MazeDraft::Inside::open)),
       field_(maze_, cell),
-      robot_sample_(hardware, {0.0}, maze_.size(), 0),
+      robot_sample_(hardware, no_errors, maze_.size(), 0),
       plant_(field_, hardware, robot_sample_, 0),
       control_(gains_for(hardware, cell), hardware.motors) {
   robot_sample_.motor = {1.0 - stronger / 2.0, 1.0 + stronger / 2.0};

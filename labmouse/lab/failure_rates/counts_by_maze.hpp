@@ -51,9 +51,9 @@ CountsByMaze counts_of(const MeasuredRates& measured, std::size_t place, Of of) 
   return {of(measured.tallies[place]), std::move(mazes)};
 }
 
-/// The counts of the contests whose robot sample is in class `draws`.
-inline CountsByMaze of_draws(const MeasuredRates& measured, std::size_t place, std::size_t draws) {
-  return counts_of(measured, place, [&](const FailureTally& tally) { return tally.by_draws[draws]; });
+/// The counts of a class of brightness.
+inline CountsByMaze of_brightness(const MeasuredRates& measured, std::size_t place, std::size_t bright) {
+  return counts_of(measured, place, [&](const FailureTally& tally) { return tally.by_brightness[bright]; });
 }
 
 }  // namespace labmouse

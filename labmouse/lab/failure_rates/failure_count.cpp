@@ -12,8 +12,14 @@ constexpr double turning = 0.1;
 
 class FailureCounter {
  public:
-  FailureCounter(const PhysicalRecord& record, const Maze& maze, double cell, double pace, FailureCounts& counts)
-      : record_(record), maze_(maze), cell_(cell), pace_(pace), counts_(counts) {}
+  FailureCounter(const PhysicalRecord& record, const Maze& maze, double cell, const RobotSample& sample,
+                 FailureTally& tally)
+      : record_(record),
+        maze_(maze),
+        cell_(cell),
+        sample_(sample),
+        tally_(tally),
+        counts_(tally.by_brightness[brightness_class(sample.brightness())]) {}
 
   void count() {
     ++counts_.contests;
@@ -98,7 +104,7 @@ class FailureCounter {
   void count_fast(const DriveRun& run, RunEnd end) {
     // Times of a route are at the usual pace; this converts them to the time of the contest.
     const auto clock = [&](DriveTime time) {
-      return run.begin + static_cast<MazeTime>(static_cast<double>(time) / (pace_ * run.pace));
+      return run.begin + static_cast<MazeTime>(static_cast<double>(time) / (tally_.pace * run.pace));
     };
     const auto& segments = run.route.segments;
     for (const DriveSegment& segment : segments) {
@@ -113,32 +119,36 @@ class FailureCounter {
   void count_look(const Look& look) {
     const std::size_t level = level_at(look.time);
     const Pose& pose = look.pose;
-    count_reading(pose.cell, left_of(pose.heading), look.evidence.left, false, level);
-    count_reading(pose.cell, pose.heading, look.evidence.ahead, true, level);
-    count_reading(pose.cell, right_of(pose.heading), look.evidence.right, false, level);
+    count_reading(pose, left_of(pose.heading), look.evidence.left, level);
+    count_reading(pose, pose.heading, look.evidence.ahead, level);
+    count_reading(pose, right_of(pose.heading), look.evidence.right, level);
   }
 
-  void count_reading(Cell cell, Heading side, Evidence evidence, bool ahead, std::size_t level) {
-    const Wall wall = wall_at(cell, side);
+  void count_reading(const Pose& pose, Heading side, Evidence evidence, std::size_t level) {
+    const Wall wall = wall_at(pose.cell, side);
     if (on_border(wall, maze_.size())) return;
-    const Reading reading = reading_of(maze_.is_open(cell, side), ahead, read_.contains(wall));
+    const bool open = maze_.is_open(pose.cell, side);
+    const Reading reading = reading_of(open, side == pose.heading, read_.contains(wall));
     read_.insert(wall);
-    ReadingCount& count = counts_.readings[static_cast<std::size_t>(reading)][level];
+    FailureCounts& counts = tally_.by_brightness[brightness_class(sample_, pose, side, !open)];
+    ReadingCount& count = counts.readings[static_cast<std::size_t>(reading)][level];
     ++count.by_evidence[evidence_class(evidence)];
   }
 
   const PhysicalRecord& record_;
   const Maze& maze_;
   double cell_;
-  double pace_;  ///< the usual one
-  FailureCounts& counts_;
+  const RobotSample& sample_;
+  FailureTally& tally_;
+  FailureCounts& counts_;  ///< of contests with this one's brightness
   WallSet read_;  ///< walls that were read before
 };
 
 }  // namespace
 
-void count_failures(const PhysicalRecord& record, const Maze& maze, double cell, double pace, FailureCounts& counts) {
-  FailureCounter(record, maze, cell, pace, counts).count();
+void count_failures(const PhysicalRecord& record, const Maze& maze, double cell, const RobotSample& sample,
+                    FailureTally& tally) {
+  FailureCounter(record, maze, cell, sample, tally).count();
 }
 
 }  // namespace labmouse

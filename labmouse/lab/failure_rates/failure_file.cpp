@@ -26,12 +26,13 @@ class FailureFileReader {
   std::string error;
 
   FailureTally tally(const ReadJson& json) {
-    JsonFields fields(json, "noises");
+    JsonFields fields(json, "variations");
     FailureTally tally;
-    tally.noise = *number_of(read_value(noise_row.setting, fields));
+    tally.variation = *number_of(read_value(variation_row.setting, fields));
     tally.pace = *number_of(read_value(pace_row.setting, fields));
-    const ReadJson& by_draws = list_of(fields, "by_draws", draw_classes);
-    for (std::size_t draws = 0; draws < by_draws.size(); ++draws) tally.by_draws[draws] = counts(by_draws[draws]);
+    const ReadJson& classes = list_of(fields, "by_brightness", brightness_classes);
+    for (std::size_t bright = 0; bright < classes.size(); ++bright)
+      tally.by_brightness[bright] = counts(classes[bright]);
     note(fields);
     return tally;
   }
@@ -68,13 +69,13 @@ class FailureFileReader {
   }
 
   FailureCounts counts(const ReadJson& json) {
-    JsonFields fields(json, "by_draws");
+    JsonFields fields(json, "by_brightness");
     FailureCounts counts;
     counts.contests = fields.long_whole("contests", 0, most_counted);
     counts.finished = fields.long_whole("finished", 0, counts.contests);
     numbers(fields.list("put"), "put", counts.put);
     if (!fields.has("manoeuvres") || !fields.has("readings"))
-      fields.reject("'by_draws' lacks its manoeuvres or readings");
+      fields.reject("'by_brightness' lacks its manoeuvres or readings");
     note(fields);
     if (!error.empty()) return counts;
     JsonFields manoeuvres(json["manoeuvres"], "manoeuvres"), readings(json["readings"], "readings");
@@ -107,7 +108,7 @@ class FailureFileReader {
 };
 
 bool comes_before(const FailureTally& a, const FailureTally& b) {
-  return a.pace < b.pace || (a.pace == b.pace && a.noise < b.noise);
+  return a.pace < b.pace || (a.pace == b.pace && a.variation < b.variation);
 }
 
 /// "failure_rates/mine.json" gives "mine".
@@ -132,23 +133,23 @@ FoundRates read_rates(std::string_view text, const std::string& name) {
   FailureFile file;
   file.name = short_name(name);
   if (fields.whole("labmouse_failure_rates", 1, 1'000'000) != failure_rates_format)
-    fields.reject(fmt::format("'labmouse_failure_rates' is not {}, the only format that this version knows",
+    fields.reject(fmt::format("'labmouse_failure_rates' is not {}, the only format that this version knows; count them again",
                               failure_rates_format));
   file.robot = fields.text("robot");
   file.tables = fields.text("tables");
   file.edition = fields.whole("edition", 1, 1'000'000);
-  file.variation = *number_of(read_value(variation_row.setting, fields));
+  file.noise = *number_of(read_value(noise_row.setting, fields));
   file.search_speed = *number_of(read_value(search_speed_row.setting, fields));
   FailureFileReader reader;
-  const ReadJson& noises = fields.list("noises");
-  if (noises.empty() || noises.size() > 100) fields.reject("'noises' has no entries, or more than 100");
+  const ReadJson& variations = fields.list("variations");
+  if (variations.empty() || variations.size() > 100) fields.reject("'variations' has no entries, or more than 100");
   if (!fields.error().empty()) return wrong(fields.error());
-  for (const ReadJson& noise : noises) {
-    file.tallies.push_back(reader.tally(noise));
+  for (const ReadJson& variation : variations) {
+    file.tallies.push_back(reader.tally(variation));
     if (!reader.error.empty()) return wrong(reader.error);
     const std::size_t count = file.tallies.size();
     if (count > 1 && !comes_before(file.tallies[count - 2], file.tallies[count - 1]))
-      return wrong("'noises' do not increase, by pace and noise");
+      return wrong("'variations' do not increase, by pace and variation");
   }
   file.hash = fmt::format("{:016x}", seed_for(0, text));
   return {std::move(file), ""};

@@ -12,7 +12,7 @@
 namespace labmouse {
 
 /// The version of the file's format.
-inline constexpr int failure_rates_format = 2;
+inline constexpr int failure_rates_format = 3;
 
 /// What was counted, and of which robot.
 struct FailureFile {
@@ -20,7 +20,7 @@ struct FailureFile {
   std::string robot;   ///< name of the robot
   std::string tables;  ///< hash of its tables
   int edition = 0;     ///< of the physical world
-  double variation = 1.0;
+  double noise = 1.0;  ///< scale of the noise
   double search_speed = 0.0;  ///< 0: the robot's own
   std::vector<FailureTally> tallies;
   std::string hash;  ///< of all that is in it
@@ -41,8 +41,9 @@ FoundRates find_rates(const std::string& name);
 /// The built-in ones of that name and hash, or nothing. A user's file can have the same name and other rates.
 std::optional<FailureFile> builtin_rates_of(const std::string& name, std::string_view hash);
 
-/// Estimates the probabilities from the counts. If a class of draws has few counts, its rates are shrunk towards those
-/// of the class under all noises; if these are few, towards those of all classes; then towards those of all manoeuvres.
+/// Estimates the probabilities from the counts. If a class of brightness has few counts, its rates are shrunk towards
+/// those of the class under all variations; if these are few, towards those of all classes; then towards those of all
+/// manoeuvres.
 FailureRates rates_of(const FailureFile& file);
 
 }  // namespace labmouse

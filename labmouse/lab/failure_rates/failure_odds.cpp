@@ -36,25 +36,25 @@ ManoeuvreRates nothing_counted(std::size_t level) {
   return failure;
 }
 
-/// Rates for one noise. `any_noise` has the counts of all noises at the same pace: mice of one class of draws fail
+/// Rates for one variation. `any` has the counts of all variations at the same pace: walls that look alike are read
 /// alike under all of them.
-RatesAtNoise odds_of(const FailureTally& tally, const FailureTally& any_noise) {
-  if (tally.noise == 0.0) return no_failures();
+RatesAtVariation odds_of(const FailureTally& tally, const FailureTally& any) {
+  if (tally.variation == 0.0) return no_failures();
   const FailureCounts all = tally.all();
-  RatesAtNoise odds = no_failures();
-  odds.noise = tally.noise;
-  for (std::size_t draws = 0; draws < draw_classes; ++draws) {
-    const FailureCounts &counts = tally.by_draws[draws], &alike = any_noise.by_draws[draws];
-    FailureRatesByDraw& by_draws = odds.by_draws[draws];
-    by_draws.put = shares_by(counts.put, shares_by(alike.put, shares_by(all.put, by_draws.put)));
+  RatesAtVariation odds = no_failures();
+  odds.variation = tally.variation;
+  for (std::size_t bright = 0; bright < brightness_classes; ++bright) {
+    const FailureCounts &counts = tally.by_brightness[bright], &alike = any.by_brightness[bright];
+    FailureRatesByBrightness& rates = odds.by_brightness[bright];
+    rates.put = shares_by(counts.put, shares_by(alike.put, shares_by(all.put, rates.put)));
     for (std::size_t level = 0; level < position_error_levels; ++level) {
       const ManoeuvreRates usual = rates_by(all.at(level), nothing_counted(level));
       for (std::size_t i = 0; i < all_manoeuvres.size(); ++i)
-        by_draws.manoeuvres[i][level] =
+        rates.manoeuvres[i][level] =
             rates_by(counts.manoeuvres[i][level],
                      rates_by(alike.manoeuvres[i][level], rates_by(all.manoeuvres[i][level], usual)));
       for (std::size_t i = 0; i < all_readings.size(); ++i) {
-        ReadingRates& reading = by_draws.readings[i][level];
+        ReadingRates& reading = rates.readings[i][level];
         reading = shares_by(
             counts.readings[i][level].by_evidence,
             shares_by(alike.readings[i][level].by_evidence, shares_by(all.readings[i][level].by_evidence, reading)));
@@ -68,21 +68,21 @@ RatesAtNoise odds_of(const FailureTally& tally, const FailureTally& any_noise) {
 
 FailureRates rates_of(const FailureFile& file) {
   FailureRates failure_rates;
-  failure_rates.variation = file.variation;
+  failure_rates.noise = file.noise;
   const auto at_pace = [&](double pace) {
     FailureTally sum;
     for (const FailureTally& tally : file.tallies)
       if (tally.pace == pace) sum += tally;
     return sum;
   };
-  FailureTally any_noise;
+  FailureTally any;
   for (const FailureTally& tally : file.tallies) {
     if (failure_rates.paces.empty() || failure_rates.paces.back().pace != tally.pace) {
       failure_rates.paces.push_back({tally.pace, {}});
-      any_noise = at_pace(tally.pace);
-      if (tally.noise > 0.0) failure_rates.paces.back().noises.push_back(no_failures());
+      any = at_pace(tally.pace);
+      if (tally.variation > 0.0) failure_rates.paces.back().variations.push_back(no_failures());
     }
-    failure_rates.paces.back().noises.push_back(odds_of(tally, any_noise));
+    failure_rates.paces.back().variations.push_back(odds_of(tally, any));
   }
   return failure_rates;
 }

@@ -1,8 +1,8 @@
 // Measures failure rates in the physical world. Contests are run. For each manoeuvre, the localization errors at its
 // beginning and end are counted, and crashes; for each wall reading, its evidence and whether it was wrong.
 //
-// Counts are by the localization error at the beginning of the manoeuvre, because it causes most of the failures: a
-// mouse that knows its position rarely detects walls wrongly or crashes.
+// Counts are by the localization error at the beginning of the manoeuvre and by how bright walls look, because these
+// cause most of the failures: a mouse that knows its position rarely crashes, and detects walls of the usual brightness.
 #pragma once
 
 #include <atomic>
@@ -24,17 +24,18 @@
 
 namespace labmouse {
 
-/// Adds a contest, driven at that pace, to the counts. Its trace must have a point every few ticks, with the estimated
-/// position. Manoeuvres after the goal of a speed run, or unfinished at the end of the time, are not counted.
-void count_failures(const PhysicalRecord& record, const Maze& maze, double cell, double pace, FailureCounts& counts);
+/// Adds a contest to the counts at its pace. Its trace must have a point every few ticks, with the estimated position.
+/// Manoeuvres after the goal of a speed run, or unfinished at the end of the time, are not counted.
+void count_failures(const PhysicalRecord& record, const Maze& maze, double cell, const RobotSample& sample,
+                    FailureTally& tally);
 
 struct FailureOrder {
   std::shared_ptr<const DriveModel> model;
   DriveRules rules;
-  PhysicalConditions conditions;  ///< except noise and pace, which are those below
-  std::vector<double> noises;
-  std::vector<double> paces = {1.0};  ///< each with all noises
-  int runs = 1;                       ///< contests of each mouse in each maze, under each noise
+  PhysicalConditions conditions;  ///< except variation and pace, which are those below
+  std::vector<double> variations;
+  std::vector<double> paces = {1.0};  ///< each with all variations
+  int runs = 1;                       ///< contests of each mouse in each maze, under each variation
   std::uint64_t seed = 1;
   int jobs = 0;  ///< threads; 0: all processors
 };
@@ -47,14 +48,14 @@ struct FailureHooks {
 };
 
 struct MeasuredRates {
-  std::vector<FailureTally> tallies;  ///< one for each pace and noise, in increasing order
+  std::vector<FailureTally> tallies;  ///< one for each pace and variation, in increasing order
   bool stopped = false;               ///< before all contests were done
   /// The tallies of each maze, for the intervals of the shares: contests in one maze are not independent. Where there
   /// are none, contests count as independent.
   std::vector<std::vector<FailureTally>> by_maze = {};
 };
 
-/// Runs all contests of mice that decide by Strategy; each has a seed of its own, the same under each noise and the
+/// Runs all contests of mice that decide by Strategy; each has a seed of its own, the same under each variation and the
 /// same as in a race of that seed.
 MeasuredRates measure_rates(const FailureOrder& order, std::span<const Contestant> mice,
                             std::span<const NamedMaze> mazes, const FailureHooks& hooks = {});

@@ -15,13 +15,16 @@
 namespace labmouse {
 namespace {
 
-/// "4 to 8", or what is below the first limit or above the last.
-std::string name_of_level(std::size_t level) {
+/// "4 to 8", in percent, or what is below the first limit or above the last.
+template <std::size_t Size>
+std::string name_of_class(std::size_t place, const std::array<double, Size>& limits) {
   const auto percent = [](double limit) { return fmt::format("{:g}", 100.0 * limit); };
-  if (level == 0) return "below " + percent(position_error_limits.front());
-  if (level == position_error_limits.size()) return percent(position_error_limits.back()) + " and more";
-  return percent(position_error_limits[level - 1]) + " to " + percent(position_error_limits[level]);
+  if (place == 0) return "below " + percent(limits.front());
+  if (place == limits.size()) return percent(limits.back()) + " and more";
+  return percent(limits[place - 1]) + " to " + percent(limits[place]);
 }
+
+std::string name_of_level(std::size_t level) { return name_of_class(level, position_error_limits); }
 
 /// A share per thousand, with its interval; dashes if nothing was counted.
 template <class ShareOf>
@@ -89,13 +92,13 @@ std::string table_of(const MeasuredRates& measured, const FailureOrder& order, s
   const FailureTally& tally = measured.tallies[place];
   const CountsByMaze counts = counts_of(measured, place, [](const FailureTally& each) { return each.all(); });
   std::string text =
-      fmt::format("Noise {:g}, variation {:g}{}: {}\n", tally.noise, order.conditions.noise.variation,
+      fmt::format("Noise {:g}, variation {:g}{}: {}\n", order.conditions.errors.noise, tally.variation,
                   tally.pace == 1.0 ? "" : fmt::format(", pace {:g}", tally.pace), finished_text_of(counts));
-  if (tally.noise > 0.0) {
-    text += "\n";
-    for (const Draws draws : all_draws)
-      if (const CountsByMaze some = of_draws(measured, place, static_cast<std::size_t>(draws)); some.all.contests > 0)
-        text += fmt::format("{:<21} {}\n", name_of(draws), finished_text_of(some));
+  if (tally.variation > 0.0) {
+    text += "\nwalls look, %\n";
+    for (std::size_t bright = 0; bright < brightness_classes; ++bright)
+      if (const CountsByMaze some = of_brightness(measured, place, bright); some.all.contests > 0)
+        text += fmt::format("{:<14} {}\n", name_of_class(bright, brightness_limits), finished_text_of(some));
   }
   const auto heading = [](std::string_view first) {
     return fmt::format("{:<14} {:>9} {:>8} {:>9} {:>15} {:>8}\n", first, "times", "crashes", "of 1000", "95 %",
@@ -163,9 +166,9 @@ Json json_of(const CountsByMaze& by_maze) {
 
 Json json_of(const MeasuredRates& measured, std::size_t place) {
   const FailureTally& tally = measured.tallies[place];
-  Json json = {{"noise", tally.noise}, {"pace", tally.pace}};
-  for (std::size_t draws = 0; draws < tally.by_draws.size(); ++draws)
-    json["by_draws"].push_back(json_of(of_draws(measured, place, draws)));
+  Json json = {{"variation", tally.variation}, {"pace", tally.pace}};
+  for (std::size_t bright = 0; bright < brightness_classes; ++bright)
+    json["by_brightness"].push_back(json_of(of_brightness(measured, place, bright)));
   return json;
 }
 
@@ -195,8 +198,8 @@ Json counts_json(const FailureCounts& counts) {
 }
 
 Json counts_json(const FailureTally& tally) {
-  Json json = {{"noise", tally.noise}, {"pace", tally.pace}};
-  for (const FailureCounts& counts : tally.by_draws) json["by_draws"].push_back(counts_json(counts));
+  Json json = {{"variation", tally.variation}, {"pace", tally.pace}};
+  for (const FailureCounts& counts : tally.by_brightness) json["by_brightness"].push_back(counts_json(counts));
   return json;
 }
 
@@ -205,14 +208,14 @@ Json heading_of(const FailureOrder& order, std::span<const Contestant> mice, std
                {"robot", order.model->robot.name},
                {"tables", fmt::format("{:016x}", order.model->tables.hash)},
                {"rules", order.rules.name},
-               {"variation", order.conditions.noise.variation},
+               {"noise", order.conditions.errors.noise},
                {"search_speed", order.conditions.controller.search_speed},
                {"map", std::string(name_of(order.conditions.map))},
                {"seed", order.seed},
                {"runs", order.runs},
                {"mazes", mazes},
-               {"error_limits", position_error_limits}};
-  for (const Draws draws : all_draws) json["severity_classes"].push_back(std::string(name_of(draws)));
+               {"error_limits", position_error_limits},
+               {"brightness_limits", brightness_limits}};
   for (const Contestant& mouse : mice) json["mice"].push_back(mouse.name);
   return json;
 }
@@ -232,7 +235,7 @@ std::string json_of(const MeasuredRates& measured, const FailureOrder& order, st
   Json json = heading_of(order, mice, mazes);
   json["stopped"] = measured.stopped;
   for (std::size_t place = 0; place < measured.tallies.size(); ++place)
-    json["noises"].push_back(json_of(measured, place));
+    json["variations"].push_back(json_of(measured, place));
   return json.dump() + "\n";
 }
 
@@ -241,7 +244,7 @@ std::string write_rates(const MeasuredRates& measured, const FailureOrder& order
   Json json = {{"labmouse_failure_rates", failure_rates_format}};
   json.update(heading_of(order, mice, mazes));
   if (measured.stopped) json["stopped"] = true;
-  for (const FailureTally& tally : measured.tallies) json["noises"].push_back(counts_json(tally));
+  for (const FailureTally& tally : measured.tallies) json["variations"].push_back(counts_json(tally));
   return json.dump() + "\n";
 }
 

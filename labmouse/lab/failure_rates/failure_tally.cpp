@@ -44,13 +44,13 @@ FailureCounts& FailureCounts::operator+=(const FailureCounts& other) {
 }
 
 FailureTally& FailureTally::operator+=(const FailureTally& other) {
-  add_all(by_draws, other.by_draws);
+  add_all(by_brightness, other.by_brightness);
   return *this;
 }
 
 FailureCounts FailureTally::all() const {
   FailureCounts sum;
-  for (const FailureCounts& counts : by_draws) sum += counts;
+  for (const FailureCounts& counts : by_brightness) sum += counts;
   return sum;
 }
 

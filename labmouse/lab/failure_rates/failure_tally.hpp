@@ -49,11 +49,12 @@ struct FailureCounts {
   friend bool operator==(const FailureCounts&, const FailureCounts&) = default;
 };
 
-/// All counts under one noise at one pace, by the class of the robot sample (Draws) that a contest drew.
+/// All counts under one variation at one pace, by class of brightness: contests and their manoeuvres by the mean of
+/// the contest, readings by that of the wall.
 struct FailureTally {
-  double noise = 0.0;
+  double variation = 0.0;
   double pace = 1.0;  ///< share of the robot's usual pace at which mice drove
-  std::array<FailureCounts, draw_classes> by_draws{};
+  std::array<FailureCounts, brightness_classes> by_brightness{};
 
   FailureTally& operator+=(const FailureTally& other);
   FailureCounts all() const;

@@ -20,12 +20,13 @@ struct MeasuredPart {
 /// Ticks between two points of the trace: a mouse goes a few millimetres in that time.
 constexpr int ticks_a_point = 5;
 
-/// The contests of one mouse in one maze under one noise at one pace.
-MeasuredPart part_of(const FailureOrder& order, double pace, double noise, const Contestant& mouse,
+/// The contests of one mouse in one maze under the variation and at the pace of that tally.
+MeasuredPart part_of(const FailureOrder& order, const FailureTally& tally, const Contestant& mouse,
                      const NamedMaze& maze, const std::atomic<bool>* stop, const std::function<void()>& finished) {
-  MeasuredPart part;
+  const double pace = tally.pace;
+  MeasuredPart part = {{tally.variation, pace, {}}};
   PhysicalConditions conditions = order.conditions;
-  conditions.noise.all = noise;
+  conditions.errors.variation = tally.variation;
   conditions.controller.pace = pace;
   conditions.trace_every = ticks_a_point;
   for (int run = 0; run < order.runs; ++run) {
@@ -40,9 +41,8 @@ MeasuredPart part_of(const FailureOrder& order, double pace, double noise, const
     const PhysicalRecord record = drive_physically(maze.maze, order.rules, *order.model, conditions, seed, stoppable);
     part.stopped = record.drive.reason == ForfeitReason::interrupted;
     if (part.stopped) return part;
-    const RobotSample body(*order.model->robot.hardware, conditions.noise, maze.maze.size(), seed);
-    const auto draws = static_cast<std::size_t>(draws_of(body));
-    count_failures(record, maze.maze, order.model->tables.cell, pace, part.tally.by_draws[draws]);
+    const RobotSample sample(*order.model->robot.hardware, conditions.errors, maze.maze.size(), seed);
+    count_failures(record, maze.maze, order.model->tables.cell, sample, part.tally);
     finished();
   }
   return part;
@@ -65,9 +65,9 @@ MeasuredRates measure_rates(const FailureOrder& ordered, std::span<const Contest
   MeasuredRates measured;
   std::vector<FailureTally>& tallies = measured.tallies;
   for (const double pace : sorted(order.paces))
-    for (const double noise : sorted(order.noises)) tallies.push_back({noise, pace, {}});
+    for (const double variation : sorted(order.variations)) tallies.push_back({variation, pace, {}});
   for (const FailureTally& tally : tallies)
-    measured.by_maze.emplace_back(mazes.size(), FailureTally{tally.noise, tally.pace, {}});
+    measured.by_maze.emplace_back(mazes.size(), FailureTally{tally.variation, tally.pace, {}});
   const std::size_t pairs = mice.size() * mazes.size();
   std::vector<MeasuredPart> parts(tallies.size() * pairs);
   const std::size_t all = parts.size() * static_cast<std::size_t>(order.runs);
@@ -78,9 +78,8 @@ MeasuredRates measure_rates(const FailureOrder& ordered, std::span<const Contest
   };
   for_each_parallel(parts.size(), order.jobs, [&](std::size_t i) {
     const std::size_t pair = i % pairs;
-    const FailureTally& of = tallies[i / pairs];
-    parts[i] =
-        part_of(order, of.pace, of.noise, mice[pair % mice.size()], mazes[pair / mice.size()], hooks.stop, finished);
+    parts[i] = part_of(order, tallies[i / pairs], mice[pair % mice.size()], mazes[pair / mice.size()], hooks.stop,
+                       finished);
   });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     tallies[i / pairs] += parts[i].tally;

@@ -13,19 +13,22 @@ inline constexpr std::array map_kind_names = {name_of(MapKind::first), name_of(M
 
 using PhysicalRow = SettingRow<PhysicalConditions>;
 
-inline constexpr PhysicalRow noise_row = row<&PhysicalConditions::noise, &NoiseLevel::all>(
+inline constexpr PhysicalRow noise_row = row<&PhysicalConditions::errors, &ErrorScale::noise>(
     {.name = "noise",
      .placeholder = "FACTOR",
-     .meaning = "Scale of all noise: 1 as measured, 0 none; several, separated by commas, give a race each",
+     .meaning = "Scale of the noise of each moment: 1 as measured, 0 none; several, separated by commas, give a race each",
      .default_value = "1",
      .high = most_noise,
      .listed = true});
-inline constexpr PhysicalRow variation_row = row<&PhysicalConditions::noise, &NoiseLevel::variation>(
+inline constexpr PhysicalRow variation_row = row<&PhysicalConditions::errors, &ErrorScale::variation>(
     {.name = "variation",
      .placeholder = "FACTOR",
-     .meaning = "Scale of the variation between mice (1 = as measured)",
-     .default_value = "4.25",
-     .high = most_variation});
+     .meaning = "Scale of the variation between mice, mazes and days, or its name: lab (0), practice (0.5), contest (1), "
+                "bad-day (1.2); several, separated by commas, give a race each",
+     .default_value = "1",
+     .high = most_variation,
+     .named = variation_levels,
+     .listed = true});
 inline constexpr PhysicalRow search_speed_row = row<&PhysicalConditions::controller, &ControllerChoice::search_speed>(
     {.name = "search-speed",
      .placeholder = "SPEED",
@@ -59,6 +62,6 @@ inline constexpr PhysicalRow map_row = {
 /// Those of the physical world, in the order of its conditions.
 inline constexpr std::array physical_rows = {noise_row, variation_row, search_speed_row, pace_row, map_row};
 /// Those of the failure model. Its failure rates determine the others.
-inline constexpr std::array failures_rows = {noise_row, pace_row, map_row};
+inline constexpr std::array failures_rows = {variation_row, pace_row, map_row};
 
 }  // namespace labmouse

@@ -22,8 +22,11 @@ std::string wrong_number(const WorldSetting& setting, const std::string& text) {
                        setting.least_chosen, setting.high, setting.unit,
                        number ? unit_hint(*number, setting.least_chosen, setting.high, setting.unit) : "");
   }
-  return fmt::format("'{}' is not a {}number from {} to {}", shown(text), setting.kind == Kind::whole ? "whole " : "",
-                     setting.low, setting.high);
+  std::string wrong = fmt::format("'{}' is not a {}number from {} to {}", shown(text),
+                                  setting.kind == Kind::whole ? "whole " : "", setting.low, setting.high);
+  for (const NamedNumber& one : setting.named)
+    wrong += fmt::format("{}{}", &one == setting.named.data() ? ", or one of " : ", ", one.name);
+  return wrong;
 }
 
 /// The text, with a former name replaced by today's. Sets `error`, such as "none of first and last", if it is no
@@ -46,6 +49,9 @@ Value chosen_value(const WorldSetting& setting, const std::string& text, std::st
     if (!error.empty()) error = fmt::format("'{}' is {}", shown(text), error);
     return today;
   }
+  const auto named = std::find_if(setting.named.begin(), setting.named.end(),
+                                  [&](const NamedNumber& one) { return one.name == text; });
+  if (named != setting.named.end()) return named->number;
   const std::optional<double> number = parse_number(text, setting.low, setting.high);
   const bool whole = setting.kind == Kind::whole;
   if (!number || (*number > setting.low && *number < setting.least_chosen) || (whole && *number != std::floor(*number)))

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "labmouse/functions/named_number.hpp"
 #include "labmouse/lab/races/figures.hpp"
 #include "labmouse/lab/races/value.hpp"
 #include "labmouse/lab/text/json_fields.hpp"
@@ -29,6 +30,8 @@ struct WorldSetting {
   double low = 0.0, high = 0.0;    ///< of a number
   /// All values of a text that takes one of a few words; empty where it takes others, too.
   std::span<const std::string_view> choices = {};
+  /// Values of a number that may be chosen by name.
+  std::span<const NamedNumber> named = {};
   /// Whether a race may have several values, separated by commas: then it is run once for each.
   bool listed = false;
   /// Names of the built-in values, if the setting takes such a name or a file.

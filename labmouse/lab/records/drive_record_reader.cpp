@@ -202,8 +202,10 @@ std::string Reading::read_segment(const ReadJson& json) {
 
 std::string Reading::read_wall(const ReadJson& json) {
   if (running_) return "the line has a wall inside a run; walls come after all runs";
-  if (file_.record.walls.size() >= static_cast<std::size_t>(2 * size().area()))
-    return "the record has more walls than the maze";
+  // A log-odds map can turn a wall over again and again.
+  constexpr std::size_t turns_of_a_wall = 100;
+  if (file_.record.walls.size() >= turns_of_a_wall * static_cast<std::size_t>(size().area()))
+    return "the record has more changes of walls than any map of the maze makes";
   JsonFields fields(json, "");
   const Pose side = pose_in(fields, "wall", size());
   WallSeen seen;

@@ -142,15 +142,15 @@ Json pose_json(const Pose& pose) { return {pose.cell.x, pose.cell.y, name_of(pos
 
 Json conditions_json(const PhysicalPart& part) {
   const PhysicalConditions& conditions = part.conditions;
-  Json groups = Json::object();
-  for (std::size_t i = 0; i < noise_groups; ++i)
-    groups[std::string(name_of(static_cast<NoiseGroup>(i)))] = conditions.noise.groups[i];
+  Json causes = Json::object();
+  for (std::size_t i = 0; i < error_causes; ++i)
+    causes[std::string(name_of(static_cast<ErrorCause>(i)))] = conditions.errors.causes[i];
   const CorrectionChoice& corrections = conditions.controller.corrections;
   Json json = {
       {"edition", part.edition},
-      {"noise", conditions.noise.all},
-      {"groups", std::move(groups)},
-      {"variation", conditions.noise.variation},
+      {"noise", conditions.errors.noise},
+      {"causes", std::move(causes)},
+      {"variation", conditions.errors.variation},
       {"handling", conditions.handling},
       {"search_speed", conditions.controller.search_speed},
       {"map", name_of(conditions.map)},
@@ -230,15 +230,18 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
     part.rates_hash = failure_rates.text("hash");
     fields.reject(failure_rates.error());
   }
-  if (!fields.has("groups") || !fields.has("corrections")) fields.reject("'physical' lacks its groups or corrections");
+  // Earlier versions had fewer causes, and called them groups.
+  const char* const causes_key = fields.has("causes") ? "causes" : "groups";
+  if (!fields.has(causes_key) || !fields.has("corrections"))
+    fields.reject("'physical' lacks its causes or corrections");
   if (fields.error().empty()) {
-    JsonFields groups(json["groups"], "groups"), corrections(json["corrections"], "corrections");
-    for (std::size_t i = 0; i < noise_groups; ++i)
-      part.conditions.noise.groups[i] =
-          groups.number(std::string(name_of(static_cast<NoiseGroup>(i))).c_str(), 0.0, noise_row.setting.high);
+    JsonFields causes(json[causes_key], causes_key), corrections(json["corrections"], "corrections");
+    for (std::size_t i = 0; i < error_causes; ++i)
+      if (const std::string name(name_of(static_cast<ErrorCause>(i))); causes.has(name.c_str()))
+        part.conditions.errors.causes[i] = causes.number(name.c_str(), 0.0, noise_row.setting.high);
     part.conditions.controller.corrections = {corrections.flag("sides"), corrections.flag("edges"),
                                               corrections.flag("front")};
-    fields.reject(groups.error());
+    fields.reject(causes.error());
     fields.reject(corrections.error());
   }
   outer.reject(fields.error());

@@ -57,7 +57,7 @@ void for_each_place(const DriveRecord& record, At at) {
 /// Whether conditions differ from those of a world only in its settings.
 bool is_of_world(const PhysicalConditions& conditions) {
   const PhysicalConditions usual;
-  return conditions.noise.groups == usual.noise.groups && conditions.handling == usual.handling &&
+  return conditions.errors.causes == usual.errors.causes && conditions.handling == usual.handling &&
          conditions.controller.corrections == usual.controller.corrections;
 }
 

@@ -16,6 +16,22 @@ constexpr HardwareKey of(std::string_view name, std::string_view meaning, std::s
   return {key, number, factor};
 }
 
+/// A key that files may leave out; then it is 0.
+constexpr HardwareKey may_lack(HardwareKey key) {
+  key.key.needed = false;
+  return key;
+}
+
+/// A standard deviation of what is drawn once a contest. Those that stood among the noise in earlier versions have a
+/// former name, and are needed.
+constexpr HardwareKey varies(std::string_view name, std::string_view meaning, std::string_view unit, double high,
+                             double& (*number)(Hardware&), std::string_view former = {}) {
+  HardwareKey key = of(name, meaning, unit, 0.0, high, number);
+  key.key.former = former;
+  key.key.needed = !former.empty();
+  return key;
+}
+
 constexpr std::array keys = {
     of("body.front", "from the middle of the axle to its foremost point", "mm", 1.0, 500.0,
        [](Hardware& h) -> double& { return h.chassis.front; }),
@@ -29,6 +45,10 @@ constexpr std::array keys = {
        [](Hardware& h) -> double& { return h.tyres.stiffness; }),
     of("body.grip", "what the tyres hold in any direction", "mm/s²", 100.0, 200000.0,
        [](Hardware& h) -> double& { return h.tyres.grip; }),
+    may_lack(of("body.downforce", "grip that the fan adds, which runs in speed runs; default 0: none", "mm/s²", 0.0, 200000.0,
+       [](Hardware& h) -> double& { return h.tyres.downforce; })),
+    may_lack(of("body.yaw_moment", "how the tyres turn it back: distance of the centre of mass ahead of the axle, divided by the square of the radius of gyration; default 0", "1/mm", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.tyres.yaw_moment; })),
     of("motors.drive_gain", "the speed that full duty leads to", "mm/s", 10.0, 100000.0,
        [](Hardware& h) -> double& { return h.motors.drive.gain; }),
     of(
@@ -45,9 +65,13 @@ constexpr std::array keys = {
        [](Hardware& h) -> double& { return h.motors.turn.dead_zone; }),
     of("motors.turning", "share of full duty that a turn of a rad/s takes from driving on", "", 0.0, 0.1,
        [](Hardware& h) -> double& { return h.motors.turning; }),
+    may_lack(of("motors.rotating", "share of the inertia that turns with the wheels; default 0: they never spin", "", 0.0, 0.9,
+       [](Hardware& h) -> double& { return h.motors.rotating; })),
     of("motors.sag", "share of the voltage that is lost at full duty", "", 0.0, 0.9,
        [](Hardware& h) -> double& { return h.motors.sag; }),
-    of("motors.volts", "of the battery at rest", "V", 0.5, 60.0, [](Hardware& h) -> double& { return h.motors.volts; }),
+    may_lack(of("motors.discharge", "share of the voltage that is lost for good in a second at full duty; default 0", "", 0.0, 0.1,
+       [](Hardware& h) -> double& { return h.motors.discharge; })),
+    of("motors.volts", "of the full battery at rest", "V", 0.5, 60.0, [](Hardware& h) -> double& { return h.motors.volts; }),
     of("sensors.count", "travel of a wheel for a count of its encoder", "mm", 1e-06, 10.0,
        [](Hardware& h) -> double& { return h.sensors.count; }),
     of("sensors.gyro_step", "yaw speed for a unit of the gyro", "rad/s", 1e-06, 1.0,
@@ -83,27 +107,8 @@ constexpr std::array keys = {
        [](Hardware& h) -> double& { return h.sensors.ranger.reach; }),
     of("sensors.ranger_period", "from one of its readings to the next", "ms", 1.0, 1000.0,
        [](Hardware& h) -> double& { return h.sensors.ranger.period; }),
-    of("noise.motor_gain", "of each motor, drawn once a contest, as are the next ten", "share", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.motor_gain; }),
-    of("noise.slip_stiffness", "the same of body.slip_stiffness", "share", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.stiffness; }),
-    of("noise.grip", "the same of body.grip", "share", 0.0, 1.0, [](Hardware& h) -> double& { return h.noise.grip; }),
-    of("noise.encoder_scale", "of each wheel", "share", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.encoder_scale; }),
-    of("noise.gyro_scale", "the same of what the gyro shows", "share", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.gyro_scale; }),
     of("noise.gyro_bias", "after each calibration at rest", "rad/s", 0.0, 10.0,
        [](Hardware& h) -> double& { return h.noise.gyro_bias; }),
-    of("noise.infrared_gain", "of each sensor, after its calibration", "share", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.infrared_gain; }),
-    of("noise.reflectance", "of each side of each wall", "share", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.reflectance; }),
-    of("noise.floor_steps", "how many boundaries between cells have a step of the floor", "share", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.floor_steps; }),
-    of("noise.floor_turn", "by how much such a step turns the mouse", "rad", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.floor_turn; }),
-    of("noise.floor_shift", "by how much it moves the mouse aside", "mm", 0.0, 100.0,
-       [](Hardware& h) -> double& { return h.noise.floor_shift; }),
     of("noise.ripple", "amplitude of an encoder's error over a turn of its magnet", "mm", 0.0, 10.0,
        [](Hardware& h) -> double& { return h.noise.ripple; }),
     of("noise.ripple_length", "travel in such a turn", "mm", 0.1, 1000.0,
@@ -133,10 +138,26 @@ constexpr std::array keys = {
         [](Hardware& h) -> double& { return h.noise.shaking_pitch; }, 0.15915494309189535),
     of("noise.shaking_loss", "how damped that is, as a share of critical", "share", 0.01, 2.0,
        [](Hardware& h) -> double& { return h.noise.shaking_loss; }),
-    of("noise.placement", "of a hand that puts it down, each way", "mm", 0.0, 100.0,
-       [](Hardware& h) -> double& { return h.noise.placement; }),
-    of("noise.placement_turn", "of the same", "rad", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.placement_turn; }),
+    varies("variation.motor_gain", "of each motor, at most a fifth off", "share", 1.0, [](Hardware& h) -> double& { return h.variation.motor_gain; }, "noise.motor_gain"),
+    varies("variation.battery", "of the voltage that the battery lacks at the start", "share", 1.0, [](Hardware& h) -> double& { return h.variation.battery; }),
+    varies("variation.slip_stiffness", "of body.slip_stiffness", "share", 1.0, [](Hardware& h) -> double& { return h.variation.stiffness; }, "noise.slip_stiffness"),
+    varies("variation.grip", "of body.grip", "share", 1.0, [](Hardware& h) -> double& { return h.variation.grip; }, "noise.grip"),
+    varies("variation.dust", "of the grip that the dust of a cell takes", "share", 1.0, [](Hardware& h) -> double& { return h.variation.dust; }),
+    varies("variation.encoder_scale", "of each wheel", "share", 1.0, [](Hardware& h) -> double& { return h.variation.encoder_scale; }, "noise.encoder_scale"),
+    varies("variation.gyro_scale", "of what the gyro shows", "share", 1.0, [](Hardware& h) -> double& { return h.variation.gyro_scale; }, "noise.gyro_scale"),
+    varies("variation.acceleration_bias", "offset of each axis of the accelerometer", "mm/s²", 10000.0, [](Hardware& h) -> double& { return h.variation.acceleration_bias; }),
+    varies("variation.infrared_gain", "of each infrared sensor, after its calibration", "share", 1.0, [](Hardware& h) -> double& { return h.variation.infrared_gain; }, "noise.infrared_gain"),
+    varies("variation.reflectance", "of each side of each wall", "share", 1.0, [](Hardware& h) -> double& { return h.variation.reflectance; }, "noise.reflectance"),
+    varies("variation.maze_reflectance", "of all walls of a maze", "share", 1.0, [](Hardware& h) -> double& { return h.variation.maze_reflectance; }),
+    varies("variation.post_shift", "of each post, in x and in y; walls stand between their posts", "mm", 20.0, [](Hardware& h) -> double& { return h.variation.post_shift; }),
+    varies("variation.ambient", "what the light of the room adds to an infrared sensor", "counts", 10000.0, [](Hardware& h) -> double& { return h.variation.ambient; }),
+    varies("variation.ambient_drift", "how that changes", "counts/√s", 10000.0, [](Hardware& h) -> double& { return h.variation.ambient_drift; }),
+    varies("variation.floor_steps", "how many boundaries between cells have a step of the floor", "share", 1.0, [](Hardware& h) -> double& { return h.variation.floor_steps; }, "noise.floor_steps"),
+    varies("variation.floor_turn", "by how much such a step turns the mouse", "rad", 1.0, [](Hardware& h) -> double& { return h.variation.floor_turn; }, "noise.floor_turn"),
+    varies("variation.floor_shift", "by how much it moves the mouse aside", "mm", 100.0, [](Hardware& h) -> double& { return h.variation.floor_shift; }, "noise.floor_shift"),
+    varies("variation.floor_tilt", "of the floor of each cell, along x and along y", "rad", 0.2, [](Hardware& h) -> double& { return h.variation.floor_tilt; }),
+    varies("variation.placement", "of a hand that puts the mouse down, each way", "mm", 100.0, [](Hardware& h) -> double& { return h.variation.placement; }, "noise.placement"),
+    varies("variation.placement_turn", "of the same", "rad", 1.0, [](Hardware& h) -> double& { return h.variation.placement_turn; }, "noise.placement_turn"),
 };
 
 }  // namespace

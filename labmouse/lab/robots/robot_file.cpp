@@ -61,7 +61,13 @@ class RobotReader {
   std::vector<Problem> problems() const { return in_order(problems_); }
 
  private:
-  const toml::node* node(std::string_view key) const {
+  const toml::node* node(std::string_view name) const {
+    const RobotKey* key = find_robot_key(name);
+    const toml::node* found = at(name);
+    return found != nullptr || key == nullptr || key->former.empty() ? found : at(key->former);
+  }
+
+  const toml::node* at(std::string_view key) const {
     const auto [section, name] = split(key);
     if (section.empty()) return root_.get(name);
     const toml::node* table = root_.get(section);
@@ -126,7 +132,9 @@ class RobotReader {
     return std::any_of(robot_keys().begin(), robot_keys().end(),
                        [&](const RobotKey& key) { return split(key.name).first == name; });
   }
-  static bool is_key(std::string_view name) { return find_robot_key(name) != nullptr; }
+  static bool is_key(std::string_view name) {
+    return find_robot_key(name) != nullptr || find_former_key(name) != nullptr;
+  }
 
   static std::string unknown(const std::string& name) {
     std::vector<std::string_view> names;

@@ -21,6 +21,7 @@ struct RobotKey {
   bool needed = true;
   Kind kind = Kind::number;
   bool of_diagonals = false;
+  std::string_view former = {};  ///< its name in earlier versions, which is read, too
 };
 
 }  // namespace labmouse

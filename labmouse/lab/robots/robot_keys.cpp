@@ -143,8 +143,14 @@ const RobotKey* find_robot_key(std::string_view name) {
   return found == keys.end() ? nullptr : &*found;
 }
 
+const RobotKey* find_former_key(std::string_view name) {
+  const auto keys = robot_keys();
+  const auto found = std::find_if(keys.begin(), keys.end(), [&](const RobotKey& key) { return key.former == name; });
+  return name.empty() || found == keys.end() ? nullptr : &*found;
+}
+
 bool is_body_section(std::string_view section) {
-  return section == "body" || section == "motors" || section == "sensors" || section == "noise";
+  return section == "body" || section == "motors" || section == "sensors" || section == "noise" || section == "variation";
 }
 
 std::string_view key_in(std::string_view sentence) {

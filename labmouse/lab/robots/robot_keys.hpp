@@ -13,6 +13,8 @@ namespace labmouse {
 std::span<const RobotKey> robot_keys();
 /// The key of that name, or null.
 const RobotKey* find_robot_key(std::string_view name);
+/// The key of that name in earlier versions, or null.
+const RobotKey* find_former_key(std::string_view name);
 /// Whether a section describes the hardware. A file has all of these sections or none.
 bool is_body_section(std::string_view section);
 

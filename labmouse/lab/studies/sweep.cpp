@@ -49,13 +49,13 @@ void describe_parameter(std::string_view spec, const BuiltinMouse* mouse, Sweep&
 }
 
 /// The values of the variants, in their canonical form for built-in mice.
-std::vector<std::string> values_of(const Variation& variation, const std::vector<Contestant>& variants) {
+std::vector<std::string> values_of(const SweptValues& swept, const std::vector<Contestant>& variants) {
   std::vector<std::string> values;
   if (entry_of(variants.front()) == nullptr) {
-    for (const std::string& value : variation.values)
+    for (const std::string& value : swept.values)
       if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
   } else {
-    for (const Contestant& variant : variants) values.emplace_back(variant.settings.choice(variation.parameter));
+    for (const Contestant& variant : variants) values.emplace_back(variant.settings.choice(swept.parameter));
   }
   return values;
 }
@@ -108,14 +108,14 @@ void race_all(const std::vector<SweptRace>& swept, const std::vector<NamedMaze>&
 
 }  // namespace
 
-Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::vector<NamedMaze>& mazes,
+Sweep hold_sweep(std::string_view spec, const SweptValues& chosen, const std::vector<NamedMaze>& mazes,
                  const RaceOrder& order, const SweepHooks& hooks, const ExternalOptions& external_mice) {
   Sweep sweep;
   sweep.order = order;
-  sweep.parameter = variation.parameter;
-  const SpecResult variants = read_variants(spec, variation.parameter, variation.values, external_mice);
-  if (sweep.error = !variation.error.empty() ? variation.error : variants.error; !sweep.error.empty()) return sweep;
-  const std::vector<std::string> values = values_of(variation, variants.contestants);
+  sweep.parameter = chosen.parameter;
+  const SpecResult variants = read_variants(spec, chosen.parameter, chosen.values, external_mice);
+  if (sweep.error = !chosen.error.empty() ? chosen.error : variants.error; !sweep.error.empty()) return sweep;
+  const std::vector<std::string> values = values_of(chosen, variants.contestants);
   describe_parameter(spec, entry_of(variants.contestants.front()), sweep);
   std::vector<SweptRace> swept;
   for (std::size_t i = 0; i < values.size(); ++i) swept.push_back({values[i], variants.contestants[i], order.world});

@@ -17,7 +17,7 @@
 namespace labmouse {
 
 /// The parameter and the values of `NAME=LOW:HIGH:STEP` or `NAME=VALUE,VALUE,...`, or an error.
-struct Variation {
+struct SweptValues {
   std::string parameter;
   /// As text. Values of a range are exact decimals: 0:1:0.1 has 0.3 and 1, without rounding errors.
   std::vector<std::string> values;
@@ -27,7 +27,7 @@ struct Variation {
 /// Largest number of values in a sweep.
 inline constexpr int most_values = 1000;
 
-Variation read_variation(std::string_view text);
+SweptValues read_swept_values(std::string_view text);
 
 /// The result of the mouse at one value, over all contests in mazes with a route.
 struct SweepPoint {
@@ -69,7 +69,7 @@ struct SweepHooks {
 
 /// Races the mouse of the SPEC at each value, always on the same mazes with the same seeds. The world must accept all
 /// these mice.
-Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::vector<NamedMaze>& mazes,
+Sweep hold_sweep(std::string_view spec, const SweptValues& chosen, const std::vector<NamedMaze>& mazes,
                  const RaceOrder& order, const SweepHooks& hooks = {}, const ExternalOptions& external_mice = {});
 
 /// Races the mouse with each robot, always on the same mazes with the same seeds. The order's world must accept it.

@@ -34,7 +34,7 @@ inline constexpr std::array former_keys = std::to_array<FormerName>({
     {"hazards", "failure_rates"},
     {"hazards_hash", "failure_rates_hash"},
     {"labmouse_hazards", "labmouse_failure_rates"},
-    {"by_luck", "by_draws"},
+    {"ranger", "ToF sensor"},
     {"throws_dice", "is_stochastic"},
     {"guest", "program"},
     {"pilot", "controller"},

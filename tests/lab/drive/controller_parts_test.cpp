@@ -27,7 +27,7 @@ const Hardware& hardware() { return *model().robot.hardware; }
 
 /// A contest of flood-return in the ring.
 PhysicalRecord contest(const ControllerParts& parts, double noise = 1.0, std::uint64_t seed = 1) {
-  PhysicalConditions conditions = test::at_noise(noise);
+  PhysicalConditions conditions = test::at_errors(noise);
   conditions.trace_every = 20;
   const DriveRules rules = find_rules("all-japan").rules;
   Briefing briefing = brief(test::ring(), rules, model(), seed);
@@ -193,7 +193,7 @@ TEST(ControllerParts, AreNotBelievedWhereTheyMakeNoSense) {
 
 TEST(ControllerParts, HaveRecordsThatAreShownAndNotDrivenAgain) {
   Ours ours;
-  const PhysicalConditions conditions = test::at_noise(1.0);
+  const PhysicalConditions conditions = test::at_errors(1.0);
   DriveRecordFile file = test::physical_file("flood-return", conditions);
   EXPECT_EQ(replay(file), "");
   file.physical->notes.foreign_parts = true;

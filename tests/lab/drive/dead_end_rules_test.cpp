@@ -8,7 +8,7 @@
 #include "labmouse/contest/script.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
 #include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/lab/noise_curves/noise_curves.hpp"
+#include "labmouse/lab/finish_curves/finish_curves.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/replays/play_seconds.hpp"
@@ -20,7 +20,7 @@
 namespace labmouse {
 namespace {
 
-using test::at_noise;
+using test::at_errors;
 using test::Says;
 
 DriveRules coverage() { return find_rules("coverage").rules; }
@@ -120,10 +120,10 @@ TEST(DeadEndRules, AreReadAndReplayedFromRecords) {
   for (const bool physical : {false, true}) {
     DriveRecordFile file = file_of(by_one_dead_end());
     if (physical) {
-      file = test::physical_file("flood", at_noise(0.0));
+      file = test::physical_file("flood", at_errors(0.0));
       file.maze = branches();
       file.rules = coverage();
-      PhysicalRecord record = test::driven_physically("flood", branches(), at_noise(0.0), 1, file.rules);
+      PhysicalRecord record = test::driven_physically("flood", branches(), at_errors(0.0), 1, file.rules);
       file.record = std::move(record.drive);
       file.physical->notes = std::move(record);
       file.recorded_score = score(file.record, file.rules).runs.at(0);
@@ -158,17 +158,17 @@ TEST(DeadEndRules, AreReadFromAFile) {
               Says("'marks'", "\"run\""));
 }
 
-/// A race of flood in the physical world. At noise 4 it crashes in some contests.
-Race race_at(double noise) {
+/// A race of flood in the physical world. At variation 2 it crashes in some contests.
+Race race_at(double variation) {
   RaceOrder order;
-  order.world = physical_world(coverage(), test::drive_model("kerise"), at_noise(noise));
+  order.world = physical_world(coverage(), test::drive_model("kerise"), test::at_variation(variation));
   order.runs = 20;
   order.jobs = 1;
   return hold_race(read_specs("flood").contestants, {{"branches", branches()}}, order);
 }
 
 TEST(DeadEndRules, CountAFailedContestAsAllMarksLost) {
-  const Race race = race_at(4.0);
+  const Race race = race_at(2.0);
   const Standing standing = standings_of(race).front();
   ASSERT_LT(standing.finished, standing.runs);
   ASSERT_GT(standing.finished, 0);
@@ -179,10 +179,10 @@ TEST(DeadEndRules, CountAFailedContestAsAllMarksLost) {
 }
 
 TEST(DeadEndRules, NameTheirUnitInTables) {
-  const Race race = race_at(4.0);
+  const Race race = race_at(2.0);
   EXPECT_THAT(table_of(race, false, false), Says("marks lost", "100 marks"));
   const std::vector<Race> races = {race_at(0.0), race};
-  EXPECT_THAT(table_of(noise_curves(races), race.world()), Says("marks lost", "counts 100"));
+  EXPECT_THAT(table_of(finish_curves(races), race.world()), Says("marks lost", "counts 100"));
   // All lines of the leaderboard are equally long.
   std::vector<std::size_t> lengths;
   std::istringstream lines(leaderboard_of(race, false, true));

@@ -185,7 +185,7 @@ TEST(DrivenSteps, EndsItsSearchIfItDoesNothingForEver) {
 
 TEST(DrivenSteps, DrivesBackToTheCellOfTheStrategyAfterACrash) {
   // One turn in five ends in a crash, and no wall is read wrongly.
-  const FailureRates rates = test::with([](FailureRatesByDraw& some) {
+  const FailureRates rates = test::with([](FailureRatesByBrightness& some) {
     for (std::size_t level = 0; level < position_error_levels; ++level)
       test::at(some, Manoeuvre::turn, level).crash = 0.2;
   });
@@ -196,7 +196,7 @@ TEST(DrivenSteps, DrivesBackToTheCellOfTheStrategyAfterACrash) {
     const Maze maze = test::any_maze(rng, 6);
     for (const MapKind map : {MapKind::first, MapKind::log_odds}) {
       SCOPED_TRACE(test::drawing_of(maze));
-      PhysicalConditions conditions = test::at_noise(1.0);
+      PhysicalConditions conditions = test::at_errors(1.0);
       conditions.map = map;
       Talk talk;
       DrivenSteps mouse = driven(maze, in_steps("flood", maze), talk);

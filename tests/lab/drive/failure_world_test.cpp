@@ -9,7 +9,7 @@
 #include "labmouse/lab/drive/drive_entries.hpp"
 #include "labmouse/lab/drive/fidelity.hpp"
 #include "labmouse/lab/failure_rates/failure_file.hpp"
-#include "labmouse/lab/noise_curves/noise_curves.hpp"
+#include "labmouse/lab/finish_curves/finish_curves.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 #include "tests/lab/drive/failures_fixture.hpp"
@@ -43,7 +43,7 @@ TEST(FailureFile, HasAllThatWasCounted) {
   EXPECT_EQ(read.file->tallies, tallies);
   EXPECT_EQ(read.file->name, "mine");
   EXPECT_EQ(read.file->robot, "kerise");
-  EXPECT_EQ(read.file->variation, order.conditions.noise.variation);
+  EXPECT_EQ(read.file->noise, order.conditions.errors.noise);
 }
 
 TEST(FailureFile, RefusesWhatIsNone) {
@@ -57,18 +57,17 @@ TEST(FailureFile, RefusesWhatIsNone) {
   };
   EXPECT_THAT(read_rates("{}", "mine.json").error, Says("mine.json", "no file of failure rates"));
   EXPECT_THAT(refused([](auto& json) { json["labmouse_failure_rates"] = 99; }), HasSubstr("labmouse_failure_rates"));
-  EXPECT_THAT(refused([](auto& json) { json["noises"] = nlohmann::json::array(); }), HasSubstr("noises"));
-  EXPECT_THAT(refused([](auto& json) { json["noises"].push_back(json["noises"][0]); }), HasSubstr("increase"));
-  EXPECT_THAT(refused([](auto& json) { json["noises"][0]["by_draws"].erase(0); }), HasSubstr("by_draws"));
-  EXPECT_THAT(refused([](auto& json) { json["noises"][0]["by_draws"][0]["put"][0] = -1; }), HasSubstr("put"));
-  EXPECT_THAT(refused([](auto& json) { json["noises"][0]["by_draws"][0].erase("readings"); }), HasSubstr("readings"));
+  EXPECT_THAT(refused([](auto& json) { json["variations"] = nlohmann::json::array(); }), HasSubstr("variations"));
+  EXPECT_THAT(refused([](auto& json) { json["variations"].push_back(json["variations"][0]); }), HasSubstr("increase"));
+  EXPECT_THAT(refused([](auto& json) { json["variations"][0]["by_brightness"].erase(0); }), HasSubstr("by_brightness"));
+  EXPECT_THAT(refused([](auto& json) { json["variations"][0]["by_brightness"][0]["put"] = {-1}; }), HasSubstr("put"));
+  EXPECT_THAT(refused([](auto& json) { json["variations"][0]["by_brightness"][0].erase("readings"); }), HasSubstr("readings"));
   EXPECT_THAT(refused([](auto& json) {
-                auto& turn = json["noises"][0]["by_draws"][0]["manoeuvres"]["turn"][0];
-                turn[0] = turn[0].template get<int>() + 1;
+                json["variations"][0]["by_brightness"][0]["manoeuvres"]["turn"][0] = {3, 1, 0, 1};
               }),
               HasSubstr("add up"));
   EXPECT_THAT(refused([](auto& json) {
-                json["noises"][0]["by_draws"][0]["readings"]["gap ahead"][0] = std::vector<int>(18, 1);
+                json["variations"][0]["by_brightness"][0]["readings"]["gap ahead"][0] = std::vector<int>(18, 1);
               }),
               HasSubstr("gap ahead"));
   EXPECT_THAT(find_rates("kerize").error, Says("kerize", "kerise"));
@@ -77,18 +76,18 @@ TEST(FailureFile, RefusesWhatIsNone) {
 TEST(FailureFile, SaysHowLikelyAllIs) {
   FailureFile file;
   FailureTally& tally = file.tallies.emplace_back();
-  tally.noise = 2.0;
-  auto& turns = tally.by_draws[1].manoeuvres[static_cast<std::size_t>(Manoeuvre::turn)][0];
+  tally.variation = 1.2;
+  auto& turns = tally.by_brightness[1].manoeuvres[static_cast<std::size_t>(Manoeuvre::turn)][0];
   turns = {100'000, 10'000, 2'500, {45'000, 45'000, 0, 0, 0}};
-  tally.by_draws[1].readings[static_cast<std::size_t>(Reading::gap_beside)][0].by_evidence[evidence_classes - 1] = 1000;
+  tally.by_brightness[1].readings[static_cast<std::size_t>(Reading::gap_beside)][0].by_evidence[evidence_classes - 1] = 1000;
   const FailureRates failure_rates = rates_of(file);
-  // Without noise nothing goes wrong.
+  // Without variation nothing goes wrong.
   ASSERT_THAT(failure_rates.paces, SizeIs(1));
-  const auto& noises = failure_rates.paces[0].noises;
-  ASSERT_THAT(noises, SizeIs(2));
-  EXPECT_EQ(noises[0].noise, 0.0);
-  EXPECT_EQ(noises[1].noise, 2.0);
-  FailureRatesByDraw counted = noises[1].by_draws[1], other = noises[1].by_draws[4];
+  const auto& variations = failure_rates.paces[0].variations;
+  ASSERT_THAT(variations, SizeIs(2));
+  EXPECT_EQ(variations[0].variation, 0.0);
+  EXPECT_EQ(variations[1].variation, 1.2);
+  FailureRatesByBrightness counted = variations[1].by_brightness[1], other = variations[1].by_brightness[4];
   EXPECT_NEAR(at(counted, Manoeuvre::turn).crash, 0.1, 1e-3);
   EXPECT_NEAR(at(counted, Manoeuvre::turn).slid, 0.25, 1e-3);
   EXPECT_NEAR(at(counted, Manoeuvre::turn).after[1], 0.5, 1e-3);
@@ -103,7 +102,7 @@ TEST(FailureFile, SaysHowLikelyAllIs) {
 }
 
 TEST(FailureWorld, IsMadeOfWhatItIsToldAndMadeAgainOfItsConditions) {
-  const WorldResult made = failures_entry.make({{"noise", "2.5"}, {"map", "log-odds"}});
+  const WorldResult made = failures_entry.make({{"variation", "1.1"}, {"map", "log-odds"}});
   ASSERT_TRUE(made.world) << made.error;
   RaceOrder order;
   order.world = made.world;
@@ -129,7 +128,7 @@ TEST(FailureWorld, RefusesWhatItCannotUse) {
     EXPECT_FALSE(made.world);
     return made.error;
   };
-  EXPECT_THAT(error({{"noise", "77"}}), Says("--noise", "77", "kerise"));
+  EXPECT_THAT(error({{"variation", "7"}}), Says("--variation", "7", "kerise"));
   EXPECT_THAT(error({{"robot", "classic"}}), Says("--failure-rates", "kerise", "classic"));
   EXPECT_THAT(error({{"failure-rates", "none"}}), HasSubstr("none"));
   EXPECT_THAT(error({{"map", "none"}}), HasSubstr("--map"));
@@ -138,7 +137,7 @@ TEST(FailureWorld, RefusesWhatItCannotUse) {
 TEST(FailureWorld, KeepsRecordsThatAreDrivenAgainByTheFailureRatesThatTheProgramBrings) {
   LABMOUSE_SKIP_SANITIZED();
   RaceOrder order;
-  order.world = failures_entry.make({{"noise", "4"}, {"pace", "0.8"}}).world;
+  order.world = failures_entry.make({{"variation", "1.5"}, {"pace", "0.8"}}).world;
   order.runs = 3;
   RaceHooks hooks;
   std::vector<std::string> records;
@@ -165,29 +164,30 @@ TEST(FailureWorld, KeepsRecordsThatAreDrivenAgainByTheFailureRatesThatTheProgram
   }
 }
 
-TEST(FailureWorld, RacesOnceForEachNoise) {
-  const auto entered = enter(test::mice("flood,certify"), "failures", {{"noise", "0,2.5,4"}});
+TEST(FailureWorld, RacesOnceForEachVariation) {
+  const auto entered = enter(test::mice("flood,certify"), "failures", {{"variation", "lab,1.1,bad-day"}});
   ASSERT_EQ(entered.error, "");
   ASSERT_THAT(entered.entries, SizeIs(3));
-  EXPECT_THAT(enter(test::mice("flood"), "failures", {{"noise", "0,,4"}}).error, HasSubstr("--noise"));
+  EXPECT_THAT(enter(test::mice("flood"), "failures", {{"variation", "0,,1"}}).error, HasSubstr("--variation"));
   EXPECT_THAT(sole_entry(entered.entries).error, HasSubstr("one"));
 }
 
-TEST(NoiseCurves, ShowWhatBecomesOfMiceAsNoiseGrows) {
+TEST(FinishCurves, ShowWhatBecomesOfMiceAsVariationGrows) {
   std::vector<Race> races;
-  for (const auto& entry : enter(test::mice("flood,certify"), "failures", {{"noise", "4,0"}}).entries) {
+  for (const auto& entry : enter(test::mice("flood,certify"), "failures", {{"variation", "1.5,0"}}).entries) {
     RaceOrder order;
     order.world = entry.world;
     order.runs = 30;
     races.push_back(hold_race(entry.mice, {{"ring", test::ring()}}, order));
   }
-  const auto curves = noise_curves(races);
-  ASSERT_THAT(curves, SizeIs(2));
-  for (const NoiseCurve& curve : curves) {
+  const auto curves = finish_curves(races);
+  EXPECT_EQ(curves.scale, "variation");
+  ASSERT_THAT(curves.curves, SizeIs(2));
+  for (const FinishCurve& curve : curves.curves) {
     ASSERT_THAT(curve.points, SizeIs(2));
-    EXPECT_EQ(curve.points[0].noise, 0.0);
+    EXPECT_EQ(curve.points[0].at, 0.0);
     EXPECT_EQ(curve.points[0].finished, 30);
-    const NoisePoint& last = curve.points[1];
+    const FinishPoint& last = curve.points[1];
     int ended = 0;
     for (const int count : last.ended) ended += count;
     EXPECT_EQ(last.contests, 30);
@@ -197,11 +197,11 @@ TEST(NoiseCurves, ShowWhatBecomesOfMiceAsNoiseGrows) {
   EXPECT_THAT(table_of(curves, races.back().world()), Says("flood", "certify", "100.0", "in s;", "counts 300"));
   const std::string picture = draw_curves(curves, "A <title>");
   EXPECT_THAT(picture, Says("<svg", "certify", "&lt;title&gt;"));
-  EXPECT_THAT(noise_curves(std::span(races).first(1)), IsEmpty());
+  EXPECT_THAT(finish_curves(std::span(races).first(1)).curves, IsEmpty());
 }
 
 TEST(Fidelity, ComparesTheSameContestsInBothWorlds) {
-  const FailureOrder order = order_of({0.0, 2.0}, 2);
+  const FailureOrder order = order_of({0.0, 1.0}, 2);
   const FoundRates failure_rates = find_rates("kerise");
   ASSERT_TRUE(failure_rates.file) << failure_rates.error;
   const std::vector<NamedMaze> mazes = {{"ring", test::ring()}, {"other", test::ring()}};

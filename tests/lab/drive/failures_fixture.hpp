@@ -14,26 +14,26 @@
 
 namespace labmouse::test {
 
-/// Under noise 1 as little goes wrong as under none, but for what a test changes.
+/// Under variation 1 as little goes wrong as under none, but for what a test changes.
 inline FailureRates harmless() {
   FailureRates failure_rates;
   failure_rates.paces = {{1.0, {no_failures()}}};
-  failure_rates.paces.front().noises.front().noise = 1.0;
+  failure_rates.paces.front().variations.front().variation = 1.0;
   return failure_rates;
 }
 
 template <class Change>
 FailureRates with(Change change) {
   FailureRates failure_rates = harmless();
-  for (FailureRatesByDraw& by_draws : failure_rates.paces.front().noises.front().by_draws) change(by_draws);
+  for (FailureRatesByBrightness& by_brightness : failure_rates.paces.front().variations.front().by_brightness) change(by_brightness);
   return failure_rates;
 }
 
-inline ManoeuvreRates& at(FailureRatesByDraw& failure_rates, Manoeuvre manoeuvre, std::size_t level = 0) {
+inline ManoeuvreRates& at(FailureRatesByBrightness& failure_rates, Manoeuvre manoeuvre, std::size_t level = 0) {
   return failure_rates.manoeuvres[static_cast<std::size_t>(manoeuvre)][level];
 }
 
-inline void wall_error(FailureRatesByDraw& failure_rates, Reading reading, std::size_t level = 0) {
+inline void wall_error(FailureRatesByBrightness& failure_rates, Reading reading, std::size_t level = 0) {
   for (const std::size_t again : {0U, 4U}) {
     ReadingRates& shares = failure_rates.readings[static_cast<std::size_t>(reading) + again][level];
     shares = {};
@@ -42,7 +42,7 @@ inline void wall_error(FailureRatesByDraw& failure_rates, Reading reading, std::
 }
 
 inline PhysicalRecord driven(const std::string& mouse, const FailureRates& failure_rates, std::uint64_t seed = 1,
-                             const PhysicalConditions& conditions = at_noise(1.0), const Maze& maze = ring()) {
+                             const PhysicalConditions& conditions = at_errors(1.0), const Maze& maze = ring()) {
   const auto model = drive_model("kerise");
   const DriveRules rules = find_rules("all-japan").rules;
   Briefing briefing = brief(maze, rules, *model, seed);
@@ -63,11 +63,11 @@ inline DriveRecord driven_exactly(const std::string& mouse, const Maze& maze) {
   return drive(maze, rules, *model, *strategy);
 }
 
-inline FailureOrder order_of(std::vector<double> noises, int runs) {
+inline FailureOrder order_of(std::vector<double> variations, int runs) {
   FailureOrder order;
   order.model = drive_model("kerise");
   order.rules = find_rules("all-japan").rules;
-  order.noises = std::move(noises);
+  order.variations = std::move(variations);
   order.runs = runs;
   return order;
 }

@@ -13,7 +13,7 @@ namespace labmouse {
 namespace {
 
 using test::at;
-using test::at_noise;
+using test::at_errors;
 using test::driven;
 using test::driven_exactly;
 using test::harmless;
@@ -46,11 +46,11 @@ TEST(Failures, IsTheWorldInSecondsWhereNothingGoesWrong) {
 TEST(Failures, TakesTheDrawsOfThePhysicalWorld) {
   for (const std::uint64_t seed : {1U, 2U, 3U})
     EXPECT_EQ(driven("flood", harmless(), seed).severity,
-              test::driven_physically("flood", test::ring(), at_noise(1.0), seed).severity);
+              test::driven_physically("flood", test::ring(), at_errors(1.0), seed).severity);
 }
 
 TEST(Failures, CrashesByTheChancesOfAManoeuvre) {
-  const auto turns = with([](FailureRatesByDraw& failure_rates) {
+  const auto turns = with([](FailureRatesByBrightness& failure_rates) {
     for (std::size_t level = 0; level < position_error_levels; ++level)
       at(failure_rates, Manoeuvre::turn, level) = {1.0, 0.0, {1.0}};
   });
@@ -59,7 +59,7 @@ TEST(Failures, CrashesByTheChancesOfAManoeuvre) {
   EXPECT_THAT(record.ends, Each(RunEnd::position_lost));
   EXPECT_EQ(record.carried, 5);
   EXPECT_NE(record.drive.outcome, DriveOutcome::finished);
-  const auto slides = with([](FailureRatesByDraw& failure_rates) {
+  const auto slides = with([](FailureRatesByBrightness& failure_rates) {
     at(failure_rates, Manoeuvre::turn) = {1.0, 1.0, {1.0}};
   });
   EXPECT_THAT(driven("flood-return", slides).ends, Each(RunEnd::slid));
@@ -70,7 +70,7 @@ TEST(Failures, CrashesByTheChancesOfAManoeuvre) {
 
 TEST(Failures, KeepsItsPositionErrorFromManoeuvreToManoeuvre) {
   // Whoever starts is led far off its believed position, and there a turn is the end.
-  const auto failure_rates = with([](FailureRatesByDraw& some) {
+  const auto failure_rates = with([](FailureRatesByBrightness& some) {
     at(some, Manoeuvre::start) = {0.0, 0.0, {0.0, 0.0, 0.0, 0.0, 1.0}};
     for (const Manoeuvre straight : {Manoeuvre::open_cell, Manoeuvre::half_cell, Manoeuvre::corridor})
       at(some, straight, 4) = {0.0, 0.0, {0.0, 0.0, 0.0, 0.0, 1.0}};
@@ -80,7 +80,7 @@ TEST(Failures, KeepsItsPositionErrorFromManoeuvreToManoeuvre) {
 }
 
 TEST(Failures, DrivesIntoWallsThatItTakesForGaps) {
-  const auto failure_rates = with([](FailureRatesByDraw& some) {
+  const auto failure_rates = with([](FailureRatesByBrightness& some) {
     wall_error(some, Reading::wall_beside);
     wall_error(some, Reading::wall_ahead);
   });
@@ -90,51 +90,78 @@ TEST(Failures, DrivesIntoWallsThatItTakesForGaps) {
 }
 
 TEST(Failures, SeesNoWayWhereGapsAreTakenForWallsAndLooksAgainWithAMapThatDoubts) {
-  const auto failure_rates = with([](FailureRatesByDraw& some) {
+  const auto failure_rates = with([](FailureRatesByBrightness& some) {
     wall_error(some, Reading::gap_beside);
     wall_error(some, Reading::gap_ahead);
   });
   const PhysicalRecord first = driven("flood", failure_rates);
   EXPECT_EQ(first.drive.outcome, DriveOutcome::forfeit);
   EXPECT_EQ(first.drive.reason, ForfeitReason::no_route);
-  PhysicalConditions weighing = at_noise(1.0);
+  PhysicalConditions weighing = at_errors(1.0);
   weighing.map = MapKind::log_odds;
   EXPECT_GT(driven("flood", failure_rates, 1, weighing).drive.walls.size(), first.drive.walls.size());
 }
 
 TEST(Failures, IsTheSameAgainByTheSameSeedAndAnotherByAnother) {
-  const auto failure_rates = with([](FailureRatesByDraw& some) {
+  const auto failure_rates = with([](FailureRatesByBrightness& some) {
     for (const Manoeuvre manoeuvre : all_manoeuvres) at(some, manoeuvre) = {0.05, 0.5, {0.6, 0.4}};
   });
   EXPECT_EQ(driven("flood-return", failure_rates, 7), driven("flood-return", failure_rates, 7));
   EXPECT_NE(driven("flood-return", failure_rates, 7), driven("flood-return", failure_rates, 8));
 }
 
-TEST(Failures, IsWeakAllThroughAContest) {
+TEST(Failures, HasTheSameBrightnessAllThroughAContest) {
   LABMOUSE_SKIP_SANITIZED();
-  // Only weak mice crash: either none or all runs of a contest do.
+  // Only mice that see walls as dark crash: either none or all runs of a contest do.
   FailureRates failure_rates = harmless();
-  auto& by_draws = failure_rates.paces.front().noises.front().by_draws;
-  for (std::size_t draws = static_cast<std::size_t>(Draws::tyres_below_50); draws < draw_classes; ++draws)
-    at(by_draws[draws], Manoeuvre::turn).crash = 1.0;
-  PhysicalConditions conditions = at_noise(1.0);
-  conditions.noise.variation = 5.0;
-  int weak_mice = 0;
+  auto& by_brightness = failure_rates.paces.front().variations.front().by_brightness;
+  constexpr std::size_t dark_classes = 3;
+  for (std::size_t bright = 0; bright < dark_classes; ++bright)
+    at(by_brightness[bright], Manoeuvre::turn).crash = 1.0;
+  const PhysicalConditions conditions = at_errors(1.0);
+  int dark_mice = 0;
   constexpr int contests = 60;
   for (std::uint64_t seed = 1; seed <= contests; ++seed) {
     const PhysicalRecord record = driven("flood", failure_rates, seed, conditions);
-    const RobotSample mouse(*test::drive_model("kerise")->robot.hardware, conditions.noise, test::ring().size(), seed);
-    const bool weak = draws_of(mouse) >= Draws::tyres_below_50;
-    EXPECT_EQ(record.carried > 0, weak) << seed;
-    weak_mice += weak ? 1 : 0;
+    const RobotSample mouse(*test::drive_model("kerise")->robot.hardware, conditions.errors, test::ring().size(), seed);
+    const bool dark = mouse.brightness() < brightness_limits[dark_classes - 1];
+    EXPECT_EQ(record.carried > 0, dark) << seed;
+    dark_mice += dark ? 1 : 0;
   }
-  EXPECT_GT(weak_mice, 0);
-  EXPECT_LT(weak_mice, contests / 3);
+  EXPECT_GT(dark_mice, 0);
+  EXPECT_LT(dark_mice, contests / 2);
+}
+
+/// Each wall is read by the rates of how bright it looks.
+TEST(Failures, ReadsAWallByItsOwnBrightness) {
+  const std::size_t dark_classes = 4;
+  FailureRates failure_rates = harmless();
+  for (std::size_t bright = 0; bright < dark_classes; ++bright)
+    for (const Reading reading : {Reading::wall_beside, Reading::wall_ahead})
+      wall_error(failure_rates.paces.front().variations.front().by_brightness[bright], reading);
+  const PhysicalConditions conditions = at_errors(1.0);
+  int dark = 0, bright = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Maze maze = test::ring();
+    const PhysicalRecord record = driven("flood-return", failure_rates, seed, conditions, maze);
+    const RobotSample mouse(*test::drive_model("kerise")->robot.hardware, conditions.errors, maze.size(), seed);
+    for (const Look& look : record.looks)
+      for (const bool left : {true, false}) {
+        const Heading side = left ? left_of(look.pose.heading) : right_of(look.pose.heading);
+        if (on_border(wall_at(look.pose.cell, side), maze.size()) || maze.is_open(look.pose.cell, side)) continue;
+        const double gain = mouse.infrared[static_cast<std::size_t>(left ? BeamPlace::left : BeamPlace::right)];
+        const bool is_dark = gain * mouse.reflectance(look.pose.cell, side) < brightness_limits[dark_classes - 1];
+        EXPECT_EQ((left ? look.evidence.left : look.evidence.right) < 0, is_dark) << seed;
+        ++(is_dark ? dark : bright);
+      }
+  }
+  EXPECT_GT(dark, 10);
+  EXPECT_GT(bright, 10);
 }
 
 TEST(Failures, ReadsAllWallsAboutItOrNone) {
   LABMOUSE_SKIP_SANITIZED();
-  const auto failure_rates = with([](FailureRatesByDraw& some) {
+  const auto failure_rates = with([](FailureRatesByBrightness& some) {
     for (auto& reading : some.readings)
       for (ReadingRates& shares : reading) {
         for (double& share : shares) share /= 2.0;
@@ -144,7 +171,7 @@ TEST(Failures, ReadsAllWallsAboutItOrNone) {
   int silent = 0, looks = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Maze maze = test::ring();
-    const PhysicalRecord record = driven("flood-return", failure_rates, seed, at_noise(1.0), maze);
+    const PhysicalRecord record = driven("flood-return", failure_rates, seed, at_errors(1.0), maze);
     for (const Look& look : record.looks) {
       std::vector<Evidence> inner;
       const Heading ahead = look.pose.heading;
@@ -162,51 +189,53 @@ TEST(Failures, ReadsAllWallsAboutItOrNone) {
   EXPECT_NEAR(static_cast<double>(silent) / looks, 0.5, 0.1);
 }
 
-TEST(Failures, DrivesByWhatWeakMiceDoUnderOtherNoisesWhereFewWereCounted) {
+TEST(Failures, DrivesByWhatIsSoBrightUnderOtherVariationsWhereFewWereCounted) {
   FailureFile file;
-  const auto weak = static_cast<std::size_t>(Draws::motor_below_15);
+  constexpr std::size_t usual = 4, dark = 0;
   const auto turn = static_cast<std::size_t>(Manoeuvre::turn);
-  for (const double noise : {1.0, 2.0}) {
-    file.tallies.push_back({noise, 1.0, {}});
-    file.tallies.back().by_draws[0].manoeuvres[turn][0] = {100'000, 0, 0, {100'000}};
+  for (const double variation : {1.0, 2.0}) {
+    file.tallies.push_back({variation, 1.0, {}});
+    file.tallies.back().by_brightness[usual].manoeuvres[turn][0] = {100'000, 0, 0, {100'000}};
   }
-  file.tallies.back().by_draws[weak].manoeuvres[turn][0] = {1000, 900, 900, {100}};
-  // The first noise of the world is that at which nothing goes wrong.
-  const RatesAtNoise at_one = rates_of(file).paces.front().noises[1];
-  ASSERT_EQ(at_one.noise, 1.0);
-  EXPECT_GT(at_one.by_draws[weak].manoeuvres[turn][0].crash, 0.8);
-  EXPECT_LT(at_one.by_draws[0].manoeuvres[turn][0].crash, 0.01);
+  file.tallies.back().by_brightness[dark].manoeuvres[turn][0] = {1000, 900, 900, {100}};
+  // The first variation of the model is that at which nothing goes wrong.
+  const RatesAtVariation at_one = rates_of(file).paces.front().variations[1];
+  ASSERT_EQ(at_one.variation, 1.0);
+  EXPECT_GT(at_one.by_brightness[dark].manoeuvres[turn][0].crash, 0.8);
+  EXPECT_LT(at_one.by_brightness[usual].manoeuvres[turn][0].crash, 0.01);
 }
 
-TEST(Failures, HasSoundMiceAndWeakOnes) {
+TEST(Failures, HasClassesOfBrightness) {
+  EXPECT_EQ(brightness_class(0.1), 0U);
+  EXPECT_EQ(brightness_class(0.4), 1U);
+  EXPECT_EQ(brightness_class(1.0), 5U);
+  EXPECT_EQ(brightness_class(7.0), brightness_classes - 1);
   const auto model = test::drive_model("kerise");
-  NoiseLevel level;
-  level.variation = 8.0;
-  std::array<int, draw_classes> times{};
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-    level.all = 1.0 + static_cast<double>(seed % 3);
-    const RobotSample mouse(*model->robot.hardware, level, {2, 2}, seed);
-    const Draws draws = draws_of(mouse);
-    ++times[static_cast<std::size_t>(draws)];
-    const double motor = mouse.weaker_motor();
-    const bool sturdy = motor >= 0.3 && mouse.grip >= 0.5;
-    EXPECT_EQ(draws <= Draws::infrared_very_unequal, sturdy) << motor << ' ' << mouse.grip;
-    EXPECT_EQ(draws == Draws::sound, sturdy && mouse.infrared_deviation() <= 0.3) << mouse.infrared_deviation();
-    EXPECT_EQ(draws == Draws::infrared_very_unequal, sturdy && mouse.infrared_deviation() > 0.5)
-        << mouse.infrared_deviation();
-    EXPECT_EQ(draws == Draws::motor_below_15, motor < 0.15) << motor;
-    EXPECT_EQ(draws == Draws::tyres_below_20, mouse.grip < 0.2 && motor >= 0.2) << motor << ' ' << mouse.grip;
-    // Of two weaknesses the worse one.
-    EXPECT_EQ(draws == Draws::motor_below_30, motor >= 0.25 && motor < 0.3 && mouse.grip >= 0.3) << motor;
-  }
+  std::array<int, brightness_classes> times{};
+  for (std::uint64_t seed = 1; seed <= 400; ++seed)
+    ++times[brightness_class(RobotSample(*model->robot.hardware, {}, {2, 2}, seed).brightness())];
   EXPECT_THAT(times, Each(::testing::Gt(0)));
 }
 
-TEST(Failures, IsHeldUnderTheNearestNoisesThatWereCounted) {
+/// A reading is as bright as the sensors that look there.
+TEST(Failures, TakesTheSensorsThatLookAtAWall) {
+  const auto model = test::drive_model("kerise");
+  RobotSample mouse(*model->robot.hardware, no_errors, {2, 2}, 1);
+  mouse.infrared[static_cast<std::size_t>(BeamPlace::left)] = 0.3;
+  mouse.infrared[static_cast<std::size_t>(BeamPlace::right)] = 3.0;
+  mouse.infrared[static_cast<std::size_t>(BeamPlace::left_ahead)] = 1.0;
+  mouse.infrared[static_cast<std::size_t>(BeamPlace::right_ahead)] = 0.1;
+  const Pose pose = {{0, 0}, Heading::east};
+  EXPECT_EQ(brightness_class(mouse, pose, Heading::north, true), brightness_class(0.3));
+  EXPECT_EQ(brightness_class(mouse, pose, Heading::south, true), brightness_class(3.0));
+  EXPECT_EQ(brightness_class(mouse, pose, Heading::east, true), brightness_class(0.55));
+}
+
+TEST(Failures, IsHeldUnderTheNearestVariationsThatWereCounted) {
   LABMOUSE_SKIP_SANITIZED();
-  const std::vector<double> noises = {0.0, 1.0, 3.0};
-  const auto is = [&](double noise, std::size_t below, std::size_t above, double part) {
-    const Between found = between(noises, noise, [](double each) { return each; });
+  const std::vector<double> scales = {0.0, 1.0, 3.0};
+  const auto is = [&](double scale, std::size_t below, std::size_t above, double part) {
+    const Between found = between(scales, scale, [](double each) { return each; });
     return found.below == below && found.above == above && std::abs(found.part - part) < 1e-12;
   };
   EXPECT_TRUE(is(0.0, 0, 0, 0.0));
@@ -214,20 +243,20 @@ TEST(Failures, IsHeldUnderTheNearestNoisesThatWereCounted) {
   EXPECT_TRUE(is(1.0, 1, 1, 0.0));
   EXPECT_TRUE(is(2.5, 1, 2, 0.75));
   EXPECT_TRUE(is(9.0, 2, 2, 0.0));
-  // Half of the contests between a harmless noise and one without a turn that ends well.
+  // Half of the contests between a harmless variation and one without a turn that ends well.
   FailureRates failure_rates = harmless();
-  failure_rates.paces.front().noises.push_back(no_failures());
-  failure_rates.paces.front().noises.back().noise = 3.0;
-  for (FailureRatesByDraw& by_draws : failure_rates.paces.front().noises.back().by_draws)
-    at(by_draws, Manoeuvre::turn).crash = 1.0;
+  failure_rates.paces.front().variations.push_back(no_failures());
+  failure_rates.paces.front().variations.back().variation = 3.0;
+  for (FailureRatesByBrightness& by_brightness : failure_rates.paces.front().variations.back().by_brightness)
+    at(by_brightness, Manoeuvre::turn).crash = 1.0;
   int crashed = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed)
-    crashed += driven("flood", failure_rates, seed, at_noise(2.0)).carried > 0 ? 1 : 0;
+    crashed += driven("flood", failure_rates, seed, at_errors(2.0)).carried > 0 ? 1 : 0;
   EXPECT_NEAR(crashed, 50, 20);
 }
 
 TEST(Failures, IsDrivenAtAPace) {
-  PhysicalConditions slow = at_noise(1.0);
+  PhysicalConditions slow = at_errors(1.0);
   slow.controller.pace = 0.5;
   const PhysicalRecord usual = driven("flood", harmless()), halved = driven("flood", harmless(), 1, slow);
   ASSERT_EQ(halved.drive.runs.size(), usual.drive.runs.size());
@@ -237,9 +266,9 @@ TEST(Failures, IsDrivenAtAPace) {
   // What goes wrong at the usual pace need not at another.
   FailureRates failure_rates = harmless();
   failure_rates.paces.insert(failure_rates.paces.begin(), {0.5, {no_failures()}});
-  at(failure_rates.paces.back().noises.front().by_draws.back(), Manoeuvre::turn).crash = 1.0;
-  for (FailureRatesByDraw& by_draws : failure_rates.paces.back().noises.front().by_draws)
-    at(by_draws, Manoeuvre::turn).crash = 1.0;
+  at(failure_rates.paces.back().variations.front().by_brightness.back(), Manoeuvre::turn).crash = 1.0;
+  for (FailureRatesByBrightness& by_brightness : failure_rates.paces.back().variations.front().by_brightness)
+    at(by_brightness, Manoeuvre::turn).crash = 1.0;
   EXPECT_GT(driven("flood", failure_rates).carried, 0);
   EXPECT_EQ(driven("flood", failure_rates, 1, slow).carried, 0);
 }
@@ -256,7 +285,7 @@ TEST(Failures, KnowsEvidenceByNats) {
 
 TEST(Failures, AsksToBeCarriedWhereItsMapDoesNotFitIfThatIsLearned) {
   // What it sees again is the opposite of what it saw first.
-  const auto failure_rates = with([](FailureRatesByDraw& some) {
+  const auto failure_rates = with([](FailureRatesByBrightness& some) {
     for (const Reading reading : all_readings) {
       if (static_cast<int>(reading) < 4) continue;
       ReadingRates& shares = some.readings[static_cast<std::size_t>(reading)][0];
@@ -265,7 +294,7 @@ TEST(Failures, AsksToBeCarriedWhereItsMapDoesNotFitIfThatIsLearned) {
     }
   });
   const auto no_route_left = [&](MapKind map) {
-    PhysicalConditions conditions = at_noise(1.0);
+    PhysicalConditions conditions = at_errors(1.0);
     conditions.map = map;
     const PhysicalRecord record = driven("flood-return", failure_rates, 1, conditions);
     EXPECT_GT(record.contradictions, 0);

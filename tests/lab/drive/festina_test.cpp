@@ -14,7 +14,7 @@ namespace labmouse {
 namespace {
 
 using test::at;
-using test::at_noise;
+using test::at_errors;
 using test::driven;
 using test::driven_exactly;
 using test::harmless;
@@ -30,9 +30,9 @@ std::vector<double> paces_of(const PhysicalRecord& record, DriveRun::Kind kind) 
 /// Beyond that pace each of those manoeuvres is a crash.
 FailureRates too_fast_beyond(double pace, std::initializer_list<Manoeuvre> manoeuvres) {
   FailureRates failure_rates = harmless();
-  failure_rates.paces = {{pace, failure_rates.paces[0].noises}, {pace + 1e-6, failure_rates.paces[0].noises}};
-  for (FailureRatesByDraw& by_draws : failure_rates.paces.back().noises.front().by_draws)
-    for (const Manoeuvre manoeuvre : manoeuvres) at(by_draws, manoeuvre).crash = 1.0;
+  failure_rates.paces = {{pace, failure_rates.paces[0].variations}, {pace + 1e-6, failure_rates.paces[0].variations}};
+  for (FailureRatesByBrightness& by_brightness : failure_rates.paces.back().variations.front().by_brightness)
+    for (const Manoeuvre manoeuvre : manoeuvres) at(by_brightness, manoeuvre).crash = 1.0;
   return failure_rates;
 }
 
@@ -74,7 +74,7 @@ std::vector<DriveRun::Kind> kinds_of(const PhysicalRecord& record) {
 
 TEST(Festina, MakesSureOfARunWhereNoFastOneEndsWell) {
   using enum DriveRun::Kind;
-  const auto failure_rates = with([](FailureRatesByDraw& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
+  const auto failure_rates = with([](FailureRatesByBrightness& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
   const PhysicalRecord record = driven("festina", failure_rates);
   EXPECT_THAT(kinds_of(record), ::testing::ElementsAre(search, speed, speed, speed, search));
   // By known ways it is no slower than the search was.
@@ -93,10 +93,10 @@ TEST(Festina, MakesSureOfARunInTimeWhereRunsAreMany) {
   const DriveRules rules = find_rules("uk-2018").rules;
   const Maze maze = test::ring();
   const Briefing briefing = brief(maze, rules, *model, 1);
-  const auto failure_rates = with([](FailureRatesByDraw& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
+  const auto failure_rates = with([](FailureRatesByBrightness& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
   const auto kinds = [&](const std::string& spec) {
     const auto strategy = test::mice(spec).front().driving_strategy(maze, briefing);
-    return kinds_of(drive_with_failures(maze, rules, *model, at_noise(1.0), failure_rates, 1, *strategy));
+    return kinds_of(drive_with_failures(maze, rules, *model, at_errors(1.0), failure_rates, 1, *strategy));
   };
   const auto made = kinds("festina");
   ASSERT_GT(made.size(), 6U);

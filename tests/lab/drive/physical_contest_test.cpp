@@ -14,7 +14,7 @@
 namespace labmouse {
 namespace {
 
-using test::at_noise;
+using test::at_errors;
 using test::driven_physically;
 using ::testing::Each;
 using ::testing::Gt;
@@ -26,8 +26,8 @@ using Kind = DriveRun::Kind;
 
 /// Noise in which this mouse crashes now and then.
 PhysicalConditions rough() {
-  PhysicalConditions conditions = at_noise(4.0);
-  conditions.noise.variation = 2.0;
+  PhysicalConditions conditions = at_errors(4.0);
+  conditions.errors.variation = 2.0;
   return conditions;
 }
 
@@ -51,7 +51,7 @@ TEST(PhysicalContest, GoesWithoutNoiseAsInSeconds) {
   for (const char* robot : {"kerise", "classic", "beginner"})
     for (const char* mouse : {"flood", "flood-return", "certify", "ariadne"}) {
       const DriveRules rules = find_rules("all-japan").rules;
-      const PhysicalRecord record = driven_physically(mouse, test::ring(), at_noise(0.0), 1, rules, robot);
+      const PhysicalRecord record = driven_physically(mouse, test::ring(), at_errors(0.0), 1, rules, robot);
       EXPECT_EQ(record.drive.outcome, DriveOutcome::finished) << mouse << ' ' << robot;
       EXPECT_THAT(record.touches, IsEmpty());
       EXPECT_EQ(record.wrong_walls + record.contradictions + record.carried, 0);
@@ -70,7 +70,7 @@ TEST(PhysicalContest, GoesWithoutNoiseAsInSeconds) {
 
 TEST(PhysicalContest, OwesAllChanceToItsSeed) {
   const auto held = [](double noise, std::uint64_t seed) {
-    return driven_physically("flood-return", test::ring(), at_noise(noise), seed);
+    return driven_physically("flood-return", test::ring(), at_errors(noise), seed);
   };
   EXPECT_EQ(held(1.0, 7), held(1.0, 7));
   EXPECT_NE(held(1.0, 7).drive, held(1.0, 8).drive);
@@ -139,7 +139,7 @@ TEST(PhysicalContest, HasNoMoreRunsAndTimeThanTheRulesGive) {
               2);
   }
   rules.time_limit = 900'000;
-  const PhysicalRecord late = driven_physically("certify", test::ring(), at_noise(0.0), 1, rules);
+  const PhysicalRecord late = driven_physically("certify", test::ring(), at_errors(0.0), 1, rules);
   EXPECT_THAT(late.ends, testing::ElementsAre(RunEnd::out_of_time));
   EXPECT_EQ(late.drive.outcome, DriveOutcome::out_of_time);
   EXPECT_EQ(late.drive.runs.back().end, rules.time_limit);
@@ -173,8 +173,8 @@ PhysicalConditions weighing(PhysicalConditions conditions) {
 
 TEST(PhysicalContest, AMapThatWeighsChangesNothingWhereAllReadingsAgree) {
   for (const char* mouse : {"flood", "flood-return", "certify", "ariadne"})
-    EXPECT_EQ(driven_physically(mouse, test::ring(), weighing(at_noise(0.0))),
-              driven_physically(mouse, test::ring(), at_noise(0.0)))
+    EXPECT_EQ(driven_physically(mouse, test::ring(), weighing(at_errors(0.0))),
+              driven_physically(mouse, test::ring(), at_errors(0.0)))
         << mouse;
 }
 
@@ -205,7 +205,7 @@ TEST(PhysicalContest, AMapThatWeighsTurnsWallsOverAndLosesFewerContests) {
 }
 
 TEST(PhysicalContest, TracesBothMice) {
-  PhysicalConditions conditions = at_noise(1.0);
+  PhysicalConditions conditions = at_errors(1.0);
   conditions.trace_every = 10;
   const PhysicalRecord traced = driven_physically("flood-return", test::ring(), conditions);
   ASSERT_THAT(traced.trace, SizeIs(Gt(100U)));
@@ -219,7 +219,7 @@ TEST(PhysicalContest, TracesBothMice) {
   EXPECT_GT(largest, 0.01);
   EXPECT_LT(largest, 45.0);
   // Whether one is written changes nothing else.
-  PhysicalRecord plain = driven_physically("flood-return", test::ring(), at_noise(1.0));
+  PhysicalRecord plain = driven_physically("flood-return", test::ring(), at_errors(1.0));
   plain.trace = traced.trace;
   EXPECT_EQ(plain, traced);
 }
@@ -227,7 +227,7 @@ TEST(PhysicalContest, TracesBothMice) {
 TEST(PhysicalContest, AMindThatAsksForWhatIsNotThereIsLost) {
   const auto outcome_of = [](std::vector<Action> script) {
     test::Scripted mouse(std::move(script));
-    return drive_physically(test::ring(), find_rules("all-japan").rules, *test::drive_model("kerise"), at_noise(0.0), 1,
+    return drive_physically(test::ring(), find_rules("all-japan").rules, *test::drive_model("kerise"), at_errors(0.0), 1,
                             mouse);
   };
   // Through a wall; home before a goal; and a speed run over a way that is not known.

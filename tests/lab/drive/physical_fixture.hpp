@@ -7,11 +7,17 @@
 
 namespace labmouse::test {
 
-/// So much of the noise of a robot's file, and mice as far apart as that says.
-inline PhysicalConditions at_noise(double factor) {
+/// Noise as measured, and that much of the variation of a robot's file.
+inline PhysicalConditions at_variation(double scale) {
   PhysicalConditions conditions;
-  conditions.noise = {};
-  conditions.noise.all = factor;
+  conditions.errors.variation = scale;
+  return conditions;
+}
+
+/// That much of the noise and of the variation of a robot's file.
+inline PhysicalConditions at_errors(double scale) {
+  PhysicalConditions conditions;
+  conditions.errors = {.noise = scale, .variation = scale};
   return conditions;
 }
 

@@ -9,13 +9,13 @@
 namespace labmouse {
 namespace {
 
-using test::at_noise;
+using test::at_errors;
 using test::physical_file;
 using test::Says;
 using ::testing::HasSubstr;
 
 PhysicalConditions traced(double noise) {
-  PhysicalConditions conditions = at_noise(noise);
+  PhysicalConditions conditions = at_errors(noise);
   conditions.trace_every = 50;
   return conditions;
 }
@@ -23,7 +23,7 @@ PhysicalConditions traced(double noise) {
 DriveRecordFile read(const std::string& text) {
   ReadDriveRecordResult result = read_drive_record(text);
   EXPECT_TRUE(result.file) << (result.problems.empty() ? "" : result.problems.front().reason);
-  return result.file ? std::move(*result.file) : physical_file("flood", at_noise(0.0));
+  return result.file ? std::move(*result.file) : physical_file("flood", at_errors(0.0));
 }
 
 std::string changed(std::string text, const std::string& old, const std::string& now) {
@@ -54,8 +54,7 @@ TEST(PhysicalRecord, OfAMapThatWeighsDrivesAgain) {
   LABMOUSE_SKIP_SANITIZED();
   int turned = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    PhysicalConditions conditions = traced(4.0);
-    conditions.noise.variation = 4.0;
+    PhysicalConditions conditions = traced(1.2);
     conditions.map = MapKind::log_odds;
     const DriveRecordFile file = read(write_drive_record(physical_file("certify", conditions, seed)));
     EXPECT_EQ(file.physical->conditions.map, MapKind::log_odds);
@@ -73,10 +72,10 @@ TEST(PhysicalRecord, WithoutAKindOfMapIsOfOneThatNeverForgets) {
 
 TEST(PhysicalRecord, IsReadUnderAllConditionsThatCanBeChosen) {
   const auto is_read = [](double noise, double variation, double pace, double search_speed) {
-    DriveRecordFile file = physical_file("flood", at_noise(0.0));
+    DriveRecordFile file = physical_file("flood", at_errors(0.0));
     PhysicalConditions& conditions = file.physical->conditions;
-    conditions.noise.all = noise;
-    conditions.noise.variation = variation;
+    conditions.errors.noise = noise;
+    conditions.errors.variation = variation;
     conditions.controller.pace = pace;
     conditions.controller.search_speed = search_speed;
     return read_drive_record(write_drive_record(file)).file.has_value();
@@ -101,7 +100,7 @@ TEST(PhysicalRecord, DisagreesWhereAnythingWasChanged) {
 
 /// A header alone may not ask for more than a machine has: the trace of a long contest, or a contest of years.
 TEST(PhysicalRecord, IsRefusedWhereItsContestWouldBeTooLong) {
-  const std::string text = write_drive_record(physical_file("flood", at_noise(0.0)));
+  const std::string text = write_drive_record(physical_file("flood", at_errors(0.0)));
   const auto problem = [&](const std::string& limit, const std::string& every) {
     const ReadDriveRecordResult result =
         read_drive_record(changed(changed(text, "\"time_limit\":300000000", "\"time_limit\":" + limit),

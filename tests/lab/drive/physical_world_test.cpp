@@ -17,7 +17,7 @@
 namespace labmouse {
 namespace {
 
-using test::at_noise;
+using test::at_errors;
 using test::Says;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -25,8 +25,8 @@ using ::testing::Not;
 using F = PhysicalFigures;
 
 PhysicalConditions rough() {
-  PhysicalConditions conditions = at_noise(5.0);
-  conditions.noise.variation = 2.0;
+  PhysicalConditions conditions = at_errors(5.0);
+  conditions.errors.variation = 2.0;
   return conditions;
 }
 
@@ -43,11 +43,11 @@ double number(const ContestResult& result, Member figure) {
 }
 
 TEST(PhysicalWorld, HoldsEachContestWithDiceOfItsOwn) {
-  const Race race = race_at(at_noise(1.0), 4);
+  const Race race = race_at(at_errors(0.5), 4);
   ASSERT_EQ(race.results.size(), 4U);
   EXPECT_NE(race.results[0].score, race.results[1].score);
   for (const ContestResult& result : race.results) {
-    const PhysicalRecord record = test::driven_physically("flood-return", test::ring(), at_noise(1.0), result.seed);
+    const PhysicalRecord record = test::driven_physically("flood-return", test::ring(), at_errors(0.5), result.seed);
     EXPECT_DOUBLE_EQ(*result.score, in_seconds(*score(record.drive, find_rules("all-japan").rules).value()));
     EXPECT_EQ(number(result, &F::severity), record.severity);
     EXPECT_EQ(number(result, &F::wrong_walls), record.wrong_walls);
@@ -104,14 +104,14 @@ TEST(PhysicalWorld, IsMadeOfWhatItIsToldAndMadeAgainOfItsConditions) {
 }
 
 TEST(PhysicalWorld, IsAsFarSpreadAsTheFieldUnlessTold) {
-  EXPECT_EQ(PhysicalConditions{}.noise.variation, field_variation);
+  EXPECT_EQ(PhysicalConditions{}.errors.variation, 1.0);
   const WorldResult made = physical_entry.make({});
   ASSERT_TRUE(made.world) << made.error;
   const auto conditions = made.world->conditions();
   const auto variation =
       std::find_if(conditions.begin(), conditions.end(), [](const Condition& each) { return each.key == "variation"; });
   ASSERT_NE(variation, conditions.end());
-  EXPECT_EQ(variation->value, Value(field_variation));
+  EXPECT_EQ(variation->value, Value(1.0));
 }
 
 TEST(PhysicalWorld, RefusesWhatItCannotUse) {
@@ -131,7 +131,7 @@ TEST(PhysicalWorld, RefusesWhatItCannotUse) {
 }
 
 TEST(PhysicalWorld, HasThreeContestsInAMazeUnlessTold) {
-  EXPECT_EQ(race_at(at_noise(1.0), physical_entry.usual_runs).results.size(), 3U);
+  EXPECT_EQ(race_at(at_errors(1.0), physical_entry.usual_runs).results.size(), 3U);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 namespace labmouse {
 namespace {
 
-using test::at_noise;
+using test::at_errors;
 using test::Says;
 using ::testing::Each;
 using ::testing::SizeIs;
@@ -33,15 +33,16 @@ const Maze& course() {
 
 /// The record of a time trial in the world in seconds, or of festina in the physical world under a noise.
 DriveRecordFile file_of(std::optional<double> noise = std::nullopt, std::uint64_t seed = 1) {
-  DriveRecordFile file = noise ? test::physical_file("festina", at_noise(*noise), seed)
+  DriveRecordFile file = noise ? test::physical_file("festina", at_errors(*noise), seed)
                                : test::driven("flood", course(), "kerise", "time-trial");
   file.maze = course();
   file.rules = time_trial();
   if (noise) {
     PhysicalRecord record =
-        test::driven_physically("festina", course(), at_noise(*noise), seed, file.rules, file.model->robot.name);
+        test::driven_physically("festina", course(), at_errors(*noise), seed, file.rules, file.model->robot.name);
     file.record = std::move(record.drive);
     file.physical->notes = std::move(record);
+    file.physical->conditions.map = MapKind::log_odds;  // festina's own
   }
   const DriveScore result = score(file.record, file.rules);
   file.recorded_score = result.best ? std::optional(result.runs[*result.best]) : std::nullopt;
@@ -70,11 +71,11 @@ std::size_t laps_in(const DriveRecord& record) {
 PhysicalRecord with_failures(double crash, double pace, std::uint64_t seed = 1) {
   FailureRates rates;
   rates.paces = {{pace, {no_failures()}}};
-  rates.paces.front().noises.front().noise = 1.0;
-  for (FailureRatesByDraw& by_draws : rates.paces.front().noises.front().by_draws)
-    for (ManoeuvreRates& level : by_draws.manoeuvres[static_cast<std::size_t>(Manoeuvre::run_turn)])
+  rates.paces.front().variations.front().variation = 1.0;
+  for (FailureRatesByBrightness& by_brightness : rates.paces.front().variations.front().by_brightness)
+    for (ManoeuvreRates& level : by_brightness.manoeuvres[static_cast<std::size_t>(Manoeuvre::run_turn)])
       level = {crash, 0.0, {1.0}};
-  PhysicalConditions conditions = at_noise(1.0);
+  PhysicalConditions conditions = at_errors(1.0);
   conditions.controller.pace = pace;
   const auto model = test::drive_model("kerise");
   Script mouse(course().size(), {});
@@ -150,8 +151,8 @@ TEST(TimeTrial, BeginsAgainAtTheStartAfterACrash) {
   // Of the seeds under this noise, some crash in every contest.
   int crashes = 0, slower = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    PhysicalConditions conditions = at_noise(8.0);
-    conditions.noise.variation = 4.0;
+    PhysicalConditions conditions = at_errors(8.0);
+    conditions.errors.variation = 4.0;
     const PhysicalRecord record =
         test::driven_physically("festina", course(), conditions, seed, time_trial(), "kerise");
     EXPECT_LE(laps_in(record.drive), 5U);

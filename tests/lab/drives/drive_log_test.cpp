@@ -87,9 +87,7 @@ TEST(DriveLog, KnowsWallsThatASensorSeesAlone) {
   const Hardware& hardware = *found.robot.hardware;
   MazeDraft draft({2, 2}, MazeDraft::Inside::open);
   const Maze maze(draft);
-  NoiseLevel none;
-  none.all = 0.0;
-  Body body(maze, 90.0, hardware, none, 1);
+  Body body(maze, 90.0, hardware, no_errors, 1);
   const auto rows = [&](const Position& position, double angle) {
     body.put(position, angle);
     std::vector<LoggedTick> ticks;

@@ -14,7 +14,7 @@
 namespace labmouse {
 namespace {
 
-using test::at_noise;
+using test::at_errors;
 using test::Says;
 using ::testing::SizeIs;
 
@@ -33,7 +33,7 @@ DriveOrder order(KnownWay way = KnownWay::search, int runs = 6) {
 
 TEST(KnownDrives, NeitherCrashNorMisreadWithoutNoise) {
   for (const KnownWay way : {KnownWay::search, KnownWay::fast}) {
-    const auto tallies = drive_known_ways(order(way), rings(), std::vector<DriveCase>{{"none", at_noise(0.0)}});
+    const auto tallies = drive_known_ways(order(way), rings(), std::vector<DriveCase>{{"none", at_errors(0.0)}});
     ASSERT_THAT(tallies, SizeIs(1));
     // The closed maze is left out.
     EXPECT_EQ(tallies[0].mazes, 2);
@@ -53,32 +53,33 @@ TEST(KnownDrives, AreTheSameOnAnyNumberOfThreads) {
   DriveOrder alone = order(), many = order();
   alone.jobs = 1;
   many.jobs = 4;
-  const std::vector<DriveCase> cases = {{"1", at_noise(1.0)}, {"3", at_noise(3.0)}};
+  const std::vector<DriveCase> cases = {{"1", at_errors(1.0)}, {"3", at_errors(3.0)}};
   EXPECT_EQ(json_of(drive_known_ways(alone, rings(), cases), alone),
             json_of(drive_known_ways(many, rings(), cases), alone));
 }
 
 TEST(KnownDrives, EndWorseWithoutWallsToCorrectThem) {
   LABMOUSE_SKIP_SANITIZED();
-  const auto tallies = drive_known_ways(order(KnownWay::search, 40), rings(), cases_by_correction(at_noise(4.0)));
+  const auto tallies = drive_known_ways(order(KnownWay::search, 40), rings(), cases_by_correction(at_errors(4.0)));
   ASSERT_THAT(tallies, SizeIs(4));
   EXPECT_LT(tallies.front().truth.aside, tallies.back().truth.aside);
   EXPECT_LE(tallies.front().crashed, tallies.back().crashed);
 }
 
-TEST(KnownDrives, SwitchOnEachGroupAlone) {
-  const auto cases = cases_by_group(at_noise(2.0));
-  ASSERT_EQ(cases.size(), noise_groups + 1);
-  for (std::size_t group = 0; group < noise_groups; ++group)
-    for (std::size_t other = 0; other < noise_groups; ++other)
-      EXPECT_EQ(cases[group + 1].conditions.noise.of(static_cast<NoiseGroup>(other)), group == other ? 2.0 : 0.0);
+TEST(KnownDrives, SwitchOnEachCauseAlone) {
+  const auto cases = cases_by_cause(at_errors(2.0));
+  ASSERT_EQ(cases.size(), error_causes + 1);
+  for (std::size_t cause = 0; cause < error_causes; ++cause)
+    for (std::size_t other = 0; other < error_causes; ++other) {
+      const ErrorScale& errors = cases[cause + 1].conditions.errors;
+      EXPECT_EQ(errors.variation_of(static_cast<ErrorCause>(other)), cause == other ? 2.0 : 0.0);
+      EXPECT_EQ(errors.noise_of(static_cast<ErrorCause>(other)), cause == other ? 2.0 : 0.0);
+    }
 }
 
 TEST(KnownDrives, AreToldAsATableAndAsJson) {
-  const auto tallies = drive_known_ways(order(), rings(), std::vector<DriveCase>{{"strong", at_noise(6.0)}});
-  EXPECT_EQ(tallies.front().variation, at_noise(6.0).noise.variation);
-  EXPECT_THAT(table_of(tallies, order()),
-              Says("strong", "crashed", "wrong", fmt::format("variation {:g}", tallies.front().variation)));
+  const auto tallies = drive_known_ways(order(), rings(), std::vector<DriveCase>{{"strong", at_errors(6.0)}});
+  EXPECT_THAT(table_of(tallies, order()), Says("Robot kerise", "strong", "crashed", "wrong"));
   const auto json = nlohmann::json::parse(json_of(tallies, order()));
   const auto& told = json.at("drives").at(0);
   EXPECT_EQ(told.at("runs"), tallies[0].runs);
@@ -94,7 +95,7 @@ TEST(KnownDrives, StopWhereTheyAreToldTo) {
   DriveOrder alone = order();
   alone.jobs = 1;
   const auto tallies = drive_known_ways(
-      alone, rings(), std::vector<DriveCase>{{"first", at_noise(1.0)}, {"second", at_noise(1.0)}}, hooks);
+      alone, rings(), std::vector<DriveCase>{{"first", at_errors(1.0)}, {"second", at_errors(1.0)}}, hooks);
   EXPECT_EQ(tallies.at(0).runs, 3);
   EXPECT_EQ(tallies.at(1).runs, 0);
   EXPECT_TRUE(tallies.at(1).stopped);

@@ -14,18 +14,18 @@
 namespace labmouse {
 namespace {
 
-using test::at_noise;
+using test::at_errors;
 using test::mice;
 using test::Says;
 using ::testing::SizeIs;
 
 std::vector<NamedMaze> rings() { return {{"ring", test::ring()}, {"other", test::ring()}}; }
 
-FailureOrder order(std::vector<double> noises, int runs) {
+FailureOrder order(std::vector<double> variations, int runs) {
   FailureOrder order;
   order.model = test::drive_model("kerise");
   order.rules = find_rules("all-japan").rules;
-  order.noises = std::move(noises);
+  order.variations = std::move(variations);
   order.runs = runs;
   return order;
 }
@@ -40,7 +40,46 @@ ManoeuvreCount all_of(const FailureCounts& tally) {
   return sum;
 }
 
-TEST(FailureRates, AreNoneWithoutNoise) {
+/// The counts of one contest in the ring, of all classes of brightness.
+FailureCounts counted(const PhysicalRecord& record, double cell, const RobotSample& sample, double pace = 1.0) {
+  FailureTally tally;
+  tally.pace = pace;
+  count_failures(record, test::ring(), cell, sample, tally);
+  return tally.all();
+}
+
+RobotSample nominal() {
+  return RobotSample(*test::drive_model("kerise")->robot.hardware, no_errors, test::ring().size(), 1);
+}
+
+/// Readings count where walls look as bright as that one does, all else where they do on average.
+TEST(FailureRates, AreByBrightness) {
+  const PhysicalConditions conditions = [] {
+    PhysicalConditions usual;
+    usual.trace_every = 5;
+    return usual;
+  }();
+  constexpr std::uint64_t seed = 3;
+  const PhysicalRecord record = test::driven_physically("flood-return", test::ring(), conditions, seed);
+  const RobotSample sample(*test::drive_model("kerise")->robot.hardware, conditions.errors, test::ring().size(), seed);
+  FailureTally tally;
+  count_failures(record, test::ring(), 90.0, sample, tally);
+  std::array<std::int64_t, brightness_classes> expected{};
+  for (const Look& look : record.looks)
+    for (const Heading side : {left_of(look.pose.heading), look.pose.heading, right_of(look.pose.heading)})
+      if (!on_border(wall_at(look.pose.cell, side), test::ring().size()))
+        ++expected[brightness_class(sample, look.pose, side, !test::ring().is_open(look.pose.cell, side))];
+  for (std::size_t bright = 0; bright < brightness_classes; ++bright) {
+    const FailureCounts& counts = tally.by_brightness[bright];
+    EXPECT_EQ(counts.contests, bright == brightness_class(sample.brightness()) ? 1 : 0);
+    std::int64_t readings = 0;
+    for (const auto& of_kind : counts.readings)
+      for (const ReadingCount& count : of_kind) readings += count.times();
+    EXPECT_EQ(readings, expected[bright]) << bright;
+  }
+}
+
+TEST(FailureRates, AreNoneWithoutVariation) {
   const auto tallies = measure_rates(order({0.0}, 1), mice("flood-return,certify"), rings()).tallies;
   ASSERT_THAT(tallies, SizeIs(1));
   const FailureCounts counts = tallies[0].all();
@@ -59,13 +98,13 @@ TEST(FailureRates, AreNoneWithoutNoise) {
 /// Counted once more, without asking at what.
 TEST(FailureRates, CountEachManoeuvreAndEachCrashOnce) {
   const double cell = test::drive_model("kerise")->tables.cell;
-  PhysicalConditions conditions = at_noise(4.0);
+  PhysicalConditions conditions = at_errors(4.0);
   conditions.trace_every = 5;
   std::int64_t crashes = 0;
   for (std::uint64_t seed = 1; seed <= test::fewer(40U); ++seed) {
     const PhysicalRecord record = test::driven_physically("flood-return", test::ring(), conditions, seed);
-    FailureCounts tally;
-    count_failures(record, test::ring(), cell, 1.0, tally);
+    const RobotSample sample(*test::drive_model("kerise")->robot.hardware, conditions.errors, test::ring().size(), seed);
+    const FailureCounts tally = counted(record, cell, sample);
     std::int64_t moves = 0, segments = 0, crashed = 0;
     for (std::size_t i = 0; i < record.drive.runs.size(); ++i) {
       const DriveRun& run = record.drive.runs[i];
@@ -99,7 +138,7 @@ TEST(FailureRates, CountEachManoeuvreAndEachCrashOnce) {
 }
 
 TEST(FailureRates, CountACrashAtWhatWasDrivenAtThatPace) {
-  PhysicalRecord record = test::driven_physically("flood-return", test::ring(), at_noise(0.0), 1);
+  PhysicalRecord record = test::driven_physically("flood-return", test::ring(), at_errors(0.0), 1);
   auto& runs = record.drive.runs;
   const auto fast = std::find_if(runs.begin(), runs.end(), [](const DriveRun& run) {
     return run.kind == DriveRun::Kind::speed && run.route.segments.size() > 1;
@@ -114,9 +153,7 @@ TEST(FailureRates, CountACrashAtWhatWasDrivenAtThatPace) {
   runs.erase(fast + 1, runs.end());
   record.ends.resize(runs.size());
   const auto crashes_at = [&](double pace, std::size_t segment) {
-    FailureCounts tally;
-    count_failures(record, test::ring(), 90.0, pace, tally);
-    return tally.of(manoeuvre_of(segments[segment])).crashes;
+    return counted(record, 90.0, nominal(), pace).of(manoeuvre_of(segments[segment])).crashes;
   };
   EXPECT_EQ(crashes_at(1.0, 1), 1);
   EXPECT_EQ(crashes_at(1.0, 0), 0);
@@ -145,17 +182,16 @@ TEST(FailureRates, KnowThePositionErrorOfAMouse) {
     return TracePoint{time, {{45.0 + by, 45.0}, 0.0}, BodyPose{{45.0, 45.0}, 0.0}};
   };
   record.trace = {point(0, 0.0), point(295'000, 10.0), point(600'000, 0.0)};
-  FailureCounts tally;
-  count_failures(record, test::ring(), 90.0, 1.0, tally);
+  const FailureCounts tally = counted(record, 90.0, nominal());
   const std::size_t level = position_error_level(10.0 / 90.0);
   EXPECT_EQ(tally.manoeuvres[static_cast<std::size_t>(Manoeuvre::start)][0].after[level], 1);
   EXPECT_EQ(tally.at(level).times, 1);
   EXPECT_EQ(tally.at(level).after[0], 1);
 }
 
-TEST(FailureRates, GrowWithNoiseAndAreTheSameOnAnyNumberOfThreads) {
+TEST(FailureRates, GrowWithVariationAndAreTheSameOnAnyNumberOfThreads) {
   LABMOUSE_SKIP_SANITIZED();
-  FailureOrder asked = order({1.0, 5.0}, test::thorough ? 6 : 2);
+  FailureOrder asked = order({0.5, 2.0}, test::thorough ? 6 : 2);
   asked.jobs = 1;
   const auto two = mice("flood-return,certify");
   const auto alone = measure_rates(asked, two, rings());
@@ -176,16 +212,16 @@ TEST(FailureRates, AreATableAndJson) {
   const std::string table = table_of(measured, asked);
   for (const Manoeuvre manoeuvre : all_manoeuvres) EXPECT_THAT(table, Says(std::string(name_of(manoeuvre))));
   FailureOrder narrow = asked;
-  narrow.conditions.noise.variation /= 2.0;
+  narrow.conditions.errors.noise /= 2.0;
   EXPECT_NE(table, table_of(measured, narrow));
   const ReadJson json = ReadJson::parse(json_of(measured, asked, two, 2));
   EXPECT_THAT(json["mice"].get<std::vector<std::string>>(), ::testing::UnorderedElementsAre("certify", "flood-return"));
-  const ReadJson& by_draws = json["noises"][0]["by_draws"];
+  const ReadJson& by_brightness = json["variations"][0]["by_brightness"];
   std::int64_t contests = 0;
-  for (const ReadJson& some : by_draws) contests += some["contests"].get<std::int64_t>();
+  for (const ReadJson& some : by_brightness) contests += some["contests"].get<std::int64_t>();
   EXPECT_EQ(contests, 4);
-  EXPECT_EQ(by_draws[0]["manoeuvres"]["corridor"].size(), position_error_levels);
-  EXPECT_EQ(by_draws[0]["readings"]["gap ahead"].size(), position_error_levels);
+  EXPECT_EQ(by_brightness[0]["manoeuvres"]["corridor"].size(), position_error_levels);
+  EXPECT_EQ(by_brightness[0]["readings"]["gap ahead"].size(), position_error_levels);
   EXPECT_EQ(json["stopped"], false);
 }
 

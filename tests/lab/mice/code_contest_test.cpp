@@ -73,16 +73,16 @@ struct Contest {
   DriveScore score;
 };
 
-PhysicalConditions noise(double level) {
+PhysicalConditions errors(double scale) {
   PhysicalConditions conditions;
-  conditions.noise.all = level;
+  conditions.errors = {.noise = scale, .variation = scale};
   return conditions;
 }
 
 Contest contest(ControllerCode& code, const Maze& maze = corridor(), const std::string& rules = "all-japan") {
   static const auto model = test::drive_model("kerise");
   const DriveRules by = find_rules(rules).rules;
-  Contest held = {drive_by_code(maze, by, *model, noise(0.0), 1, code), {}};
+  Contest held = {drive_by_code(maze, by, *model, errors(0.0), 1, code), {}};
   held.score = score(held.record.drive, by);
   return held;
 }
@@ -172,7 +172,7 @@ TEST(CodeContest, LetsNobodyBeCarriedForEver) {
   static const auto model = test::drive_model("kerise");
   DriveRules rules = find_rules("all-japan").rules;
   rules.time_limit = 1'000'000;
-  PhysicalConditions conditions = noise(1.0);
+  PhysicalConditions conditions = errors(1.0);
   conditions.handling = 0;
   const PhysicalRecord record = drive_by_code(corridor(), rules, *model, conditions, 1, code);
   EXPECT_EQ(record.drive.outcome, DriveOutcome::out_of_time);
@@ -215,7 +215,7 @@ TEST(CodeContest, IsOverWithTheLastRunThatTheRulesAllow) {
   DriveRules rules = find_rules("all-japan").rules;
   rules.most_runs = 1;
   Prompted code([](int, const Prompted& self) { return ahead(cells(self) < 2.2 ? slow : 0, ControllerWord::goal); });
-  const PhysicalRecord record = drive_by_code(corridor(), rules, *model, noise(0.0), 1, code);
+  const PhysicalRecord record = drive_by_code(corridor(), rules, *model, errors(0.0), 1, code);
   EXPECT_EQ(record.drive.runs.size(), 1U);
   EXPECT_EQ(record.ends[0], RunEnd::done);
   EXPECT_LT(record.tape.size(), 5000U);
@@ -236,7 +236,7 @@ TEST(CodeContest, IsTheSameFromItsTape) {
     });
     const auto model = test::drive_model("kerise");
     const DriveRules rules = find_rules("apec").rules;
-    PhysicalConditions conditions = noise(level);
+    PhysicalConditions conditions = errors(level);
     conditions.trace_every = 100;
     const PhysicalRecord record = drive_by_code(test::ring(), rules, *model, conditions, 9, code);
     TapedCode tape(record.tape, record.drive.reason);

@@ -80,7 +80,7 @@ TEST(ControllerInC, IsToldWhatItsContestIs) {
   EXPECT_EQ(told.untouched_bonus, static_cast<double>(event.rules.untouched_bonus) / 1000.0);
   // In the units of robot files.
   EXPECT_DOUBLE_EQ(told.robot.motors_drive_time, event.model->robot.hardware->motors.drive.time * 1000.0);
-  EXPECT_EQ(told.robot.noise_placement, event.model->robot.hardware->noise.placement);
+  EXPECT_EQ(told.robot.variation_placement, event.model->robot.hardware->variation.placement);
   EXPECT_EQ(calls.ends, 1);
 }
 

@@ -81,7 +81,7 @@ TEST(NamedMouse, IsSweptAndTunedAsWhatItIs) {
   ASSERT_THAT(variants.contestants, SizeIs(2)) << variants.error;
   EXPECT_EQ(variants.contestants[1].name, "flood:stride=2");
   EXPECT_THAT(read_ranges("fast=flood", "stride").ranges, SizeIs(1));
-  const Sweep sweep = hold_sweep("fast=flood", read_variation("stride=1,2"), {test::loop()}, test::in_steps());
+  const Sweep sweep = hold_sweep("fast=flood", read_swept_values("stride=1,2"), {test::loop()}, test::in_steps());
   EXPECT_EQ(sweep.error, "");
   EXPECT_THAT(sweep.points, SizeIs(2));
   EXPECT_THAT(read_variants("a=program:sh -c {x}", "x", strides).contestants, SizeIs(2));

@@ -15,7 +15,7 @@ using test::json;
 using ::testing::SizeIs;
 
 DriveRecordFile recorded(double noise, int trace_every, std::uint64_t seed = 1) {
-  PhysicalConditions conditions = test::at_noise(noise);
+  PhysicalConditions conditions = test::at_errors(noise);
   conditions.trace_every = trace_every;
   return test::physical_file("flood-return", conditions, seed);
 }
@@ -25,7 +25,7 @@ json played(const DriveRecordFile& file) {
 }
 
 TEST(PageBodies, AreBothMicePointByPoint) {
-  const DriveRecordFile file = recorded(3.0, 20);
+  const DriveRecordFile file = recorded(0.5, 20);
   const json play = played(file);
   EXPECT_EQ(play["world"], "physical");
   const json &path = play["drive"]["path"], &bodies = play["drive"]["bodies"], &belief = bodies["belief"];

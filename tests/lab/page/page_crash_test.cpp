@@ -43,7 +43,7 @@ void expect_shown(const json& play, const json& run, Cell cell) {
 }
 
 DriveRecordFile physical(int trace_every, std::uint64_t seed) {
-  PhysicalConditions conditions = test::at_noise(8.0);
+  PhysicalConditions conditions = test::at_errors(2.5);
   conditions.trace_every = trace_every;
   return test::physical_file("flood-return", conditions, seed);
 }
@@ -79,10 +79,10 @@ TEST(PageCrash, IsOfTheShapeThatThePageAsksFor) {
 DriveRecordFile failing(Manoeuvre manoeuvre) {
   FailureRates failure_rates;
   failure_rates.paces = {{1.0, {no_failures()}}};
-  failure_rates.paces.front().noises.front().noise = 1.0;
-  for (FailureRatesByDraw& by_draws : failure_rates.paces.front().noises.front().by_draws)
-    by_draws.manoeuvres[static_cast<std::size_t>(manoeuvre)][0] = {1.0, 1.0, {1.0}};
-  DriveRecordFile file = test::physical_file("flood-return", test::at_noise(1.0));
+  failure_rates.paces.front().variations.front().variation = 1.0;
+  for (FailureRatesByBrightness& by_brightness : failure_rates.paces.front().variations.front().by_brightness)
+    by_brightness.manoeuvres[static_cast<std::size_t>(manoeuvre)][0] = {1.0, 1.0, {1.0}};
+  DriveRecordFile file = test::physical_file("flood-return", test::at_errors(1.0));
   const Briefing briefing = [&] {
     Briefing made = brief(*file.maze, file.rules, *file.model, 1);
     made.sight = 1;

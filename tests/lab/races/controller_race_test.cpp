@@ -33,7 +33,7 @@ std::vector<Contestant> controllers(const std::string& word = "") {
   return mice("controller:\"" LABMOUSE_CONTROLLER_TEMPLATE "\"" + (word.empty() ? word : " " + word));
 }
 
-std::shared_ptr<const World> world(const PhysicalConditions& conditions = test::at_noise(1.0)) {
+std::shared_ptr<const World> world(const PhysicalConditions& conditions = test::at_variation(0.0)) {
   DriveRules rules = find_rules("all-japan").rules;
   rules.time_limit = 60'000'000;
   return physical_world(rules, test::drive_model("kerise"), conditions);

@@ -18,7 +18,7 @@ BodyMotion steady(const std::string& robot, double left, double right) {
   const Robot built = find_robot(robot).model.robot;
   const Maze maze = empty_generator.make({.size = {64, 64}});
   const Field field(maze, built.cell);
-  const RobotSample sample(*built.hardware, NoiseLevel{.all = 0.0}, maze.size(), 1);
+  const RobotSample sample(*built.hardware, no_errors, maze.size(), 1);
   Plant plant(field, *built.hardware, sample, 1);
   plant.put({32.0 * built.cell, 32.0 * built.cell}, 0.0);
   for (int tick = 0; tick < 1500; ++tick) plant.step({static_cast<float>(left), static_cast<float>(right)});

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "labmouse/lab/noise_curves/noise_curves.hpp"
+#include "labmouse/lab/finish_curves/finish_curves.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 #include "tests/lab/races/race_fixture.hpp"
@@ -60,7 +60,7 @@ TEST(RobotComparison, SubtractsTheFirstRobotFromEachOther) {
 
 TEST(RobotComparison, ComparesOnlyRacesThatDifferInTheRobotAlone) {
   EXPECT_THAT(compare_robots(races("seconds", {{"robot", "classic"}})), IsEmpty());
-  EXPECT_THAT(compare_robots(races("failures", {{"noise", "0,2"}})), IsEmpty());
+  EXPECT_THAT(compare_robots(races("failures", {{"variation", "0,1"}})), IsEmpty());
   EXPECT_THAT(compare_robots(races("steps", {})), IsEmpty());
   const std::vector<Race> all = races("physical", {{"robot", "kerise,classic"}, {"noise", "0,1"}});
   ASSERT_THAT(all, SizeIs(4));
@@ -71,10 +71,10 @@ TEST(RobotComparison, ComparesOnlyRacesThatDifferInTheRobotAlone) {
   EXPECT_THAT(text, HasSubstr(fmt::format(" {:+.3f} ", mean_of(all[3], 0) - mean_of(all[1], 0))));
 }
 
-TEST(NoiseCurves, AreOfOneRobot) {
+TEST(FinishCurves, AreOfOneRobot) {
   const std::vector<Race> all = races("physical", {{"robot", "kerise,classic"}, {"noise", "0,1"}});
-  EXPECT_THAT(noise_curves(all), IsEmpty());
-  EXPECT_THAT(noise_curves(std::span(all).first(2)), Not(IsEmpty()));
+  EXPECT_THAT(finish_curves(all).curves, IsEmpty());
+  EXPECT_THAT(finish_curves(std::span(all).first(2)).curves, Not(IsEmpty()));
 }
 
 }  // namespace

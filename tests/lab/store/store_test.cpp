@@ -117,7 +117,7 @@ TEST_F(AStore, ServesSweepsAndSearches) {
     RaceOrder order = test::in_steps();
     order.store = tuning.race.store = store;
     tuning.race.world = order.world;
-    table = table_of(hold_sweep("flood", read_variation("stride=1:3:1"), mazes, order), false);
+    table = table_of(hold_sweep("flood", read_swept_values("stride=1:3:1"), mazes, order), false);
     table += csv_of(hold_tune("cautious", read_ranges("cautious", "explore_frac").ranges, mazes, tuning));
     EXPECT_EQ(store->finish(), "");
     recalled_ = store->recalled();

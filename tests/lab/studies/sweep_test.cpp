@@ -26,15 +26,15 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 std::vector<std::string> values(std::string_view text) {
-  const Variation variation = read_variation(text);
-  EXPECT_EQ(variation.error, "");
-  return variation.values;
+  const SweptValues swept = read_swept_values(text);
+  EXPECT_EQ(swept.error, "");
+  return swept.values;
 }
 
 std::string error(std::string_view text) {
-  const Variation variation = read_variation(text);
-  EXPECT_THAT(variation.values, IsEmpty());
-  return variation.error;
+  const SweptValues swept = read_swept_values(text);
+  EXPECT_THAT(swept.values, IsEmpty());
+  return swept.error;
 }
 
 TEST(SweepValues, AreExactDecimals) {
@@ -49,7 +49,7 @@ TEST(SweepValues, AreExactDecimals) {
 TEST(SweepValues, OfAListStandAsGiven) {
   EXPECT_THAT(values("p=c,a,b"), ElementsAre("c", "a", "b"));
   EXPECT_THAT(values("p=3/5/3,4/5/4"), ElementsAre("3/5/3", "4/5/4"));
-  EXPECT_EQ(read_variation("explore_frac=0.5").parameter, "explore_frac");
+  EXPECT_EQ(read_swept_values("explore_frac=0.5").parameter, "explore_frac");
 }
 
 TEST(SweepValues, AreAtMostAThousand) {
@@ -123,7 +123,7 @@ TEST(Variants, OfAExternalStandInItsCommand) {
 
 Sweep sweep(std::string_view spec, std::string_view vary, const std::vector<NamedMaze>& mazes,
             const RaceOrder& order = test::in_steps()) {
-  return hold_sweep(spec, read_variation(vary), mazes, order);
+  return hold_sweep(spec, read_swept_values(vary), mazes, order);
 }
 
 /// All that a sweep found.
@@ -213,7 +213,7 @@ TEST(Sweep, LeavesOutTheValueAtWhichItIsStopped) {
   RaceOrder order = test::in_steps();
   order.jobs = 1;
   const Sweep found =
-      hold_sweep("flood", read_variation("stride=1:3:1"), {test::loop(), test::corridor()}, order, hooks);
+      hold_sweep("flood", read_swept_values("stride=1:3:1"), {test::loop(), test::corridor()}, order, hooks);
   EXPECT_EQ(told, 3);
   ASSERT_EQ(found.points.size(), 1U);
   EXPECT_EQ(found.points[0].value, "1");
@@ -290,8 +290,8 @@ Entry entry_in(std::string_view world, const WorldSettings& settings = {}, const
 }
 
 RobotVariants variants_in(const Entry& entry, std::string_view vary) {
-  const Variation variation = read_variation(vary);
-  return robot_variants(entry, variation.parameter, variation.values);
+  const SweptValues swept = read_swept_values(vary);
+  return robot_variants(entry, swept.parameter, swept.values);
 }
 
 /// The parameters of the robot and the hash of its tables, as the world's conditions have them.

@@ -111,9 +111,9 @@ std::string condition_of(const Entry& entry, std::string_view key) {
 TEST(Entering, RulesFollowTheSizeOfTheMazes) {
   LABMOUSE_SKIP_SANITIZED();
   const auto rules = [](const std::vector<Size>& sizes) {
-    const auto [entry, remark] = suited({{"noise", "3"}}, sizes);
+    const auto [entry, remark] = suited({{"variation", "bad-day"}}, sizes);
     EXPECT_EQ(remark, "");
-    EXPECT_EQ(condition_of(entry, "noise"), "3");
+    EXPECT_EQ(condition_of(entry, "variation"), "1.2");
     EXPECT_THAT(names_of(entry.mice), ElementsAre("flood"));
     return Json::parse(condition_of(entry, "rules"))["name"].get<std::string>();
   };

@@ -37,7 +37,7 @@ TEST(Settings, SayWhatCanBeChosen) {
   EXPECT_EQ(problem("pace", "0.2"), "");
   EXPECT_EQ(problem("pace", "0.1"), "error: --pace: '0.1' is not a number from 0.2 to 1");
   EXPECT_EQ(problem("noise", "100.5"), "error: --noise: '100.5' is not a number from 0 to 100");
-  EXPECT_EQ(problem("variation", "ten"), "error: --variation: 'ten' is not a number from 0 to 10");
+  EXPECT_EQ(problem("variation", "ten"), "error: --variation: 'ten' is not a number from 0 to 10, or one of lab, practice, contest, bad-day");
   EXPECT_EQ(problem("search-speed", "0"), "");
   EXPECT_EQ(problem("search-speed", "5"),
             "error: --search-speed: '5' is neither 0 nor a number from 10 to 20000 mm/s; if the value is in m/s, write "
@@ -58,8 +58,8 @@ TEST(Settings, AreReadUnderFormerNames) {
   JsonFields fields(old, "");
   read_settings(physical_rows, fields, read);
   EXPECT_EQ(fields.error(), "");
-  EXPECT_EQ(read.noise.all, 2.0);
-  EXPECT_EQ(read.noise.variation, 3.0);
+  EXPECT_EQ(read.errors.noise, 2.0);
+  EXPECT_EQ(read.errors.variation, 3.0);
   EXPECT_EQ(read.controller.search_speed, 4.0);
   EXPECT_EQ(read.controller.pace, 1.0);
   EXPECT_EQ(read.map, MapKind::learned);

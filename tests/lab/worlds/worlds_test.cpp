@@ -57,7 +57,7 @@ const Trial& trial_of(const WorldEntry& entry) {
       {"steps", {{"flood,random"}, {{"budget", "40"}}, "flood", "stride=1,2,02"}},
       {"seconds", {{"flood,ariadne"}, {{"rules", "thirtieth"}}, "ariadne", "prior=contest,uniform,contest"}},
       {"physical", {{"flood,ariadne"}, {{"noise", "2"}}, "ariadne", "prior=contest,uniform,contest"}},
-      {"failures", {{"flood,ariadne"}, {{"noise", "2"}}, "ariadne", "prior=contest,uniform,contest"}},
+      {"failures", {{"flood,ariadne"}, {{"variation", "1.2"}}, "ariadne", "prior=contest,uniform,contest"}},
       {"mms",
        {{program + " ask:turnRight ask:moveForward", program + " ask:turnLeft exit:2"},
         {{"presses", "3"}},
@@ -443,7 +443,7 @@ TEST_P(AWorld, HasSweeps) {
   if (GetParam()->name == "failures") LABMOUSE_SKIP_SANITIZED();  // the physical world does the same and more
   std::vector<NamedMaze> in = mazes();
   in.push_back({"contest-05", *maze_named("contest-05")});
-  const Sweep sweep = hold_sweep(trial().swept, read_variation(trial().variation), in, order(), {}, patient());
+  const Sweep sweep = hold_sweep(trial().swept, read_swept_values(trial().variation), in, order(), {}, patient());
   ASSERT_EQ(sweep.error, "");
   ASSERT_THAT(sweep.points, SizeIs(2));  // the third value is the first or second once more
   EXPECT_EQ(sweep.values, 2U);

@@ -68,7 +68,7 @@ def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
         result.refusal = "readings do not fall with the distance, or the distances hardly differ"
         return result
     result.missed = problem.rms(fit.missed)
-    _widen(problem, float(robot["noise.reflectance"]), fit, result)
+    _widen(problem, float(robot["variation.reflectance"]), fit, result)
     for sensor in problem.sensors:
         result.of_sensor[SENSORS[sensor]] = float(np.exp(fit.law[sensor]))
         result.places += runs[sensor]
@@ -173,7 +173,7 @@ class _Problem:
         plain = rows[:, [*self.sensors, _DISTANCE]]
         weights *= robust_weights(plain, values, usual)
         self.blocks = Blocks(rows, values, blocks, weights)
-        self.spread = max(0.01, robot["noise.infrared_gain"])
+        self.spread = max(0.01, robot["variation.infrared_gain"])
 
     def fit(self, more: Optional[int] = None) -> Optional[_LawFit]:
         """Fits the law, with `more` as another unknown. None if it is undetermined, or readings grow with distance."""

@@ -10,8 +10,8 @@ import { duel } from './duel';
 import { heat } from './heat';
 import { leaderboard } from './leaderboard';
 import { matrix, type Matrix } from './matrix';
-import { noisePicture } from './noise';
-import { noiseCurves } from './noise-data';
+import { errorCurves } from './error-curves';
+import { errorCurvesPicture } from './error-curves-picture';
 import { facts, part } from './parts';
 
 /** What can be drawn again for the room and the tones that there are now. */
@@ -107,15 +107,15 @@ export function raceParts(
   afterFrame(() => {
     if (!wanted()) return;
     boards = groups.map((group) => boardParts(page, race, boardOf(group, groups)));
-    const noisy = noiseCurves(groups);
-    const noise = noisy ? [noisePicture(noisy)] : [];
+    const curves = errorCurves(groups);
+    const curvePictures = curves ? [{ ...errorCurvesPicture(curves), title: `As ${curves.scaled} grows` }] : [];
     const finished = 'The share of contests that each mouse finished.';
     pictures.append(
-      ...noise.map(({ element }) => part('As noise grows', finished, element)),
+      ...curvePictures.map(({ element, title }) => part(title, finished, element)),
       ...boards.flatMap(({ elements }) => elements),
     );
     arrangeRows();
-    drawn([...boards.flatMap(({ painted }) => painted), ...noise], boards[0].board);
+    drawn([...boards.flatMap(({ painted }) => painted), ...curvePictures], boards[0].board);
   });
   const line = isExample ? `An example: ${facts(results)}` : facts(results);
   const board = h('div.row.controls', ...controls);

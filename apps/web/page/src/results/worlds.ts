@@ -102,11 +102,15 @@ export function worldOf(group: RaceGroup, among: RaceGroup[] = []): RacedWorld {
   } = (said.score ?? {}) as Partial<NonNullable<ShownWorld['score']>>;
   const robots = new Set(among.filter(({ world }) => world === group.world).map(robotOf));
   const robot = robots.size > 1 ? `, ${robotOf(group)}` : '';
-  const noise = isNumber(group.noise) ? `, noise ${group.noise}` : '';
+  const errors = (['noise', 'variation'] as const)
+    .map((scaled) => [scaled, group[scaled]] as const)
+    .filter(([, scale]) => isNumber(scale))
+    .map(([scaled, scale]) => `, ${scaled} ${String(scale)}`)
+    .join('');
   const mean = table?.columns.find(isMean) ?? usualMean;
   const own = table?.columns.filter((column) => column !== mean).map(columnOf);
   return {
-    title: table?.in_steps ? '' : `, ${group.world}${robot}${noise}`,
+    title: table?.in_steps ? '' : `, ${group.world}${robot}${errors}`,
     inSteps: table?.in_steps ?? false,
     limit: orNull(group.limit_score) ?? orNull(group.failure_score) ?? orNull(failure_score),
     countsFailures: isNumber(failure_score),

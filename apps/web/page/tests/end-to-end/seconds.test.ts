@@ -140,8 +140,8 @@ test('a record of the physical world shows the true mouse and the one that it th
       'contest-05',
       '--runs',
       '1',
-      '--noise',
-      '3',
+      '--variation',
+      'practice',
     ],
     ...['--out', folder, '--overwrite'],
   );

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import type { Core } from '../../src/core/client';
 import type { Fields, WorldInPage } from '../../src/core/types';
 import { eachOf, holdRace } from '../../src/results/holding';
-import { noiseCurves } from '../../src/race/noise-data';
+import { errorCurves } from '../../src/race/error-curves';
 
 const setting = (name: string, more = {}) => ({ name, type: 'text', default: '1', meaning: '', ...more });
 const worlds = [
@@ -41,7 +41,7 @@ it('is held once for each noise, with all mice in each', async () => {
   expect(groups.map(({ noise, mice }) => [noise, mice.map(({ name }) => name)])).toEqual(
     [0, 1, 2].map((noise) => [noise, ['flood', 'certify']]),
   );
-  expect(noiseCurves(groups)!.noises).toEqual([0, 1, 2]);
+  expect(errorCurves(groups)!.scales).toEqual([0, 1, 2]);
 });
 
 it('of one noise is held once for each mouse', async () => {

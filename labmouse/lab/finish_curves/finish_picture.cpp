@@ -1,4 +1,4 @@
-// Draws noise curves: the share finished by each mouse, and bars of what ended the other contests.
+// Draws curves: the share finished by each mouse, and bars of what ended the other contests.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "labmouse/lab/drawing/palette.hpp"
 #include "labmouse/lab/drawing/plot_area.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
-#include "labmouse/lab/noise_curves/noise_curves.hpp"
+#include "labmouse/lab/finish_curves/finish_curves.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -31,17 +31,17 @@ std::string line_style(std::size_t mouse) {
   return stroke(*tones[mouse % tones.size()]) + std::string(dashes[mouse / tones.size() % dashes.size()]);
 }
 
-double percent_of(const NoisePoint& point) {
+double percent_of(const FinishPoint& point) {
   return point.contests > 0 ? 100.0 * point.finished / point.contests : 0.0;
 }
 
-std::string curve_svg(const NoiseCurve& curve, std::size_t mouse, const Axis& x, const Axis& y) {
+std::string curve_svg(const FinishCurve& curve, std::size_t mouse, const Axis& x, const Axis& y) {
   std::string data, whiskers;
-  for (const NoisePoint& point : curve.points) {
-    data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? 'M' : 'L', x.place(point.noise), y.place(percent_of(point)));
+  for (const FinishPoint& point : curve.points) {
+    data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? 'M' : 'L', x.place(point.at), y.place(percent_of(point)));
     const Interval& interval = point.interval;
     whiskers += fmt::format("<path {} stroke-opacity=\"0.5\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n",
-                            stroke(*tones[mouse % tones.size()]), x.place(point.noise), y.place(100.0 * interval.low),
+                            stroke(*tones[mouse % tones.size()]), x.place(point.at), y.place(100.0 * interval.low),
                             y.place(100.0 * interval.high));
   }
   return whiskers + fmt::format("<path {} stroke-width=\"2\" d=\"{}\"><title>{}</title></path>\n", line_style(mouse),
@@ -49,11 +49,11 @@ std::string curve_svg(const NoiseCurve& curve, std::size_t mouse, const Axis& x,
 }
 
 /// Names at the ends of the curves, moved apart where they would lie upon each other.
-std::string names_svg(std::span<const NoiseCurve> curves, const Axis& y) {
+std::string names_svg(const FinishCurves& curves, const Axis& y) {
   constexpr double least_step = 16.0;
   std::vector<std::pair<double, std::size_t>> ends;
-  for (std::size_t mouse = 0; mouse < curves.size(); ++mouse)
-    ends.emplace_back(y.place(percent_of(curves[mouse].points.back())), mouse);
+  for (std::size_t mouse = 0; mouse < curves.curves.size(); ++mouse)
+    ends.emplace_back(y.place(percent_of(curves.curves[mouse].points.back())), mouse);
   std::stable_sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 1; i < ends.size(); ++i) ends[i].first = std::max(ends[i].first, ends[i - 1].first + least_step);
   // Move names that fell below the chart back up, and those above them too.
@@ -62,7 +62,7 @@ std::string names_svg(std::span<const NoiseCurve> curves, const Axis& y) {
   std::string svg;
   for (const auto& [at, mouse] : ends) {
     svg += fmt::format("<path {} stroke-width=\"2\" d=\"M{} {:.1f}h22\"/>\n", line_style(mouse), chart.right + 10, at);
-    svg += text_svg(chart.right + 38, at + 4, "start", ink, fitted(curves[mouse].mouse, letters_of_a_name));
+    svg += text_svg(chart.right + 38, at + 4, "start", ink, fitted(curves.curves[mouse].mouse, letters_of_a_name));
   }
   return svg;
 }
@@ -81,15 +81,15 @@ std::string rect_svg(double x, double y, double width, const Tone& tone, std::st
                      width, bar_height, -width, xml_escaped(words));
 }
 
-/// A bar for each mouse at one noise level: contests finished, and what ended the others.
-std::string bars_svg(std::span<const NoiseCurve> curves, std::size_t noise, int top) {
+/// A bar for each mouse at one scale: contests finished, and what ended the others.
+std::string bars_svg(const FinishCurves& curves, std::size_t place, int top) {
   std::string svg = text_svg(left_edge, top - 14, "start", ink,
-                             fmt::format("What ended the others at noise {:g}", curves.front().points[noise].noise));
-  for (std::size_t mouse = 0; mouse < curves.size(); ++mouse) {
-    const NoisePoint& point = curves[mouse].points[noise];
+                             fmt::format("What ended the others at noise {:g}", curves.curves.front().points[place].at));
+  for (std::size_t mouse = 0; mouse < curves.curves.size(); ++mouse) {
+    const FinishPoint& point = curves.curves[mouse].points[place];
     const double y = top + static_cast<double>(mouse) * bar_step, unit = 1.0 * bar_width / std::max(1, point.contests);
     double x = left_edge + 160;
-    svg += text_svg(x - 8, y + bar_height - 4, "end", ink, fitted(curves[mouse].mouse, letters_of_a_name - 4));
+    svg += text_svg(x - 8, y + bar_height - 4, "end", ink, fitted(curves.curves[mouse].mouse, letters_of_a_name - 4));
     svg += rect_svg(x, y, unit * point.finished, goal, fmt::format("finished {}", point.finished));
     x += unit * point.finished;
     for (const RunEnd end : ends_shown) {
@@ -102,22 +102,22 @@ std::string bars_svg(std::span<const NoiseCurve> curves, std::size_t noise, int 
   return svg;
 }
 
-/// The index of the noise for the bars: the one nearest to 2, the level of real mice.
-std::size_t telling_noise(const NoiseCurve& curve) {
-  constexpr double telling = 2.0;
+/// The index of the scale for the bars: the one nearest to that of a contest.
+std::size_t usual_place(const FinishCurve& curve) {
+  constexpr double usual = 1.0;
   std::size_t best = 0;
   for (std::size_t i = 1; i < curve.points.size(); ++i)
-    if (std::abs(curve.points[i].noise - telling) < std::abs(curve.points[best].noise - telling)) best = i;
+    if (std::abs(curve.points[i].at - usual) < std::abs(curve.points[best].at - usual)) best = i;
   return best;
 }
 
-Legend legend_of(std::span<const NoiseCurve> curves, std::size_t noise, int top) {
+Legend legend_of(const FinishCurves& curves, std::size_t place, int top) {
   Legend legend({left_edge, top}, right_edge);
   const auto sample = [](const Tone& tone) { return fmt::format("<path {} d=\"M0 -6h12v12h-12Z\"/>", fill(tone)); };
   legend.add(12, sample(goal), "finished");
   for (const RunEnd end : ends_shown)
-    if (std::any_of(curves.begin(), curves.end(), [&](const NoiseCurve& curve) {
-          return curve.points[noise].ended[static_cast<std::size_t>(end)] > 0;
+    if (std::any_of(curves.curves.begin(), curves.curves.end(), [&](const FinishCurve& curve) {
+          return curve.points[place].ended[static_cast<std::size_t>(end)] > 0;
         }))
       legend.add(12, sample(tone_of(end)), name_of(end));
   return legend;
@@ -125,24 +125,25 @@ Legend legend_of(std::span<const NoiseCurve> curves, std::size_t noise, int top)
 
 }  // namespace
 
-std::string draw_curves(std::span<const NoiseCurve> curves, const std::string& title) {
-  const double last = curves.front().points.back().noise;
+std::string draw_curves(const FinishCurves& curves, const std::string& title) {
+  const double last = curves.curves.front().points.back().at;
   const Axis x(0.0, last > 0.0 ? 1.02 * last : 1.0, chart.left, chart.right, 8);
   const Axis y(0.0, 100.0, chart.bottom, chart.top, 10);
-  const std::size_t noise = telling_noise(curves.front());
-  const int bars = chart.bottom + 92, bars_end = bars + static_cast<int>(curves.size()) * bar_step;
-  const Legend legend = legend_of(curves, noise, bars_end + 16);
+  const std::size_t place = usual_place(curves.curves.front());
+  const int bars = chart.bottom + 92, bars_end = bars + static_cast<int>(curves.curves.size()) * bar_step;
+  const Legend legend = legend_of(curves, place, bars_end + 16);
   const Sheet sheet = {
       right_edge + side_margin,
       legend.bottom() + side_margin / 2,
       title,
-      "The share of contests that mice finish against the factor of all noise, a line a mouse with 95 % "
-      "intervals; below, what ended the contests that they did not finish.",
+      fmt::format("The share of contests that mice finish against the scale of the {}, a line a mouse with 95 % "
+                  "intervals; below, what ended the contests that they did not finish.",
+                  curves.scale),
       {candidate, wrong}};
   std::string svg = heading_svg({left_edge, 32}, right_edge, title) +
-                    axes_svg(chart, x, y, "noise, 1 as it was measured", "contests finished, %");
-  for (std::size_t mouse = 0; mouse < curves.size(); ++mouse) svg += curve_svg(curves[mouse], mouse, x, y);
-  return sheet.with(svg + names_svg(curves, y) + bars_svg(curves, noise, bars) + legend.svg());
+                    axes_svg(chart, x, y, fmt::format("scale of the {}", curves.scale), "contests finished, %");
+  for (std::size_t mouse = 0; mouse < curves.curves.size(); ++mouse) svg += curve_svg(curves.curves[mouse], mouse, x, y);
+  return sheet.with(svg + names_svg(curves, y) + bars_svg(curves, place, bars) + legend.svg());
 }
 
 }  // namespace labmouse

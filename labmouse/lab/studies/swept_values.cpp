@@ -69,19 +69,19 @@ std::string read_list(std::string_view text, std::vector<std::string>& values) {
 
 }  // namespace
 
-Variation read_variation(std::string_view text) {
-  Variation variation;
+SweptValues read_swept_values(std::string_view text) {
+  SweptValues swept;
   const auto equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0) {
-    variation.error = fmt::format("'{}' is not of the form NAME=LOW:HIGH:STEP or NAME=VALUE,VALUE,...", text);
-    return variation;
+    swept.error = fmt::format("'{}' is not of the form NAME=LOW:HIGH:STEP or NAME=VALUE,VALUE,...", text);
+    return swept;
   }
-  variation.parameter = text.substr(0, equals);
+  swept.parameter = text.substr(0, equals);
   const auto values = text.substr(equals + 1);
   const bool range = values.find(':') != std::string_view::npos;
-  variation.error = range ? read_range(values, variation.values) : read_list(values, variation.values);
-  if (!variation.error.empty()) variation.values.clear();
-  return variation;
+  swept.error = range ? read_range(values, swept.values) : read_list(values, swept.values);
+  if (!swept.error.empty()) swept.values.clear();
+  return swept;
 }
 
 }  // namespace labmouse
