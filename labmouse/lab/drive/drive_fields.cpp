@@ -115,18 +115,16 @@ constexpr Column score_column = {.first = "score,",
                                  .width = 7,
                                  .text = columns::mean_all,
                                  .key = "mean_score",
-                                 .title = "score",
                                  .meaning = "Mean score over the contests that have one: seconds, or marks lost.",
                                  .digits = 3,
                                  .in_unit = true};
 constexpr std::array<Column, 2> time_columns = {
     {{"search", "run, s", 7,
       [](const Race& r, const Standing& s) { return columns::number(mean_seconds<&D::search>(r, s), 1); },
-      "mean_search", "search, s", "Mean time of the contests until the first speed run began, in seconds.", 1},
+      "mean_search", "Mean time of the contests until the first speed run began, in seconds.", 1},
      {"best", "run, s", 7,
       [](const Race& r, const Standing& s) { return columns::number(mean_seconds<&D::best>(r, s), 3); }, "mean_best",
-      "best run, s", "Mean time of the best runs from rest at the start to the goal, or of the best laps, in seconds.",
-      3}}};
+      "Mean time of the best runs from rest at the start to the goal, or of the best laps, in seconds.", 3}}};
 
 // The world without errors.
 
@@ -178,16 +176,16 @@ constexpr auto seconds_table = joined(
          {"score /", "best", 7, columns::mean_ratio}}},
     time_columns,
     std::array<Column, 4>{
-        {{"excess", "%", 6, above_best, "mean_excess", "above fastest, %",
+        {{"excess", "%", 6, above_best, "mean_excess",
           "How much longer the routes of the best runs take than the fastest route, in percent.", 2, false, 100.0},
          rarely({"fastest", "routes", 7,
                  [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); }, "optimal",
-                 "best runs", "Contests whose best run took the fastest route.", 0, true}),
+                 "Contests whose best run took the fastest route.", 0, true}),
          rarely({"", "proven", 6, [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); },
-                 "proven", "proven", "Contests in which the mouse knew that no route could be faster.", 0, true}),
+                 "proven", "Contests in which the mouse knew that no route could be faster.", 0, true}),
          {"runs per", "contest", 8,
           [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "starts"), 1); },
-          "mean_starts", "runs", "Mean number of starts in a contest.", 1}}});
+          "mean_starts", "Mean number of starts in a contest.", 1}}});
 constexpr std::array<ComparedFigure, 2> seconds_compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
 
 // The worlds with errors.
@@ -246,29 +244,26 @@ constexpr auto physical_mouse =
 constexpr auto physical_table = joined(
     std::array<Column, 4>{
         {scored_column,
-         {"95 %", "range, %", 8, finished_text, "finished_interval", "finished, 95 %",
+         {"95 %", "range, %", 8, finished_text, "finished_interval",
           "Share of the contests that ended with a score, in percent: 95 % interval over the mazes.", 0, true, 100.0},
          score_column,
          {"failures", "at limit", 8,
           [](const Race& r, const Standing& s) { return columns::number(mean_par1(r, s), 3); }, "mean_par1",
-          "failures at limit",
           "Mean score over all contests, in seconds or marks lost; one without a score counts the time limit, or all "
           "marks.",
           3}}},
     time_columns,
     std::array<Column, 7>{
-        {{"", "runs", 5, count_text<&P::starts>, "starts", "runs",
-          "Runs that began at the start, search runs among them."},
-         {"tyres", "slipped", 7, count_text<&P::slid>, "slid", "tyres slipped",
-          "Runs that ended in a crash because the tyres slipped."},
-         {"lost", "position", 8, count_text<&P::position_lost>, "position_lost", "localization errors",
+        {{"", "runs", 5, count_text<&P::starts>, "starts", "Runs that began at the start, search runs among them."},
+         {"tyres", "slipped", 7, count_text<&P::slid>, "slid", "Runs that ended in a crash because the tyres slipped."},
+         {"lost", "position", 8, count_text<&P::position_lost>, "position_lost",
           "Runs that ended in a crash because the mouse had lost its position."},
-         {"wall", "errors", 6, count_text<&P::wall_error>, "wall_error", "wall detection errors",
+         {"wall", "errors", 6, count_text<&P::wall_error>, "wall_error",
           "Runs that ended in a crash into a wall that the map had as open."},
-         {"no route", "left", 8, count_text<&P::no_route_left>, "no_route_left", "no route left",
+         {"no route", "left", 8, count_text<&P::no_route_left>, "no_route_left",
           "Runs that ended because the map had no route left, or contradicted what the mouse saw."},
-         {"time", "limit", 5, count_text<&P::late>, "late", "time limit", "Runs that the time limit cut short."},
-         rarely({"wrong", "walls", 5, count_text<&P::wrong_walls>, "wrong_walls", "walls read wrongly",
+         {"time", "limit", 5, count_text<&P::late>, "late", "Runs that the time limit cut short."},
+         rarely({"wrong", "walls", 5, count_text<&P::wrong_walls>, "wrong_walls",
                  "Walls that the mouse took for closed where they are open, or for open where they are closed.", 0})}});
 
 // Do not change the order: existing stores have the figures in this order.

@@ -137,24 +137,24 @@ std::string interval(const Race&, const Standing& standing) {
 constexpr std::array<Column, 9> table = {
     {{"", "finished", 8, columns::finished},
      {"mean", "score", 6, [](const Race&, const Standing& s) { return columns::number(s.mean_all, 1); }, "mean_score",
-      "mean score", "Mean score of mms over all runs; an unfinished one counts 2000, as in mms.", 3},
+      "Mean score of mms over all runs; an unfinished one counts 2000, as in mms.", 3},
      {"95 %", "interval", 11, interval},
      rarely({"score of", "finished", 8,
              [](const Race&, const Standing& s) { return columns::number(s.mean_finished, 1); }, "mean_finished_score",
-             "score of finished", "Mean score of mms over the finished runs.", 1}),
+             "Mean score of mms over the finished runs.", 1}),
      {"score /", "best", 7, [](const Race&, const Standing& s) { return columns::number(s.mean_ratio, 2); }},
      {"best", "run", 6,
       [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "best_run"), 1); },
-      "mean_best_run", "best run", "Mean of the best runs from start to goal, in steps of mms.", 1},
+      "mean_best_run", "Mean of the best runs from start to goal, in steps of mms.", 1},
      {"run /", "best", 6,
       [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "run_ratio"), 2); },
-      "mean_run_ratio", "run / best",
-      "Mean over the finished runs of the best run divided by the best possible one in that maze.", 2},
+      "mean_run_ratio", "Mean over the finished runs of the best run divided by the best possible one in that maze.",
+      2},
      rarely({"", "total", 6, [](const Race& r, const Standing& s) { return columns::number(mean_total(r, s), 0); },
-             "mean_total", "total", "Mean effective distance and turns of all that the mouse did in a run.", 0}),
+             "mean_total", "Mean effective distance and turns of all that the mouse did in a run.", 0}),
      rarely({"s per", "run", 6,
              [](const Race& r, const Standing& s) { return columns::number(mean_of_all(r, s, "seconds"), 2); },
-             "mean_seconds", "s a run", "Mean time that a run took here, in seconds.", 2})}};
+             "mean_seconds", "Mean time that a run took here, in seconds.", 2})}};
 
 }  // namespace
 

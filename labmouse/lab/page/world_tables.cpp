@@ -3,13 +3,16 @@
 #include <algorithm>
 
 #include "labmouse/lab/races/world_entry.hpp"
+#include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 
 namespace labmouse {
 namespace {
 
 Json column_json(const Column& column) {
-  Json json = {{"key", column.key}, {"title", column.title}, {"meaning", column.meaning}, {"digits", column.digits}};
+  std::string title = columns::heading(column.first, column.second);
+  if (title.ends_with(',')) title.pop_back();  // before the unit, which is that of the race
+  Json json = {{"key", column.key}, {"title", title}, {"meaning", column.meaning}, {"digits", column.digits}};
   if (column.factor != 1.0) json["factor"] = column.factor;
   if (column.higher_is_better) json["higher_is_better"] = true;
   return json;

@@ -77,13 +77,12 @@ struct MazeField {
 };
 
 /// A column of the leaderboard: two lines of heading, its width in characters, and its text in the line of a mouse. The
-/// page shows those with a key.
+/// page shows those with a key, with the same heading in one line.
 struct Column {
   std::string_view first, second;
   int width = 0;
   std::string (*text)(const Race&, const Standing&);
-  std::string_view key = {};    ///< the field of a mouse in JSON that the page shows: a number, or both ends of a range
-  std::string_view title = {};  ///< the heading on the page
+  std::string_view key = {};  ///< the field of a mouse in JSON that the page shows: a number, or both ends of a range
   std::string_view meaning = {};  ///< a sentence
   int digits = 0;                 ///< decimals on the page
   bool higher_is_better = false;

@@ -44,6 +44,10 @@ Value whole_best_run(const Race& race, std::size_t maze) {
 
 namespace labmouse::columns {
 
+std::string heading(std::string_view first, std::string_view second) {
+  return fmt::format("{}{}{}", first, first.empty() || second.empty() ? "" : " ", second);
+}
+
 std::string number(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "-";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/standings/standing.hpp"
@@ -49,6 +50,9 @@ Value whole_best_run(const Race& race, std::size_t maze);
 }  // namespace labmouse::fields
 
 namespace labmouse::columns {
+
+/// Both lines of a heading as one.
+std::string heading(std::string_view first, std::string_view second);
 
 /// A number with so many digits behind the point, or "-".
 std::string number(const std::optional<double>& value, int digits);

@@ -1,7 +1,5 @@
 #include "labmouse/lab/standings/race_json.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "labmouse/lab/races/value_json.hpp"
@@ -59,18 +57,6 @@ std::vector<const Column*> own_columns(const Race& race) {
   return own;
 }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-/// Both lines of its heading as one; a word hyphenated between them is joined.
-std::string title_of(const Column& column, const World& world) {
-  if (column.first.ends_with('-'))
-    return std::string(column.first.substr(0, column.first.size() - 1)) + std::string(column.second);
-  return trimmed(fmt::format("{} {}", column.first, second_line_of(column, world)));
-}
-
 /// What a program that does not know this world needs to show its race.
 void describe_world(const Race& race, Json& json) {
   const World& world = race.world();
@@ -80,12 +66,13 @@ void describe_world(const Race& race, Json& json) {
   json["failure_score"] = world.failure_score() ? Json(*world.failure_score()) : Json(nullptr);
   json["limit_score"] = world.limit_score();
   json["columns"] = Json::array();
-  for (const Column* column : own_columns(race)) json["columns"].push_back(title_of(*column, world));
+  for (const Column* column : own_columns(race))
+    json["columns"].push_back(columns::heading(column->first, second_line_of(*column, world)));
 }
 
 Json cells_json(const Race& race, const Standing& standing) {
   Json cells = Json::array();
-  for (const Column* column : own_columns(race)) cells.push_back(trimmed(column->text(race, standing)));
+  for (const Column* column : own_columns(race)) cells.push_back(column->text(race, standing));
   return cells;
 }
 

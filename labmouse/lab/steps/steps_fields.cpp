@@ -128,24 +128,24 @@ std::string us_a_step(const Race& race, const Standing& standing) {
 // With the built-in mice a line fits into 90 columns.
 constexpr std::array<Column, 9> table = {
     {{"", "finished", 8, columns::finished},
-     {"mean", "score", 7, columns::mean_all, "mean_par1", "mean score",
+     {"mean", "score", 7, columns::mean_all, "mean_par1",
       "Mean score over all contests, in steps: speed run plus a thirtieth of the search run; a failed one counts 100.",
       3},
      {"95 %", "interval", 11, [](const Race&, const Standing& s) { return columns::interval(s, 1); }},
-     rarely({"score of", "finished", 8, columns::mean_finished, "mean_score", "score of finished",
+     rarely({"score of", "finished", 8, columns::mean_finished, "mean_score",
              "Mean score over the finished contests, in steps.", 3}),
      {"score /", "best", 7, columns::mean_ratio},
      {"search", "steps", 6,
       [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "search_steps"), 1); },
-      "mean_search_steps", "search steps", "Mean search steps of the finished contests, including the reset.", 1},
+      "mean_search_steps", "Mean search steps of the finished contests, including the reset.", 1},
      {"speed run", "excess", 9,
       [](const Race& r, const Standing& s) { return columns::number(mean_over_optimum(r, s), 2); },
-      "mean_speed_over_optimum", "steps too many",
+      "mean_speed_over_optimum",
       "Mean steps by which the speed runs of the finished contests were longer than the shortest run of their maze.",
       2},
-     rarely({"shortest", "runs, %", 8, best_runs, "optimal_share", "best runs, %",
+     rarely({"shortest", "runs, %", 8, best_runs, "optimal_share",
              "Percentage of all contests whose speed run was a shortest one.", 1, true, 100.0}),
-     rarely({"µs per", "step", 6, us_a_step, "microseconds_per_decision", "µs a step",
+     rarely({"µs per", "step", 6, us_a_step, "microseconds_per_decision",
              "Mean time per decision, in microseconds: the only figure that changes from race to race.", 2})}};
 
 }  // namespace

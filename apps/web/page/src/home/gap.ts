@@ -16,7 +16,7 @@ export function gapInWords(one: Standing, other: Standing): string {
   if (runs && others) {
     const by = Math.abs(one.best - other.best);
     return by < 0.0005
-      ? `both need ${one.best.toFixed(3)} s`
+      ? `equal best runs, ${one.best.toFixed(3)} s`
       : `${(one.best < other.best ? one : other).name} leads by ${by.toFixed(3)} s`;
   }
   if (runs || others) return `${(runs ? one : other).name} was at the goal first`;

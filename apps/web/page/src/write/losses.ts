@@ -14,7 +14,7 @@ const heads: [head: string, title: string][] = [
   ['best', 'the best possible score of this maze'],
   ['lost', 'the score above the best possible'],
   ['search steps', 'each costs a thirtieth of a step of the speed run'],
-  ['steps too many', 'of the speed run, above those of the shortest one'],
+  ['speed run excess', 'steps of the speed run above those of the shortest one'],
 ];
 
 /** The most costly maze first. `open` shows a contest. */
