@@ -5,11 +5,13 @@
 
 #include "labmouse/body/noise_level.hpp"
 #include "labmouse/contest/drive_record.hpp"
-#include "labmouse/contest/logged_tick.hpp"
-#include "labmouse/controller/controller.hpp"
+#include "labmouse/controller/controller_choice.hpp"
 #include "labmouse/mouse/log_odds_map.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace labmouse {
+
+struct LoggedTick;
 
 /// Default scale of the variation between mice: a factor on what each contest draws for the mouse itself. It is not
 /// measured, but chosen: with it, `race --world physical --mice flood-return --noise 2 --variation FACTOR --runs 4`
