@@ -47,8 +47,9 @@ struct MazeCollection {
 /// `FILE:LINE:COLUMN: error: REASON`; `FILE: error: REASON` if the problem has no place.
 std::string describe(const std::string& path, const Problem& problem);
 
-/// Reads each path: a file, a folder (recursively, without hidden files), a pattern with `*`, `?` or `[...]`, or the
-/// name of a built-in maze if there is no such file; `-` is standard input.
+/// Reads mazes.
+/// @param paths Each is a file, a folder (recursively, without hidden files), a pattern with `*`, `?` or `[...]`, or
+///   the name of a built-in maze if there is no such file; `-` is standard input.
 /// @param choice How to read files.
 MazeCollection load_mazes(std::span<const std::string> paths, const ReadChoice& choice = {});
 
