@@ -1,13 +1,12 @@
-# `cmake --install`: the headers, the modules, and a CMake package for find_package(labmouse), which says which headers are
-# public. The others are details that these include.
+# `cmake --install`: the headers of include/, the modules, and a CMake package for find_package(labmouse).
 include(CMakePackageConfigHelpers)
-include(LabmousePublicHeaders)
 
 install(TARGETS ${LABMOUSE_MODULES} labmouse_all EXPORT labmouse)
-foreach(header IN LISTS LABMOUSE_INSTALLED_HEADERS)
-  cmake_path(GET header PARENT_PATH folder)
-  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
-endforeach()
+set(left_out)
+if(NOT LABMOUSE_LAB)
+  set(left_out REGEX "/labmouse/(external|lab)$" EXCLUDE)
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/labmouse DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${left_out})
 install(EXPORT labmouse NAMESPACE labmouse:: FILE labmouse-targets.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/labmouse)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/labmouse-config.cmake.in

@@ -22,13 +22,15 @@ def git(*words):
 
 
 def changed_code(commit, *folders):
-    """The files of the folders whose code has changed since the commit; None if the commit is not in this clone."""
-    names = git("diff", "--name-only", "--no-renames", commit, "--", *folders)
-    if names.returncode:
+    """The files of the folders whose code has changed since the commit, under their names of today; None if the commit is not in
+    this clone. A file that was only moved is the same."""
+    found = git("diff", "--name-status", "--find-renames", commit, "--", *folders)
+    if found.returncode:
         return None
 
-    def same(name):
-        path, before = ROOT / name, git("show", f"{commit}:{name}")
+    def same(former, name):
+        path, before = ROOT / name, git("show", f"{commit}:{former}")
         return path.exists() and before.returncode == 0 and code_of(before.stdout) == code_of(path.read_text())
 
-    return {name for name in names.stdout.split() if not same(name)}
+    names = [line.split("\t")[1:] for line in found.stdout.splitlines()]
+    return {of_file[-1] for of_file in names if not same(of_file[0], of_file[-1])}

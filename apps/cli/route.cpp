@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
-#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/robots/robot_family.hpp"
 #include "labmouse/lab/routes/region_picture.hpp"
 #include "labmouse/lab/routes/route_regions.hpp"
 #include "labmouse/lab/routes/route_report.hpp"

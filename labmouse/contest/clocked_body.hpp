@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "labmouse/body/body.hpp"
+#include "labmouse/contest/logged_tick.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/physical_record.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "labmouse/body/body.hpp"
+#include "labmouse/controller/controller.hpp"
 #include "labmouse/functions/whole.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/mouse/drive/search_field.hpp"

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "labmouse/controller/controller_choice.hpp"
 #include "labmouse/controller/piece.hpp"
 #include "labmouse/controller/reference_parts.hpp"
 #include "labmouse/controller/search_manner.hpp"
@@ -23,13 +24,6 @@
 #include "labmouse/mouse/robot/route.hpp"
 
 namespace labmouse {
-
-/// Options of a controller.
-struct ControllerChoice {
-  CorrectionChoice corrections;
-  double search_speed = 0.0;  ///< mm/s; 0: the robot's own
-  double pace = 1.0;          ///< scales all speeds: at 0.5 everything takes twice its time
-};
 
 class Controller {
  public:

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "labmouse/controller/controller_choice.hpp"
 #include "labmouse/controller/edge_finder.hpp"
 #include "labmouse/controller/estimator.hpp"
 #include "labmouse/controller/target.hpp"
@@ -12,15 +13,6 @@
 #include "labmouse/mouse/knowledge.hpp"
 
 namespace labmouse {
-
-/// Which corrections are on.
-struct CorrectionChoice {
-  bool sides = true;
-  bool edges = true;
-  bool front = true;
-
-  friend bool operator==(const CorrectionChoice&, const CorrectionChoice&) = default;
-};
 
 /// A row or column of cells that a mouse drives along.
 struct Corridor {

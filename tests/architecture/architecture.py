@@ -98,9 +98,19 @@ def sources(folder):
     return sorted(path for path in folder.rglob("*") if path.suffix in (".hpp", ".cpp"))
 
 
+def library(root, module=""):
+    """The files of the library, or of one module: headers that are installed lie in include/, others beside their sources."""
+    return sources(root / "include/labmouse" / module) + sources(root / "labmouse" / module)
+
+
+def name_of(path, root):
+    """The file as an #include names it, wherever it lies."""
+    return path.relative_to(root).as_posix().removeprefix("include/")
+
+
 def include_violations(root, modules):
-    for path in sources(root / "labmouse") + sources(root / "apps"):
-        parts = path.relative_to(root).parts
+    for path in library(root) + sources(root / "apps"):
+        parts = name_of(path, root).split("/")
         module = "apps" if parts[0] == "apps" else parts[1]
         if module not in modules:
             yield path, 1, f"{module} is no module of docs/contributing/architecture.md"
@@ -133,8 +143,8 @@ def package_violations(root, packages):
     """Each package includes just those that the table names, and a module with a list of all its packages has no other files."""
     modules = {name.split("/")[0] for name in packages}
     used, files = {name: set() for name in packages}, {name: 0 for name in packages}
-    for path in sources(root / "labmouse"):
-        package = package_of(path.relative_to(root).as_posix())
+    for path in library(root):
+        package = package_of(name_of(path, root))
         if package.split("/")[0] not in modules or (package not in packages and package == "mouse"):
             continue
         if package not in packages:
@@ -178,9 +188,9 @@ def names_of_worlds(line):
 
 def world_violations(root):
     """Library, command line and Python serve all worlds: they include none and say none's name."""
-    paths = [*sources(root / "labmouse/lab"), *sources(root / "apps/cli"), *sources(root / "apps/python")]
+    paths = [*library(root, "lab"), *sources(root / "apps/cli"), *sources(root / "apps/python")]
     for path in paths:
-        if not serves_all_worlds(path.relative_to(root).as_posix()):
+        if not serves_all_worlds(name_of(path, root)):
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             match = INCLUDE.match(line)
@@ -193,8 +203,8 @@ def world_violations(root):
 def cycle_violations(root):
     """No file needs itself: X.hpp and X.cpp are one, and includes lead from it to no other that leads back."""
     includes = {}
-    for path in sources(root / "labmouse"):
-        unit = path.relative_to(root).with_suffix("").as_posix()
+    for path in library(root):
+        unit = Path(name_of(path, root)).with_suffix("").as_posix()
         found = includes.setdefault(unit, set())
         for line in path.read_text(encoding="utf-8").splitlines():
             if match := INCLUDE.match(line):
@@ -223,7 +233,7 @@ def system_violations(root):
     external = re.search(r'set\(LABMOUSE_LEFT_OUT "([^"]*/external/[^"]*)"\)', (root / "CMakeLists.txt").read_text(encoding="utf-8"))
     left_out = re.compile(external[1]) if external else None
     reached = set()
-    todo = [path for path in sources(root / "labmouse") + sources(root / "apps") if path.suffix == ".cpp"
+    todo = [path for path in library(root) + sources(root / "apps") if path.suffix == ".cpp"
             and not (left_out and left_out.search(f"/{path.relative_to(root).as_posix()}"))]
     while todo:
         path = todo.pop()
@@ -234,14 +244,14 @@ def system_violations(root):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             match = INCLUDE.match(line)
             if match and match[1] == '"':
-                todo += [root / match[2], path.parent / match[2]]
+                todo += [root / match[2], root / "include" / match[2], path.parent / match[2]]
             elif match and SYSTEM_HEADER.match(match[2]):
                 yield path, number, f"<{match[2]}> is of one system; {SYSTEM_FILES[0]} is for such calls"
 
 
 def number_violations(root):
     """One file reads numbers, and no number is written or read as the locale has it."""
-    for path in sources(root / "labmouse") + sources(root / "apps"):
+    for path in library(root) + sources(root / "apps"):
         if path.relative_to(root).as_posix() == NUMBER_FILE:
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
@@ -257,7 +267,7 @@ def number_violations(root):
 def static_violations(root):
     """The portable modules have no variables outside of functions and objects but those that the compiler has fixed."""
     for module in PORTABLE_MODULES:
-        for path in sources(root / "labmouse" / module):
+        for path in library(root, module):
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 code = line.split("//")[0]
                 if re.search(r"\bthread_local\b", code) or STATIC.match(code) or GLOBAL.match(code):
@@ -276,19 +286,28 @@ def link_violations(root, modules):
 
 
 def public_header_violations(root):
-    """docs/how-to/use-the-library.md describes the headers of cmake/LabmousePublicHeaders.cmake and no others, and all are there."""
-    listing, page = root / "cmake/LabmousePublicHeaders.cmake", root / "docs/how-to/use-the-library.md"
-    if not listing.exists():
-        return
-    public = re.search(r"set\(LABMOUSE_PUBLIC_HEADERS\s+([^)]*)\)", listing.read_text(encoding="utf-8"))[1].split()
-    described = re.findall(r"`(labmouse/[\w/]+\.hpp)`", page.read_text(encoding="utf-8"))
-    for header in public:
-        if not (root / header).exists():
-            yield listing, 1, f"{header} is not there"
-        if header not in described:
-            yield page, 1, f"{header} is public, and not described"
-    for header in sorted(set(described) - set(public)):
-        yield page, 1, f"{header} is described, and not public"
+    """In include/ are the headers that docs/how-to/use-the-library.md describes, and what these include: no more, no less."""
+    page = root / "docs/how-to/use-the-library.md"
+    described = re.findall(r"^\| `(labmouse/[\w/]+\.hpp)` \|", page.read_text(encoding="utf-8"), re.MULTILINE) if page.exists() else []
+    for header in described:
+        if not (root / "include" / header).exists():
+            yield page, 1, f"include/{header} is described, and not there"
+    needed, todo = set(), list(described)
+    while todo:
+        header = todo.pop()
+        path = root / "include" / header
+        if header in needed or not path.exists():
+            continue
+        needed.add(header)
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            match = INCLUDE.match(line)
+            if match and match[2].startswith("labmouse/"):
+                todo.append(match[2])
+                if not (root / "include" / match[2]).exists():
+                    yield path, number, f"is installed, and includes {match[2]}, which is not: that must lie in include/, too"
+    for path in sources(root / "include"):
+        if name_of(path, root) not in needed:
+            yield path, 1, f"is installed, but {page.relative_to(root)} does not describe it, nor is it included by what it describes"
 
 
 def builtin_mice_violations(root):

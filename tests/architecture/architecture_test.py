@@ -41,7 +41,7 @@ class Architecture(unittest.TestCase):
         self.assertEqual(violations(ROOT), [])
 
     def test_the_page_lists_every_module_and_no_other(self):
-        folders = {path.name for path in (ROOT / "labmouse").iterdir() if path.is_dir()}
+        folders = {path.name for library in ("include/labmouse", "labmouse") for path in (ROOT / library).iterdir() if path.is_dir()}
         self.assertEqual(set(modules_of((ROOT / "docs/contributing/architecture.md").read_text(encoding="utf-8"))), folders | {"apps"})
 
     def test_what_the_table_allows_is_no_violation(self):
@@ -207,17 +207,25 @@ class Architecture(unittest.TestCase):
     def test_the_lab_may_have_variables_that_last(self):
         self.assertEqual(violations_of({"labmouse/lab/a.cpp": "static int calls = 0;\n"}), [])
 
-    def test_public_headers_and_their_page(self):
+    def test_installed_headers_and_their_page(self):
+        page = "docs/how-to/use-the-library.md"
         found = violations_of({
-            "cmake/LabmousePublicHeaders.cmake": "set(LABMOUSE_PUBLIC_HEADERS\n  labmouse/grid/cell.hpp\n"
-                                                 "  labmouse/grid/wall.hpp\n)\n",
-            "labmouse/grid/cell.hpp": "",
-            "docs/how-to/use-the-library.md": "| `labmouse/grid/cell.hpp` | cells |\n| `labmouse/grid/size.hpp` | sizes |\n",
+            "include/labmouse/grid/cell.hpp": '#include "labmouse/grid/size.hpp"\n#include "labmouse/grid/bits.hpp"\n',
+            "include/labmouse/grid/size.hpp": "",
+            "include/labmouse/grid/wall.hpp": "",
+            "labmouse/grid/bits.hpp": "",
+            page: "| `labmouse/grid/cell.hpp` | cells |\n| `labmouse/grid/set.hpp` | sets |\n",
         })
         self.assertEqual(found, [
-            "cmake/LabmousePublicHeaders.cmake:1: error: labmouse/grid/wall.hpp is not there",
-            "docs/how-to/use-the-library.md:1: error: labmouse/grid/wall.hpp is public, and not described",
-            "docs/how-to/use-the-library.md:1: error: labmouse/grid/size.hpp is described, and not public"])
+            f"{page}:1: error: include/labmouse/grid/set.hpp is described, and not there",
+            "include/labmouse/grid/cell.hpp:2: error: is installed, and includes labmouse/grid/bits.hpp, which is not: that must lie "
+            "in include/, too",
+            f"include/labmouse/grid/wall.hpp:1: error: is installed, but {page} does not describe it, nor is it included by what it "
+            "describes"])
+
+    def test_a_header_in_include_belongs_to_its_module(self):
+        found = violations_of({"include/labmouse/grid/cell.hpp": '#include "labmouse/lab/race.hpp"\n'})
+        self.assertIn("include/labmouse/grid/cell.hpp:1: error: grid must not include lab: labmouse/lab/race.hpp", found)
 
     def test_a_table_out_of_order(self):
         with self.assertRaisesRegex(ValueError, "module grid may include maze, which the table does not list above it"):

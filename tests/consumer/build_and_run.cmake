@@ -12,6 +12,9 @@ function(step)
 endfunction()
 
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/installed)
+if(EXISTS ${folder}/installed/bin/labmouse)
+  step(${folder}/installed/bin/labmouse race --mice flood --mazes contest-01)
+endif()
 step(${CMAKE_COMMAND} -S ${FOLDER}/project -B ${folder}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX}
      -DCMAKE_BUILD_TYPE=${TYPE} -DCMAKE_PREFIX_PATH=${folder}/installed)
 step(${CMAKE_COMMAND} --build ${folder}/build)
@@ -30,7 +33,9 @@ if(PKG_CONFIG)
   cmake_path(GET pc PARENT_PATH pc)
   step(sh -c "PKG_CONFIG_PATH=${pc} && export PKG_CONFIG_PATH && \
     ${CXX} -std=c++20 '${FOLDER}/project/one_eyed.cpp' $(${PKG_CONFIG} --cflags --libs labmouse) -o ${folder}/without_cmake")
-  step(${folder}/without_cmake)
+  # Where the libraries are shared, nothing else tells it where they are.
+  cmake_path(GET pc PARENT_PATH libraries)
+  step(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${libraries} ${folder}/without_cmake)
   if(NOT output STREQUAL output_of_one_eyed)
     message(FATAL_ERROR "what was built with pkg-config prints something else: ${output}")
   endif()

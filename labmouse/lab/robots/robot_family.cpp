@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "labmouse/functions/parse_number.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/robots/robot_text.hpp"
+#include "labmouse/lab/system/named_text.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -35,6 +37,12 @@ std::string RobotFamily::text_with(std::string_view key, std::string_view value)
     for (const RobotKey& each : robot_keys())
       if (each.of_diagonals) values.erase(std::string(each.name));
   return robot_text(ReadJson(values));
+}
+
+FoundFamily find_robot_family(const std::string& name) {
+  const NamedText text = find_text("robot", builtin_robots(), name);
+  if (!text.error.empty()) return {std::nullopt, text.error};
+  return {RobotFamily(text.text, name_alone(name)), ""};
 }
 
 std::string why_no_key(std::string_view key) {

@@ -1,6 +1,7 @@
 // The robots that differ from one robot file in some numbers.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,6 +36,15 @@ class RobotFamily {
   std::string name_;
   Json values_;
 };
+
+/// The family of robots that one file gives, or why there is none. Errors in the file itself are reported by
+/// RobotFamily::with().
+struct FoundFamily {
+  std::optional<RobotFamily> family;
+  std::string error;
+};
+/// Finds it by the name of a built-in robot, or by the path of a file, as find_robot() does.
+FoundFamily find_robot_family(const std::string& name);
 
 /// Why there is no such key in robot files, in a line without a line feed, with the key that was probably meant; empty
 /// where there is one.

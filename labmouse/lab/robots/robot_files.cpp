@@ -32,10 +32,4 @@ FoundRobot find_robot(const std::string& name) {
   return found(name_alone(name), text.text);
 }
 
-FoundFamily find_robot_family(const std::string& name) {
-  const NamedText text = find_text("robot", builtin_robots(), name);
-  if (!text.error.empty()) return {std::nullopt, text.error};
-  return {RobotFamily(text.text, name_alone(name)), ""};
-}
-
 }  // namespace labmouse

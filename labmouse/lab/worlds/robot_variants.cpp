@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "labmouse/functions/parse_number.hpp"
-#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/robots/robot_family.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/robots/robot_remarks.hpp"
 #include "labmouse/lab/text/json.hpp"

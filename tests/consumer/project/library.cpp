@@ -1,7 +1,7 @@
-// A program on the whole library: every public header, and something of each of them.
+// A program on the whole library: every header, and something of each of them.
 #include <cstdio>
 
-#include "every_public_header.hpp"
+#include "every_header.hpp"
 
 namespace {
 

@@ -8,6 +8,7 @@
 
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/robots/builtin_robots.hpp"
+#include "labmouse/lab/robots/robot_family.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/robots/robot_table.hpp"

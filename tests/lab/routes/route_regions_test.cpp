@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/chance/rng.hpp"
-#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/robots/robot_family.hpp"
 #include "labmouse/lab/routes/route_report.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/slowness.hpp"

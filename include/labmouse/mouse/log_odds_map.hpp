@@ -21,9 +21,10 @@
 #include "labmouse/grid/cell_set.hpp"
 #include "labmouse/mouse/evidence.hpp"
 #include "labmouse/mouse/knowledge.hpp"
-#include "labmouse/mouse/wall_prior.hpp"
 
 namespace labmouse {
+
+struct WallPrior;
 
 /// How a map handles readings that contradict the state of a wall.
 enum class MapKind : std::uint8_t {

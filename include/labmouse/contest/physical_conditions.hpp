@@ -5,11 +5,12 @@
 
 #include "labmouse/body/error_scale.hpp"
 #include "labmouse/contest/drive_record.hpp"
-#include "labmouse/contest/logged_tick.hpp"
-#include "labmouse/controller/controller.hpp"
+#include "labmouse/controller/controller_choice.hpp"
 #include "labmouse/mouse/log_odds_map.hpp"
 
 namespace labmouse {
+
+struct LoggedTick;
 
 struct PhysicalConditions {
   ErrorScale errors;

@@ -12,6 +12,7 @@
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/physical_record.hpp"
+#include "labmouse/controller/parts.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/driving_strategy.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"

@@ -1,11 +1,9 @@
 // Finds robots: built-in ones and those of files.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/robots/robot_family.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
 
 namespace labmouse {
@@ -21,13 +19,5 @@ struct FoundRobot {
 /// Finds a robot by the name of a built-in one, or by the path of a file (a name with a slash or the ending `.toml`).
 /// It gets the name given here.
 FoundRobot find_robot(const std::string& name);
-
-/// The family of robots that one file gives, or why there is none. Errors in the file itself are reported by
-/// RobotFamily::with().
-struct FoundFamily {
-  std::optional<RobotFamily> family;
-  std::string error;
-};
-FoundFamily find_robot_family(const std::string& name);
 
 }  // namespace labmouse

@@ -48,8 +48,8 @@ struct MazeCollection {
 std::string describe(const std::string& path, const Problem& problem);
 
 /// Reads mazes.
-/// @param paths Each a file, a folder (recursively, without hidden files), a pattern with `*`, `?` or `[...]`, or the
-/// name of a built-in maze if there is no such file; `-` is standard input.
+/// @param paths Each is a file, a folder (recursively, without hidden files), a pattern with `*`, `?` or `[...]`, or
+///   the name of a built-in maze if there is no such file; `-` is standard input.
 /// @param choice How to read files.
 MazeCollection load_mazes(std::span<const std::string> paths, const ReadChoice& choice = {});
 
