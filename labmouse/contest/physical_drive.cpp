@@ -40,6 +40,7 @@ PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const 
       walls_(maze, conditions.map, record),
       told_(told_of(model, conditions)),
       body_(maze, model, conditions, seed, time_limit, record),
+      parts_(parts),
       controller_(model, told_, maze.size(), gains_for(told_, model.tables.cell), conditions.controller, parts) {
   record_.foreign_parts = parts.any();
   controller_.know(&walls_.known());
@@ -102,6 +103,7 @@ bool PhysicalDriver::drive_on() {
 bool PhysicalDriver::tick() {
   if (!pending_) drive_ = controller_.tick(body_.sense());
   pending_ = false;
+  if (parts_.reason() != ForfeitReason::none) return false;
   const bool goes_on = body_.step(drive_);
   if (!body_.crashed()) note_gates();
   if (body_.trace_due()) {
