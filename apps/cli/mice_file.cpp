@@ -13,6 +13,7 @@
 #include "labmouse/contest/code_contest.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_score.hpp"
+#include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/external/capstone.hpp"
@@ -81,28 +82,54 @@ Trial try_in_mms(const MmsProgram& program, const Maze& maze) {
   return trial;
 }
 
+/// A contest in the physical world.
+struct PhysicalTrial {
+  DriveModel model = find_robot("kerise").model;
+  DriveRules rules = find_rules("all-japan").rules;
+  PhysicalConditions conditions;
+  std::uint64_t seed = 1;
+
+  ControllerBriefing briefing(const Maze& maze) const {
+    return controller_briefing(maze, rules, model, conditions, seed);
+  }
+  Trial result(const PhysicalRecord& record, std::string_view words) const {
+    const DriveScore result = score(record.drive, rules);
+    Trial trial;
+    for (const ControllerTick& tick : record.tape)
+      trial.walk += fmt::format("{} {} {};", static_cast<int>(tick.word), tick.left, tick.right);
+    for (const TracePoint& point : record.trace)
+      trial.walk += fmt::format("{} {};", point.truth.position.x, point.truth.position.y);
+    trial.good = record.drive.reason == ForfeitReason::none || record.drive.reason == ForfeitReason::gave_up;
+    const auto lines = last_lines(words);
+    if (!lines.empty()) trial.last = lines.back();
+    if (!trial.good)
+      trial.how = words.substr(0, words.find('\n'));
+    else
+      trial.how = result.value() ? fmt::format("finished, score {:.3f} s", static_cast<double>(*result.value()) / 1e6)
+                                 : "plays, but no run of it counts";
+    return trial;
+  }
+};
+
 Trial try_physically(const ControllerProgram& program, const Maze& maze) {
-  const DriveModel model = find_robot("kerise").model;
-  const DriveRules rules = find_rules("all-japan").rules;
-  const PhysicalConditions conditions;
-  constexpr std::uint64_t seed = 1;
-  const auto code = program(controller_briefing(maze, rules, model, conditions, seed));
-  const PhysicalRecord record = drive_by_code(maze, rules, model, conditions, seed, *code);
-  const DriveScore result = score(record.drive, rules);
-  Trial trial;
-  for (const ControllerTick& tick : record.tape)
-    trial.walk += fmt::format("{} {} {};", static_cast<int>(tick.word), tick.left, tick.right);
-  const std::string_view words = code->last_words();
-  const bool forfeit = record.drive.reason != ForfeitReason::none;
-  trial.good = !forfeit || record.drive.reason == ForfeitReason::gave_up;
-  const auto lines = last_lines(words);
-  if (!lines.empty()) trial.last = lines.back();
-  if (!trial.good)
-    trial.how = words.substr(0, words.find('\n'));
-  else
-    trial.how = result.value() ? fmt::format("finished, score {:.3f} s", static_cast<double>(*result.value()) / 1e6)
-                               : "plays, but no run of it counts";
-  return trial;
+  const PhysicalTrial trial;
+  const auto code = program(trial.briefing(maze));
+  const PhysicalRecord record = drive_by_code(maze, trial.rules, trial.model, trial.conditions, trial.seed, *code);
+  return trial.result(record, code->last_words());
+}
+
+/// A mouse whose controller has external parts. It is asked each millisecond, so that a minute has to do.
+Trial try_with_parts(const Contestant& mouse, const Maze& maze) {
+  PhysicalTrial trial;
+  trial.rules.time_limit = 60'000'000;
+  trial.conditions.trace_every = 100;
+  Briefing briefing = brief(maze, trial.rules, trial.model, trial.seed);
+  briefing.sight = 1;
+  const auto strategy = mouse.driving_strategy(maze, briefing);
+  const auto program = mouse.parts(trial.briefing(maze));
+  const PhysicalRecord record =
+      drive_physically(maze, trial.rules, trial.model, trial.conditions, trial.seed, *strategy, program->parts());
+  return trial.result(record, program->last_words());
 }
 
 Trial try_in_seconds(const Contestant& mouse, const Maze& maze) {
@@ -128,12 +155,13 @@ Trial try_in_seconds(const Contestant& mouse, const Maze& maze) {
 Trial try_out(const Contestant& mouse, const Maze& maze) {
   if (const auto* program = std::get_if<MmsProgram>(&mouse.kind)) return try_in_mms(*program, maze);
   if (const auto* program = std::get_if<ControllerProgram>(&mouse.kind)) return try_physically(*program, maze);
+  if (mouse.parts) return try_with_parts(mouse, maze);
   return refuse_to_walk(mouse).empty() ? try_in_steps(mouse, maze) : try_in_seconds(mouse, maze);
 }
 
 std::string kind_of(const Contestant& mouse) {
   const std::string spec = mouse.spec.substr(0, mouse.spec.find(':'));
-  return mouse.sandboxed ? spec : "mouse";
+  return mouse.sandboxed && !mouse.parts ? spec : "mouse";
 }
 
 /// Prints a line about the mouse; returns whether it works.

@@ -69,7 +69,7 @@ void add_watch(Command& command, bool& watch, int& delay) {
 }
 
 int show_replay(const ReplayOptions& options, const std::string& text) {
-  const auto replay = open_record(options.file, text, options.maze);
+  const auto replay = options.has_parts ? fresh_drive_replay(text) : open_record(options.file, text, options.maze);
   if (!replay) return exit_finding;
   if (!options.log.empty()) save_log(options.log, text);
   const std::string summary = replay->summary(text_drawer(colours()));

@@ -14,6 +14,8 @@ struct ReplayOptions {
   ExplainOptions explain;
   /// Printed for --explain where a record has no reasons.
   std::string no_reasons = "The record has no reasons; to keep them, use `labmouse run` with --explain and --record.";
+  /// Whether the text is the record of a contest that was just run with external parts, which cannot be checked.
+  bool has_parts = false;
   bool watch = false;
   int delay = 60;
 };

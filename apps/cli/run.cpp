@@ -28,9 +28,10 @@ struct RunOptions {
   int delay = 60;
 };
 
-/// The last error lines of a controller program that failed; drive records do not store them.
+/// The last error lines of a controller program, or one with parts, that failed; drive records do not store them.
 std::string last_words_of(const Race& race, const ContestResult& result) {
-  if (!std::holds_alternative<ControllerProgram>(race.mice.front().kind) || result.score) return "";
+  const Contestant& mouse = race.mice.front();
+  if ((!mouse.parts && !std::holds_alternative<ControllerProgram>(mouse.kind)) || result.score) return "";
   const Value said = figure_of(race, result, said_last);
   const auto* words = std::get_if<std::string>(&said);
   if (words == nullptr) return "";
@@ -59,6 +60,7 @@ int run_in(std::shared_ptr<const World> world, const RunOptions& options, const 
   shown_as.file = "the record of this run";
   shown_as.svg = options.svg;
   shown_as.log = options.log;
+  shown_as.has_parts = mouse.parts != nullptr;
   shown_as.explain = options.explain;
   shown_as.no_reasons = mouse.name + " kept no reasons.";
   shown_as.watch = options.watch;
@@ -78,6 +80,10 @@ int run_contest(const RunOptions& options) {
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   Entry entry = options.world.enter_one(std::move(mice));
   const NamedMaze maze = find_maze(options.maze, options.places, {.closes_unseen = true});
+  if (!options.log.empty() && entry.mice.front().parts)
+    throw UsageError(
+        "error: --log: parts of the controller are another program, so the contest cannot be run again for a log; the "
+        "program can save what it reads");
   for (const std::string& file : {options.maze, options.record, options.svg, options.log})
     options.external_mice.hidden->add(file);
   if (const std::string reason = entry.world->refuse(maze.maze); !reason.empty())
@@ -94,7 +100,8 @@ void add_run(Command& app, int& exit) {
   command
       ->add_option(
           "mouse", options->mouse,
-          "Mouse: name[:key=value]..., or in quotes capstone:FILE, program:COMMAND, mms:COMMAND or controller:COMMAND")
+          "Mouse: name[:key=value]..., or in quotes capstone:FILE, program:COMMAND, mms:COMMAND, controller:COMMAND or "
+          "name:parts=COMMAND")
       ->required()
       ->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");

@@ -62,7 +62,8 @@ void add_study(Command& app, int& exit) {
   command
       ->add_option("--mice", options->mice,
                    "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, program:COMMAND, "
-                   "controller:COMMAND, mms:COMMAND (repeatable); the first is the one that others are compared with")
+                   "controller:COMMAND, mms:COMMAND, mouse:parts=COMMAND (repeatable); the first is the one that "
+                   "others are compared with")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();

@@ -13,6 +13,13 @@ PhysicalConditions conditions_for(const DrivingStrategy& mouse, PhysicalConditio
   return conditions;
 }
 
+/// Notes that a part of the controller gave up. As in other worlds with errors, the mouse keeps its score.
+void give_up(ForfeitReason reason, PhysicalRecord& record) {
+  record.drive.reason = reason;
+  if (record.drive.outcome != DriveOutcome::finished) record.drive.outcome = DriveOutcome::forfeit;
+  if (!record.ends.empty() && record.ends.back() == RunEnd::out_of_time) record.ends.back() = RunEnd::given_up;
+}
+
 }  // namespace
 
 PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
@@ -22,6 +29,7 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
   const PhysicalConditions held = conditions_for(mouse, conditions);
   PhysicalDriver driver(maze, model, held, seed, rules.time_limit, record, parts);
   run_contest(maze, rules, model, mouse, driver, record);
+  if (parts.reason() != ForfeitReason::none) give_up(parts.reason(), record);
   return record;
 }
 

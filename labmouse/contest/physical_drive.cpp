@@ -39,6 +39,7 @@ PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const 
       usual_pace_(conditions.controller.pace),
       walls_(maze, conditions.map, record),
       body_(maze, model, conditions, seed, time_limit, record),
+      parts_(parts),
       controller_(model, *model.robot.hardware, maze.size(), gains_for(*model.robot.hardware, model.tables.cell),
                   conditions.controller, parts) {
   record_.foreign_parts = parts.any();
@@ -104,6 +105,7 @@ bool PhysicalDriver::drive_on() {
 bool PhysicalDriver::tick() {
   if (!pending_) drive_ = controller_.tick(body_.sense());
   pending_ = false;
+  if (parts_.reason() != ForfeitReason::none) return false;
   const bool goes_on = body_.step(drive_);
   if (!body_.crashed()) note_gates();
   if (body_.trace_due()) {

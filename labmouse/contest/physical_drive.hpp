@@ -31,11 +31,12 @@ class PhysicalDriver final : public ContestDriver {
   Sighting seen(const Pose& pose) const override { return walls_.sighting(pose); }
   BelievedWalls* weighed() override { return walls_.weighs() ? &walls_ : nullptr; }
   MazeTime clock() const override { return body_.clock(); }
-  bool out_of_time() const override { return body_.out_of_time(); }
+  /// Nothing more is driven where a part has given up, too.
+  bool out_of_time() const override { return body_.out_of_time() || parts_.reason() != ForfeitReason::none; }
   std::optional<RunEnd> crash() const override;
 
  private:
-  /// Ticks until the controller has arrived; false after a crash or at the end of the time.
+  /// Ticks until the controller has arrived; false after a crash, at the end of the time, or if a part gave up.
   bool drive_on();
   void read();
   bool tick();
@@ -47,6 +48,7 @@ class PhysicalDriver final : public ContestDriver {
   double usual_pace_;
   BelievedWalls walls_;
   ClockedBody body_;
+  ControllerParts parts_;
   Controller controller_;
   Drive drive_;
   WallSet in_its_way_;    ///< closed walls on the present way

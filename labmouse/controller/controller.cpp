@@ -20,19 +20,6 @@ Direction direction_of_eighths(int eighths) {
 Direction direction_in(Heading heading) { return direction_of_eighths(2 * static_cast<int>(heading)); }
 Direction direction_of_node(const DriveNode& node) { return direction_of_eighths(eighths(node)); }
 
-/// Whether all numbers are within a million of their units, and the direction has length 1.
-bool makes_sense(const PoseEstimate& estimate) {
-  constexpr double most = 1e6, exact = 1e-3;
-  const auto within = [](double number) { return number >= -most && number <= most; };
-  const auto& [sine, cosine] = estimate.ahead;
-  bool all = within(estimate.position.x) && within(estimate.position.y) && within(estimate.slip) &&
-             within(estimate.speed) && within(estimate.turning) &&
-             std::abs(sine * sine + cosine * cosine - 1.0) <= exact;
-  for (const auto& row : estimate.covariance)
-    for (const double number : row) all = all && within(number);
-  return all;
-}
-
 /// Limits a duty to -1..1; NaN gives 0.
 float duty_of(float duty) { return duty >= -1.0F ? std::min(duty, 1.0F) : duty < -1.0F ? -1.0F : 0.0F; }
 
@@ -226,7 +213,7 @@ Drive Controller::tick(const Sense& sense) {
 
 /// Ignores an invalid estimate, which only an external part can return.
 void Controller::believe(const PoseEstimate& estimate) {
-  if (parts_.estimator == nullptr || makes_sense(estimate)) estimate_ = estimate;
+  if (parts_.estimator == nullptr || estimate.is_valid()) estimate_ = estimate;
 }
 
 }  // namespace labmouse

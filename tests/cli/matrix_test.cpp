@@ -138,7 +138,7 @@ class EveryCommand : public test::AUser {
   Words mice() const {
     Words mice = built_in_mice();
     mice.insert(mice.end(), {"mine=flood:stride=1", "capstone:robot.py", "program:false", "controller:false",
-                             "mms:false", "mice-file:mice.toml", "nobody"});
+                             "flood-return:parts=false", "mms:false", "mice-file:mice.toml", "nobody"});
     return mice;
   }
 
@@ -281,7 +281,8 @@ TEST_F(EveryCommand, EndsWellWithEachKindOfMouse) {
       for (const std::string& mouse : mice()) try_out(command, words_of(each, mouse));
       // Who enters which world is one mechanism, which the first of these commands shows: `race`.
       if (std::exchange(in_worlds, in_worlds || !worlds.empty())) continue;
-      for (const std::string& mouse : both(built_in_mice(), {"program:false", "controller:false", "mms:false"}))
+      for (const std::string& mouse :
+           both(built_in_mice(), {"program:false", "controller:false", "mms:false", "flood-return:parts=false"}))
         for (const std::string& world : worlds) try_out(command, both(words_of(each, mouse), {"--world", world}));
     }
   }

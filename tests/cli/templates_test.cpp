@@ -19,6 +19,9 @@ std::string command_of(const std::string& name) {
   return interpreter.empty() ? "" : interpreter + " \"" + path_of(name) + "\"";
 }
 
+constexpr const char* small_ring =
+    "o---o---o---o\n|           |\no   o---o   o\n|   |   | G |\no   o---o   o\n| S |       |\no---o---o---o\n";
+
 class ATemplate : public AUser, public testing::WithParamInterface<const char*> {
  protected:
   void SetUp() override {
@@ -90,18 +93,65 @@ TEST(Templates, AreShort) {
     for (std::string line; std::getline(text, line); ++lines) EXPECT_LE(line.size(), 120U) << line;
     EXPECT_LT(lines, kind == "program" ? 30 : 300);
   }
-  EXPECT_EQ(templates, (std::map<std::string, int>{{"controller", 2}, {"program", 3}}));
+  EXPECT_EQ(templates, (std::map<std::string, int>{{"controller", 2}, {"estimator", 1}, {"program", 3}}));
+}
+
+class AnEstimatorTemplate : public AUser {
+ protected:
+  void SetUp() override {
+    if (python3().empty()) GTEST_SKIP() << "no Python 3 is in PATH";
+    file("ring.txt", small_ring);
+  }
+
+  std::string spec_ = "flood-return:parts=" + python3() + " \"" + path_of("estimator.py") + "\"";
+};
+
+TEST_F(AnEstimatorTemplate, FinishesAContestWithoutNoise) {
+  const auto race = AUser::race(
+      {"--mice", "mine=" + spec_, "--mazes", "ring.txt", "--world", "physical", "--noise", "0", "--runs", "1"});
+  const auto& mouse = race.at("groups").at(0).at("mice").at(0);
+  EXPECT_EQ(mouse.at("finished"), 1) << mouse;
+}
+
+TEST_F(AnEstimatorTemplate, IsShownAndNotReplayed) {
+  const std::vector<std::string> run = {"run", spec_, "ring.txt", "--world", "physical", "--noise", "0"};
+  auto with = [&](std::initializer_list<std::string> more) {
+    std::vector<std::string> words = run;
+    words.insert(words.end(), more);
+    return words;
+  };
+  const Ended ended = labmouse(with({"--record", "run.jsonl", "--svg", "run.svg"}));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, testing::HasSubstr("score"));
+  EXPECT_THAT(content("run.svg"), testing::HasSubstr("<svg"));
+  const Ended again = labmouse({"replay", "run.jsonl"});
+  EXPECT_EQ(again.code, 1);
+  EXPECT_THAT(again.err, Says("not", "driven", "again"));
+  is_refused(with({"--log", "run.csv"}), "--log", "program");
+  is_refused({"run", spec_, "ring.txt"}, "'parts'", "--world physical");
+}
+
+TEST_F(AnEstimatorTemplate, IsTriedOutAsOneOfAMiceFile) {
+  file("mice.toml", "[[mouse]]\nname = \"mine\"\nmouse = 'flood-return:parts=" + python3() + "'\narguments = ['" +
+                        path_of("estimator.py") + "']\n");
+  const Ended checked = labmouse({"mice-file", "check", "mice.toml"});
+  EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
+  EXPECT_THAT(checked.out, testing::ContainsRegex("mine +mouse +(plays|finished)"));
+  EXPECT_THAT(checked.out, testing::Not(testing::HasSubstr("differs")));
+}
+
+TEST_F(AnEstimatorTemplate, SaysWhyAnotherProgramFails) {
+  const Ended ended = labmouse({"run", "flood:parts=sh -c \"exit 4\"", "ring.txt", "--world", "physical"});
+  EXPECT_THAT(ended.out, testing::HasSubstr("it ended with exit code 4 before it wrote 'labmouse pilot 1 PART...'"));
 }
 
 class AControllerTemplate : public AUser, public testing::WithParamInterface<const char*> {
  protected:
   void SetUp() override {
     if (python3().empty()) GTEST_SKIP() << "no Python 3 is in PATH";
-    file("ring.txt", ring);
+    file("ring.txt", small_ring);
   }
 
-  static constexpr const char* ring =
-      "o---o---o---o\n|           |\no   o---o   o\n|   |   | G |\no   o---o   o\n| S |       |\no---o---o---o\n";
   std::string spec_ = std::string("controller:") + GetParam();
 };
 

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 
+#include "labmouse/contest/code_contest.hpp"
 #include "labmouse/contest/drive.hpp"
+#include "labmouse/external/external_parts.hpp"
+#include "labmouse/lab/mice/controller_lines.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
@@ -53,6 +56,24 @@ TEST(DeadReckoning, DrivesAndLosesItsPosition) {
   ASSERT_FALSE(reckoned.drive.runs.empty());
   EXPECT_FALSE(reckoned.drive.runs.front().moves.empty());
   EXPECT_GT(farthest(reckoned), 2.0 * farthest(ours));
+}
+
+/// templates/estimator.py does the same in another process: not a bit of the contest differs.
+TEST(DeadReckoning, IsTheSameAsAProgram) {
+  Contest contest;
+  contest.rules.time_limit = 20'000'000;
+  const auto own = contest.strategy(), other = contest.strategy();
+  const PhysicalRecord in_cpp = drive_by_dead_reckoning(ring(), contest.rules, contest.model, contest.conditions, *own);
+  Launch launch;
+  launch.words = {LABMOUSE_PYTHON, LABMOUSE_ESTIMATOR};
+  launch.limits.silence = launch.limits.contest = std::chrono::minutes(5);
+  ExternalParts program(
+      launch, controller_lines(controller_briefing(ring(), contest.rules, contest.model, contest.conditions, 1)));
+  const PhysicalRecord in_python =
+      drive_physically(ring(), contest.rules, contest.model, contest.conditions, 1, *other, program.parts());
+  EXPECT_EQ(program.last_words(), "");
+  EXPECT_GT(in_cpp.trace.size(), 500U);
+  EXPECT_EQ(in_python, in_cpp);
 }
 
 }  // namespace

@@ -47,6 +47,21 @@ void check_duties(std::string_view line) {
   require(read_duties(again) == ticks);
 }
 
+/// The answers of parts of the controller.
+void check_parts(std::string_view line) {
+  if (const auto estimate = read_estimate(line)) {
+    require(estimate->is_valid());
+    std::string again = "estimate";
+    add_estimate(*estimate, again);
+    require(read_estimate(again).has_value());
+  }
+  if (const auto duties = read_part_duties(line)) require(duties->left >= -1.0F && duties->right <= 1.0F);
+  if (const auto evidence = read_evidence(line))
+    require(read_evidence(fmt::format("evidence {} {} {}", evidence->left, evidence->ahead, evidence->right)) ==
+            evidence);
+  if (const auto offered = read_parts_greeting(line)) require(offered != OfferedParts());
+}
+
 }  // namespace
 
 LABMOUSE_FUZZER(program) {
@@ -57,8 +72,10 @@ LABMOUSE_FUZZER(program) {
     require(line.size() <= longest && line.find_first_of("\r\n") == std::string::npos);
     check_answer(line);
     check_duties(line);
+    check_parts(line);
   }
   check_duties(text);
+  check_parts(text);
   check_duties(text.substr(0, text.find('\n')));
   return 0;
 }

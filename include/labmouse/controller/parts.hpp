@@ -4,19 +4,29 @@
 // part drives the same moves, only less accurately.
 #pragma once
 
+#include <initializer_list>
+#include <string_view>
+
 #include "labmouse/controller/pose_estimate.hpp"
 #include "labmouse/controller/target.hpp"
 #include "labmouse/hardware/sense.hpp"
+#include "labmouse/mouse/action.hpp"
 #include "labmouse/mouse/evidence.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/mouse/pose.hpp"
 
 namespace labmouse {
 
-/// Estimates the pose of the mouse.
-class EstimatorPart {
+class ControllerPart {
  public:
-  virtual ~EstimatorPart() = default;
+  virtual ~ControllerPart() = default;
+  /// Why the part gave up, which ends the contest; `none` while it works.
+  virtual ForfeitReason reason() const { return ForfeitReason::none; }
+};
+
+/// Estimates the pose of the mouse.
+class EstimatorPart : public ControllerPart {
+ public:
   /// The mouse was put about there by hand, and is at rest.
   virtual void put(const Position& position, const Direction& ahead) = 0;
   /// Called each tick, with the readings, the present target, and the map of walls `known` (null: no map).
@@ -24,9 +34,8 @@ class EstimatorPart {
 };
 
 /// Detects the walls around a cell.
-class ReaderPart {
+class ReaderPart : public ControllerPart {
  public:
-  virtual ~ReaderPart() = default;
   /// Begins to read the walls of the pose's cell, seen in its heading. Discards earlier readings.
   virtual void begin(const Pose& pose) = 0;
   /// Called each tick, after the estimate.
@@ -36,9 +45,8 @@ class ReaderPart {
 };
 
 /// Makes the mouse follow the target.
-class TrackerPart {
+class TrackerPart : public ControllerPart {
  public:
-  virtual ~TrackerPart() = default;
   /// Called when the mouse was put down, at rest.
   virtual void reset() = 0;
   /// Called each tick, after the other parts. Returns the duties until the next tick.
@@ -53,6 +61,23 @@ struct ControllerParts {
   TrackerPart* tracker = nullptr;
 
   bool any() const { return estimator != nullptr || reader != nullptr || tracker != nullptr; }
+  /// Why one of them gave up; `none` while all work.
+  ForfeitReason reason() const {
+    for (const ControllerPart* part : std::initializer_list<const ControllerPart*>{estimator, reader, tracker})
+      if (part != nullptr && part->reason() != ForfeitReason::none) return part->reason();
+    return ForfeitReason::none;
+  }
+};
+
+/// External parts for one contest, and what they consist of.
+class PartsOwner {
+ public:
+  virtual ~PartsOwner() = default;
+  /// The parts for drive_physically(); they are owned by this object.
+  virtual ControllerParts parts() = 0;
+  /// See Strategy.
+  virtual bool started() const { return true; }
+  virtual std::string_view last_words() { return {}; }
 };
 
 }  // namespace labmouse

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "labmouse/functions/angles.hpp"
 #include "labmouse/functions/position.hpp"
@@ -18,6 +19,16 @@ struct PoseEstimate {
   /// Of x, y (in mm) and the angle (in rad). Only the upper triangle is used.
   std::array<std::array<double, 3>, 3> covariance{};
 
+  /// Whether all numbers are within a million of their units, and the direction has length 1.
+  bool is_valid() const {
+    constexpr double most = 1e6, exact = 1e-3;
+    const auto within = [](double number) { return number >= -most && number <= most; };
+    bool all = within(position.x) && within(position.y) && within(slip) && within(speed) && within(turning) &&
+               std::abs(ahead.sine * ahead.sine + ahead.cosine * ahead.cosine - 1.0) <= exact;
+    for (const auto& row : covariance)
+      for (const double number : row) all = all && within(number);
+    return all;
+  }
   /// Direction of motion.
   Direction way() const { return turned_by(ahead, slip); }
   /// Variance of the sum of x, y and the angle with these weights.

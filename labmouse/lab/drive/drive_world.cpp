@@ -81,7 +81,7 @@ ContestOutput DriveWorld::hold(const Race& race, ContestResult& result, Keep kee
 }
 
 std::string DriveWorld::refuse_in_laps(const Contestant& mouse) const {
-  if (rules_.counts != Counted::lap || !mouse.external) return "";
+  if (rules_.counts != Counted::lap || !mouse.external || mouse.parts) return "";
   return fmt::format(
       "'{}' is an external mouse; by rules with counts = \"lap\" no program is asked, because all mice drive the same "
       "course: choose other --rules",

@@ -67,7 +67,7 @@ class PhysicalWorld : public DriveWorld {
                        "controller drives: choose other --rules",
                        shown(mouse.name), name_of(rules().counts));
     const std::string reason = refuse_in_laps(mouse);
-    return reason.empty() ? refuse_to_drive({&mouse, 1}, Driving::with_errors) : reason;
+    return reason.empty() ? refuse_to_drive({&mouse, 1}, Driving::by_controller) : reason;
   }
   using DriveWorld::refuse;
 
@@ -88,8 +88,8 @@ class PhysicalWorld : public DriveWorld {
   virtual void complete(PhysicalPart&) const {}
   /// Runs the contest of a strategy, which this project's controller drives.
   virtual PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
-                                    DrivingStrategy& mouse) const {
-    return drive_physically(maze, rules(), model(), conditions, seed, mouse);
+                                    DrivingStrategy& mouse, const ControllerParts& parts) const {
+    return drive_physically(maze, rules(), model(), conditions, seed, mouse, parts);
   }
 
  private:
@@ -102,17 +102,22 @@ class PhysicalWorld : public DriveWorld {
     if (const auto* program = std::get_if<ControllerProgram>(&mouse.kind))
       return drive_itself(*program, maze, conditions, contest);
     // The seed of the contest would tell a program in which maze it is.
-    Briefing briefing = brief(maze, rules(), model(), mouse.external ? contest.told : contest.seed);
+    const bool is_program = mouse.external && !mouse.parts;
+    Briefing briefing = brief(maze, rules(), model(), is_program ? contest.told : contest.seed);
     briefing.sight = 1;
     briefing.drive.pace = conditions.controller.pace;
     const auto strategy = mouse.driving_strategy(maze, briefing);
     conditions.map = strategy->map_kind().value_or(conditions.map);
     StoppableDriver stoppable(*strategy, stop);
-    DrivenContest driven = driven_of(contest_of(maze, conditions, contest.seed, stoppable), conditions);
+    const std::unique_ptr<PartsOwner> program =
+        mouse.parts ? mouse.parts(controller_briefing(maze, rules(), model(), conditions, contest.told)) : nullptr;
+    DrivenContest driven =
+        driven_of(contest_of(maze, conditions, contest.seed, stoppable, program ? program->parts() : ControllerParts()),
+                  conditions);
     driven.coverage = coverage_of(driven.record, maze, reachable);
     const StrategyReport report = strategy->report();
-    driven.words = report.last_words;
-    driven.started = report.started;
+    driven.words = program ? program->last_words() : report.last_words;
+    driven.started = program ? program->started() : report.started;
     return driven;
   }
 
@@ -188,7 +193,7 @@ class FailureWorld final : public PhysicalWorld {
 
  private:
   PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
-                            DrivingStrategy& mouse) const override {
+                            DrivingStrategy& mouse, const ControllerParts& /*parts*/) const override {
     return drive_with_failures(maze, rules(), model(), conditions, rates_, seed, mouse);
   }
 

@@ -12,6 +12,7 @@
 #include "labmouse/external/capstone.hpp"
 #include "labmouse/external/command_line.hpp"
 #include "labmouse/external/external_controller.hpp"
+#include "labmouse/external/external_parts.hpp"
 #include "labmouse/external/external_strategy.hpp"
 #include "labmouse/external/mms/driven_mms.hpp"
 #include "labmouse/external/sandbox.hpp"
@@ -53,6 +54,10 @@ Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) 
     contestant.kind = MmsProgram{seeded(launch, 0), [launch](const Briefing& briefing) {
                                    return std::make_unique<DrivenMms>(seeded(launch, briefing.seed), briefing);
                                  }};
+  } else if (kind == parts_key) {
+    contestant.parts = [launch](const ControllerBriefing& briefing) {
+      return std::make_unique<ExternalParts>(seeded(launch, briefing.seed), controller_lines(briefing));
+    };
   } else if (kind == "controller:") {
     contestant.kind = [launch](const ControllerBriefing& briefing) {
       return std::make_unique<ExternalController>(seeded(launch, briefing.seed), controller_lines(briefing));
@@ -206,8 +211,10 @@ std::shared_ptr<const Surroundings> surroundings_for(const Launch& launch, Hidde
 
 void read_external_spec(std::string_view given, const ExternalOptions& options, SpecResult& result) {
   const std::string spec = today_spec(given);
-  const std::string_view kind = std::string_view(spec).substr(0, spec.find(':') + 1);
-  const std::string rest(spec.substr(kind.size()));
+  const auto place = parts_place(spec);
+  const bool has_parts = place != std::string::npos;
+  const std::string_view kind = has_parts ? parts_key : std::string_view(spec).substr(0, spec.find(':') + 1);
+  const std::string rest(spec.substr((has_parts ? place : 0) + kind.size()));
   // The SPEC becomes the mouse's name in output, and words of it become zero-terminated arguments.
   if (shown(spec) != spec) {
     result.error = fmt::format("mouse '{}': its SPEC contains unprintable characters", shown(spec));
@@ -231,8 +238,8 @@ void read_external_spec(std::string_view given, const ExternalOptions& options, 
   Contestant& mouse = result.contestants.emplace_back(contestant_of(kind, launch, options.runs));
   mouse.name = spec;
   mouse.interpreter = external.interpreter;
-  mouse.identity = [kind = std::string(kind.substr(0, kind.size() - 1)), launch, interpreter = external.interpreter,
-                    label = options.label, packages = options.packages] {
+  mouse.identity = [kind = has_parts ? "parts" : std::string(kind.substr(0, kind.size() - 1)), launch,
+                    interpreter = external.interpreter, label = options.label, packages = options.packages] {
     return external_identity(kind, launch, interpreter, label) +
            (label.empty() ? runner_identity(launch, *packages) : "");
   };

@@ -57,7 +57,7 @@ ExternalOptions options_of(const MiceFileEntry& mouse, const std::string& folder
   return options;
 }
 
-/// Replaces each `{parameter}` of an external mouse by the value; returns the number of replacements.
+/// Replaces each `{parameter}` of a program by the value; returns the number of replacements.
 int fill_in(MiceFileEntry& mouse, const Setting& value) {
   const std::string place = "{" + value.name + "}";
   int places = 0;
@@ -83,22 +83,27 @@ void read_external_of_mice_file(MiceFileEntry mouse, const std::string& folder, 
 }
 
 /// Reads a mouse of the mice file in that folder; on failure sets the result's error.
-SpecResult read_mouse_of_mice_file(const MiceFileEntry& mouse, const std::string& folder,
-                                   const ExternalOptions& options, const Setting* value, ReadOwnMouse read_own) {
+SpecResult read_mouse_of_mice_file(MiceFileEntry mouse, const std::string& folder, const ExternalOptions& options,
+                                   const Setting* value, ReadOwnMouse read_own) {
   SpecResult result;
-  const bool ours = mouse.kind == Kind::mouse;
+  const bool ours = mouse.kind == Kind::mouse, has_parts = ours && parts_place(mouse.what) != std::string::npos;
+  // A value for its program is none for its strategy.
+  const bool filled = has_parts && value != nullptr && fill_in(mouse, *value) > 0;
   if (!ours)
     read_external_of_mice_file(mouse, folder, options, value, result);
+  else if (has_parts)
+    result.error =
+        read_own(mouse.what, options_of(mouse, folder, options), filled ? nullptr : value, result.contestants);
   else if (is_external_spec(mouse.what))
     result.error = fmt::format("'{0}' is an external mouse; write {1} = \"...\" in place of mouse = \"{1}:...\"",
                                mouse.what, mouse.what.substr(0, mouse.what.find(':')));
   else
-    result.error = read_own(mouse.what, value, result.contestants);
+    result.error = read_own(mouse.what, options, value, result.contestants);
   if (!result.error.empty()) return result;
   Contestant& contestant = result.contestants.front();
   if (value == nullptr)
     rename(contestant, mouse.name);
-  else if (!ours)
+  else if (!ours || filled)
     rename(contestant, fmt::format("{}: {}={}", mouse.name, value->name, value->value));
   contestant.note = mouse.note;
   if (mouse.runs) contestant.runs = *mouse.runs;

@@ -9,8 +9,10 @@
 
 namespace labmouse {
 
-/// Reads a built-in mouse, with that value of a parameter if it is not null; returns the error, or an empty text.
-using ReadOwnMouse = std::string (*)(std::string_view spec, const Setting* value, std::vector<Contestant>& mice);
+/// Reads a built-in mouse, which may have external parts, with that value of a parameter if it is not null; returns the
+/// error, or an empty text.
+using ReadOwnMouse = std::string (*)(std::string_view spec, const ExternalOptions& options, const Setting* value,
+                                     std::vector<Contestant>& mice);
 
 /// Reads the SPEC of a mice file into the result; on failure sets its error and its problems. If `value` is not null,
 /// the mice are variants with that value, as read_variants makes them.

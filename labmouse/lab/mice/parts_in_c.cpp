@@ -35,7 +35,7 @@ PoseEstimate estimate_of(const labmouse_estimate& said) {
 }
 
 /// All three parts; parts() offers only those for which the table has functions.
-class TableOfParts final : public PartsInC, EstimatorPart, ReaderPart, TrackerPart {
+class TableOfParts final : public PartsOwner, EstimatorPart, ReaderPart, TrackerPart {
  public:
   TableOfParts(const struct labmouse_parts& table, const ControllerBriefing& briefing)
       : table_(table), told_(briefing_in_c(briefing)), memory_(table.begin ? table.begin(&told_) : nullptr) {}
@@ -101,7 +101,7 @@ class TableOfParts final : public PartsInC, EstimatorPart, ReaderPart, TrackerPa
 
 }  // namespace
 
-std::unique_ptr<PartsInC> parts_in_c(const struct labmouse_parts& table, const ControllerBriefing& briefing) {
+std::unique_ptr<PartsOwner> parts_in_c(const struct labmouse_parts& table, const ControllerBriefing& briefing) {
   return std::make_unique<TableOfParts>(table, briefing);
 }
 

@@ -65,6 +65,23 @@ Contestant contestant_of(const BuiltinMouse& entry, Settings settings) {
   return contestant;
 }
 
+/// A built-in mouse with the parts of its controller that `program` has.
+Contestant with_parts(const Contestant& own, const Contestant& program) {
+  Contestant mouse = program;
+  const std::string& spec = spec_of(program);
+  mouse.name = own.name + spec.substr(parts_place(spec));
+  mouse.spec.clear();
+  mouse.settings = own.settings;
+  mouse.uses_chance = own.uses_chance;
+  if (const auto* decider = std::get_if<Decider>(&own.kind)) mouse.kind = Decider{{}, decider->drive};
+  if (own.taught)
+    mouse.taught = [teach = own.taught, program](const std::vector<const Maze*>& training, const Rules& rules,
+                                                 const std::atomic<bool>* stop) {
+      return with_parts(teach(training, rules, stop), program);
+    };
+  return mouse;
+}
+
 /// Whether a text cannot be a mouse's name, but the path of a program or a part of a command.
 bool looks_like_a_program(std::string_view name) {
   return name.find_first_of("/ ~") != std::string_view::npos || name.ends_with(".py") || name.ends_with(".js");
@@ -181,9 +198,21 @@ SpecResult read_external_variant(std::string_view spec, const Setting& setting, 
   return read_specs(text, options);
 }
 
+/// Reads one mouse of the user, which may have external parts, into the list; returns the error, or an empty text.
+std::string read_users_spec(std::string_view spec, const ExternalOptions& options, std::vector<Contestant>& mice) {
+  const auto place = parts_place(spec);
+  if (auto error = read_spec(spec.substr(0, place), read_file, mice); !error.empty()) return error;
+  if (place == std::string_view::npos) return "";
+  SpecResult program;
+  read_external_spec(spec, options, program);
+  if (program.error.empty()) mice.back() = with_parts(mice.back(), program.contestants.front());
+  return program.error;
+}
+
 /// The ReadOwnMouse for mice files.
-std::string read_own(std::string_view spec, const Setting* value, std::vector<Contestant>& mice) {
-  if (auto error = read_spec(spec, read_file, mice); !error.empty() || value == nullptr) return error;
+std::string read_own(std::string_view spec, const ExternalOptions& options, const Setting* value,
+                     std::vector<Contestant>& mice) {
+  if (auto error = read_users_spec(spec, options, mice); !error.empty() || value == nullptr) return error;
   SpecResult variant = read_variant(mice.back(), {value, 1});
   if (variant.error.empty()) mice.back() = std::move(variant.contestants.front());
   return variant.error;
@@ -213,11 +242,12 @@ void read_into(std::string_view text, Origin origin, const ExternalOptions& opti
     }
     if (is_mice_file_spec(spec)) return read_mice_file_spec(spec, options, nullptr, read_own, result);
     const auto comma = is_external_spec(spec) ? std::string_view::npos : spec.find(',');
-    if (is_external_spec(spec))
+    if (is_external_spec(spec) && parts_place(spec) == std::string_view::npos)
       read_external_spec(spec, options, result);
+    else if (origin == Origin::of_the_user)
+      result.error = read_users_spec(without_blanks_behind(spec.substr(0, comma)), options, result.contestants);
     else
-      result.error = read_spec(without_blanks_behind(spec.substr(0, comma)),
-                               origin == Origin::of_a_file ? read_found_file : read_file, result.contestants);
+      result.error = read_spec(without_blanks_behind(spec.substr(0, comma)), read_found_file, result.contestants);
     if (!result.error.empty()) return;
     if (!name.empty()) rename(result.contestants.back(), std::string(name));
     more = comma != std::string_view::npos;
@@ -247,8 +277,10 @@ std::string drop_repetitions_or_refuse(std::vector<Contestant>& mice) {
 
 /// The single mouse of a SPEC with that value of a parameter.
 SpecResult read_with_value(std::string_view spec, const Setting& value, const ExternalOptions& options) {
-  if (is_external_spec(spec)) return read_external_variant(spec, value, options);
-  if (!is_mice_file_spec(spec)) return read_variant(spec, {&value, 1});
+  const bool has_place = spec.find("{" + value.name + "}") != std::string_view::npos;
+  if (is_external_spec(spec) && (has_place || parts_place(spec) == std::string_view::npos))
+    return read_external_variant(spec, value, options);
+  if (!is_mice_file_spec(spec)) return read_variant(spec, {&value, 1}, options);
   SpecResult result;
   read_mice_file_spec(spec, options, &value, read_own, result);
   if (!result.error.empty()) return {{}, result.error, result.problems};
@@ -331,8 +363,8 @@ SpecResult read_variants(std::string_view spec, std::string_view parameter, std:
   return result;
 }
 
-SpecResult read_variant(std::string_view spec, std::span<const Setting> values) {
-  SpecResult result = read_specs(spec);
+SpecResult read_variant(std::string_view spec, std::span<const Setting> values, const ExternalOptions& options) {
+  SpecResult result = read_specs(spec, options);
   if (!result.error.empty()) return result;
   if (result.contestants.size() != 1)
     return refused(fmt::format("'{}' names {} mice; name exactly one", spec, result.contestants.size()));
@@ -348,7 +380,8 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
   for (const Setting& value : values)
     if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), read_file, settings); !error.empty())
       return refused(error);
-  return {{contestant_of(*entry, std::move(settings))}, ""};
+  Contestant variant = contestant_of(*entry, std::move(settings));
+  return {{mouse.parts ? with_parts(variant, mouse) : std::move(variant)}, ""};
 }
 
 namespace {
@@ -389,6 +422,11 @@ std::string refuse_idle_settings(const Contestant& mouse, Counts counts, std::st
   return "";
 }
 
+/// An error for parts of a controller in a world without one.
+std::string idle_parts(const Contestant& mouse, std::string_view where) {
+  return fmt::format("parameter 'parts' of mouse '{}' has no effect {}, only in the physical world", mouse.name, where);
+}
+
 /// The settings whose parameters satisfy a condition.
 template <class Holds>
 Settings settings_where(const Contestant& mouse, const BuiltinMouse& entry, Holds holds) {
@@ -402,12 +440,15 @@ Settings settings_where(const Contestant& mouse, const BuiltinMouse& entry, Hold
 }  // namespace
 
 std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
+  if (driving != Driving::by_controller)
+    for (const Contestant& mouse : mice)
+      if (mouse.parts) return idle_parts(mouse, driving == Driving::ideal ? "in seconds" : "in the failure model");
   const auto stays = std::find_if(mice.begin(), mice.end(), [](const Contestant& mouse) { return !mouse.drives(); });
   if (stays == mice.end()) {
     for (const Contestant& mouse : mice)
-      if (std::string reason = driving == Driving::with_errors
-                                   ? refuse_idle_settings(mouse, counts_with_errors, "where a mouse drives")
-                                   : refuse_idle_settings(mouse, counts_in_seconds, "in seconds");
+      if (std::string reason = driving == Driving::ideal
+                                   ? refuse_idle_settings(mouse, counts_in_seconds, "in seconds")
+                                   : refuse_idle_settings(mouse, counts_with_errors, "where a mouse drives");
           !reason.empty())
         return reason;
     return "";
@@ -422,6 +463,7 @@ std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
 }
 
 std::string refuse_to_walk(const Contestant& mouse) {
+  if (mouse.parts) return idle_parts(mouse, "in steps");
   if (!mouse.walks())
     return fmt::format("mouse '{}' cannot race in steps; it races in the world {}", mouse.name,
                        std::holds_alternative<MmsProgram>(mouse.kind)          ? "mms"

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "labmouse/lab/text/former_names.hpp"
+#include "labmouse/lab/text/parts_spec.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/text/toml_text.hpp"
 
@@ -67,7 +68,7 @@ class MiceFileReader {
     mouse.note = text(table, "note");
     mouse.runs = whole(table, "runs", 1, 1'000'000);
     read_limits(table, mouse);
-    if (table.contains("mouse")) refuse_for_ours(table);
+    if (table.contains("mouse") && parts_place(mouse.what) == std::string::npos) refuse_for_ours(table);
     if (mouse.kind == Kind::capstone)
       refuse(table, "directory", "has no effect: a robot runs in the folder of its file");
     return mouse;
@@ -102,7 +103,7 @@ class MiceFileReader {
           "\"COMMAND\"");
   }
 
-  /// Refuses keys that have no effect for a built-in mouse, which runs within this program.
+  /// Refuses keys that have no effect for a built-in mouse without external parts, which runs within this program.
   void refuse_for_ours(const toml::table& table) {
     for (const std::string_view key : {"arguments", "environment", "directory", "interpreter", "limits"})
       refuse(table, key, "is for external mice; labmouse's own mice do not have it");

@@ -108,6 +108,9 @@ void put_into(const NamedMaze* maze, File& file) {
   file.maze_name = maze->name;
 }
 
+/// Shows the record in seconds of a contest that this program has just run, without a check. Null if it is none.
+std::unique_ptr<Replay> fresh_drive_replay(std::string_view text);
+
 extern const RecordKind steps_records, drive_records, mms_records;
 
 }  // namespace labmouse

@@ -139,6 +139,11 @@ OpenedRecord unpack_drive(const ReadJson& packed, const NamedMaze& /*maze*/) {
 
 }  // namespace
 
+std::unique_ptr<Replay> fresh_drive_replay(std::string_view text) {
+  ReadDriveRecordResult read = read_drive_record(text);
+  return read.file ? std::make_unique<DriveReplay>(std::move(*read.file), text) : nullptr;
+}
+
 const RecordKind drive_records = {"drive record", "a record in seconds", "drive", open_drive, unpack_drive};
 
 }  // namespace labmouse

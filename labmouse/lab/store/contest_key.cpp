@@ -52,16 +52,18 @@ std::string key_of(const World& world) {
 }
 
 std::string key_of(const World& world, const Contestant& mouse) {
+  std::string text;
   if (mouse.identity) {
     // The results of an external mouse that is driven depend on what drives it, too.
-    const bool driven =
-        mouse.external && !std::holds_alternative<ControllerProgram>(mouse.kind) && has_robot(world.conditions());
-    return mouse.identity() +
-           (driven ? fmt::format("driven {}\nsignature {}\n", driven_edition, build_signature()) : "");
+    const bool driven = mouse.external && !mouse.parts && !std::holds_alternative<ControllerProgram>(mouse.kind) &&
+                        has_robot(world.conditions());
+    text =
+        mouse.identity() + (driven ? fmt::format("driven {}\nsignature {}\n", driven_edition, build_signature()) : "");
+    if (!mouse.parts) return text;
   }
   const BuiltinMouse* entry = entry_of(mouse);
   if (entry == nullptr && !mouse.reference) return "";
-  std::string text = fmt::format("mouse {}\n", entry != nullptr ? entry->name : std::string_view(spec_of(mouse)));
+  text += fmt::format("mouse {}\n", entry != nullptr ? entry->name : std::string_view(spec_of(mouse)));
   const Settings settings = world.settings(mouse);
   for (const Setting& setting : settings.all())
     text += fmt::format("{} {}\n", former_key(setting.name), former_value(setting.value));

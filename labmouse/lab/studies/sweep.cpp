@@ -36,7 +36,15 @@ SweepPoint point_of(const Race& race, const std::string& value) {
           standing.mean_finished};
 }
 
-/// Sets the mouse and the meaning of the parameter. Only an external mouse itself knows its parameters.
+/// The built-in mouse that has the parameter; null if it is one of a program, which only the program knows.
+const BuiltinMouse* owner_of(std::string_view parameter, const Contestant& variant) {
+  const BuiltinMouse* entry = entry_of(variant);
+  const auto is_it = [&](const Setting& setting) { return setting.name == parameter; };
+  const auto& settings = variant.settings.all();
+  return variant.parts && std::none_of(settings.begin(), settings.end(), is_it) ? nullptr : entry;
+}
+
+/// Sets the mouse and the meaning of the parameter.
 void describe_parameter(std::string_view spec, const BuiltinMouse* mouse, Sweep& sweep) {
   sweep.mouse = spec;
   if (mouse == nullptr) return;
@@ -51,7 +59,7 @@ void describe_parameter(std::string_view spec, const BuiltinMouse* mouse, Sweep&
 /// The values of the variants, in their canonical form for built-in mice.
 std::vector<std::string> values_of(const SweptValues& swept, const std::vector<Contestant>& variants) {
   std::vector<std::string> values;
-  if (entry_of(variants.front()) == nullptr) {
+  if (owner_of(swept.parameter, variants.front()) == nullptr) {
     for (const std::string& value : swept.values)
       if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
   } else {
@@ -116,7 +124,7 @@ Sweep hold_sweep(std::string_view spec, const SweptValues& chosen, const std::ve
   const SpecResult variants = read_variants(spec, chosen.parameter, chosen.values, external_mice);
   if (sweep.error = !chosen.error.empty() ? chosen.error : variants.error; !sweep.error.empty()) return sweep;
   const std::vector<std::string> values = values_of(chosen, variants.contestants);
-  describe_parameter(spec, entry_of(variants.contestants.front()), sweep);
+  describe_parameter(spec, owner_of(chosen.parameter, variants.contestants.front()), sweep);
   std::vector<SweptRace> swept;
   for (std::size_t i = 0; i < values.size(); ++i) swept.push_back({values[i], variants.contestants[i], order.world});
   race_all(swept, mazes, hooks, sweep);

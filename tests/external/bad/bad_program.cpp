@@ -1,5 +1,5 @@
 // An external mouse that misbehaves: bad_program HOW [TAG [MINE OTHERS]]. The tag makes it findable among all
-// processes. `controller HOW` is one that drives a mouse itself.
+// processes. `pilot HOW` is one that drives a mouse itself, `part HOW` the tracker of a controller.
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -15,9 +15,9 @@
 
 namespace {
 
-/// What it says where it behaves: its greeting, an answer, and the beginning of one.
+/// What it says where it behaves: its greeting, an answer, and the beginning of one; and the first word of questions.
 struct Manners {
-  std::string greeting = "labmouse 1", answer = "move 90 0", begun = "move 0";
+  std::string greeting = "labmouse 1", answer = "move 90 0", begun = "move 0", question = "sense";
 } manners;
 
 void say(const std::string& line) { std::cout << line << std::endl; }
@@ -49,7 +49,7 @@ void work(int milliseconds) {
 /// Turns on the spot for as long as it is asked.
 void turn() {
   greet();
-  while (hear("sense")) say(manners.answer);
+  while (hear(manners.question)) say(manners.answer);
 }
 
 /// A child that left the session and all its signals, and never ends.
@@ -115,7 +115,11 @@ void write_files() {
 void misbehave(std::string how) {
   if (how.rfind("pilot ", 0) == 0) {
     how.erase(0, how.find(' ') + 1);
-    manners = {"labmouse pilot 1", "drive 0 0", "drive 0"};
+    manners = {"labmouse pilot 1", "drive 0 0", "drive 0", "sense"};
+  }
+  if (how.rfind("part ", 0) == 0) {
+    how.erase(0, how.find(' ') + 1);
+    manners = {"labmouse pilot 1 tracker", "drive 0 0", "drive 0", "follow"};
   }
   if (how == "turn") return turn();
   if (how == "hang at the start") hang();
@@ -128,13 +132,13 @@ void misbehave(std::string how) {
   if (how == "other version") return say("labmouse 2"), hang();
   if (how == "daemon at the start") return leave_a_daemon(), say("rubbish"), hang();
   greet();
-  hear("sense");
+  hear(manners.question);
   if (how == "give up") say("forfeit"), hang();
   if (how == "hang") hang();
   if (how == "hang within a line") std::cout << manners.begun << std::flush, hang();
   if (how == "write notes") do
       std::cerr << "a note\n", say(manners.answer);
-    while (hear("sense"));
+    while (hear(manners.question));
   if (how == "late") work(500), say(manners.answer), hang();
   if (how == "work") work(1'000'000);
   if (how == "die") std::cerr << "one\ntwo\nthree: no way out\n", std::exit(3);
@@ -158,7 +162,7 @@ void misbehave(std::string how) {
   if (how == "leave answering") {
     if (fork() != 0) _exit(0);
     do say(manners.answer);
-    while (hear("sense"));
+    while (hear(manners.question));
     hang();
   }
   if (how == "close output") close(STDOUT_FILENO), hang();

@@ -8,6 +8,8 @@
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/controller/controller.hpp"
 #include "labmouse/controller/parts.hpp"
+#include "labmouse/external/external_parts.hpp"
+#include "labmouse/lab/mice/controller_lines.hpp"
 #include "labmouse/lab/mice/parts_in_c.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/says.hpp"
@@ -26,10 +28,12 @@ constexpr double cell = 90.0;
 const Hardware& hardware() { return *model().robot.hardware; }
 
 /// A contest of flood-return in the ring.
-PhysicalRecord contest(const ControllerParts& parts, double noise = 1.0, std::uint64_t seed = 1) {
+PhysicalRecord contest(const ControllerParts& parts, double noise = 1.0, std::uint64_t seed = 1,
+                       MazeTime limit = 300'000'000) {
   PhysicalConditions conditions = test::at_errors(noise);
   conditions.trace_every = 20;
-  const DriveRules rules = find_rules("all-japan").rules;
+  DriveRules rules = find_rules("all-japan").rules;
+  rules.time_limit = limit;
   Briefing briefing = brief(test::ring(), rules, model(), seed);
   briefing.sight = 1;
   const BuiltinMouse& entry = *find_mouse("flood-return");
@@ -304,6 +308,54 @@ TEST(PartsInC, DriveAsTheyDoWithoutATable) {
     expect_same(by_table(tracker, seed), contest({nullptr, nullptr, &second}, 2.0, seed));
   }
 }
+
+#ifdef LABMOUSE_PART_PROGRAM
+
+Launch part_program(const std::vector<std::string>& words) {
+  Launch launch;
+  launch.words = {LABMOUSE_PART_PROGRAM};
+  launch.words.insert(launch.words.end(), words.begin(), words.end());
+  launch.limits.silence = launch.limits.contest = std::chrono::minutes(10);
+  launch.limits.processor_seconds = 600;
+  return launch;
+}
+
+TEST(ExternalParts, DriveAsTheyDoWithoutAProgram) {
+  LABMOUSE_SKIP_SANITIZED();
+  constexpr MazeTime limit = 12'000'000;
+  const auto by_program = [](const std::vector<std::string>& words, std::uint64_t seed) {
+    ExternalParts program(part_program(words), controller_lines(briefing()));
+    const PhysicalRecord record = contest(program.parts(), 2.0, seed, limit);
+    EXPECT_EQ(program.last_words(), "");
+    return record;
+  };
+  Blinkered first, second, third, fourth;
+  expect_same(by_program({"estimator"}, 1), contest({&first, nullptr, nullptr}, 2.0, 1, limit));
+  expect_same(by_program({"reader"}, 2), contest({}, 2.0, 2, limit));
+  expect_same(by_program({"tracker"}, 3), contest({nullptr, nullptr, &second}, 2.0, 3, limit));
+  expect_same(by_program({"tracker", "estimator", "reader"}, 4), contest({&third, nullptr, &fourth}, 2.0, 4, limit));
+}
+
+TEST(ExternalParts, ThatEndAfterAScoreLeaveIt) {
+  LABMOUSE_SKIP_SANITIZED();
+  const auto ended_after = [](const std::string& ticks) {
+    ExternalParts program(part_program({"until", ticks, "reader"}), controller_lines(briefing()));
+    return contest(program.parts(), 0.0);
+  };
+  const PhysicalRecord whole = contest({}, 0.0), early = ended_after("1000"), late = ended_after("6000");
+  for (const PhysicalRecord* record : {&early, &late}) {
+    EXPECT_EQ(record->drive.reason, ForfeitReason::ended_early);
+    ASSERT_FALSE(record->ends.empty());
+    EXPECT_EQ(record->ends.back(), RunEnd::given_up);
+    EXPECT_LT(record->trace.size(), whole.trace.size());
+  }
+  EXPECT_EQ(early.drive.outcome, DriveOutcome::forfeit);
+  EXPECT_EQ(late.drive.outcome, DriveOutcome::finished);
+  // Nothing is driven from then on.
+  EXPECT_EQ(early.drive.runs.back().end, 1'000'000);
+}
+
+#endif
 
 TEST(PartsInC, AreOursWhereTheTableHasNone) {
   constexpr struct labmouse_parts none = {};

@@ -17,6 +17,7 @@
 #include "labmouse/contest/controller_code.hpp"
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
+#include "labmouse/controller/parts.hpp"
 #include "labmouse/external/hidden_files.hpp"
 #include "labmouse/external/launch.hpp"
 #include "labmouse/maze/maze.hpp"
@@ -55,6 +56,9 @@ using PlayedContests = std::map<std::pair<std::string, std::uint64_t>, PlayedCon
 /// Starts a program that is the controller of a mouse in the physical world.
 using ControllerProgram = std::function<std::unique_ptr<ControllerCode>(const ControllerBriefing&)>;
 
+/// Starts a program that has parts of the controller of a mouse in the physical world.
+using PartsProgram = std::function<std::unique_ptr<PartsOwner>(const ControllerBriefing&)>;
+
 /// A program that talks to mms.
 struct MmsProgram {
   Launch launch;  ///< how to start it
@@ -83,7 +87,9 @@ struct Contestant {
   /// Whether it runs as a reference outside of the ranking (the oracle).
   bool reference = false;
   std::variant<Decider, PlayedContests, ControllerProgram, MmsProgram> kind;
-  /// Whether it is an external program. It gets the same seed in all mazes of a run.
+  /// Parts of its controller that are another program; empty: all are built in. Only for a built-in mouse.
+  PartsProgram parts;
+  /// Whether it, or parts of its controller, is an external program. It gets the same seed in all mazes of a run.
   bool external = false;
   /// For an external mouse, whether it runs in a sandbox; empty for others.
   std::optional<bool> sandboxed;
@@ -93,7 +99,8 @@ struct Contestant {
   /// Files hidden from an external mouse, a list to add to; null for others.
   std::shared_ptr<HiddenFiles> hidden;
   /// Makes a text for stores of contests that changes whenever the mouse may behave differently. It reads the files of
-  /// an external mouse. Empty for built-in mice, which name and parameters identify.
+  /// an external mouse. Empty for built-in mice, which name and parameters identify; with external parts, it is that of
+  /// the parts.
   std::function<std::string()> identity;
   /// Only for a mouse that learns from whole mazes before it races: makes the same mouse, trained on these mazes in
   /// place of its built-in prior. Cross-validation calls it with the mazes of all folds but one, sorted by name. It

@@ -9,15 +9,8 @@
 
 namespace labmouse {
 
-/// Such parts for one contest.
-class PartsInC {
- public:
-  virtual ~PartsInC() = default;
-  /// The parts for drive_physically(); they are owned by this object.
-  virtual ControllerParts parts() = 0;
-};
-
-/// The table must outlive the result. Its functions must be thread-safe: several contests may run at once.
-std::unique_ptr<PartsInC> parts_in_c(const struct labmouse_parts& table, const ControllerBriefing& briefing);
+/// Such parts for one contest. The table must outlive the result. Its functions must be thread-safe: several contests
+/// may run at once.
+std::unique_ptr<PartsOwner> parts_in_c(const struct labmouse_parts& table, const ControllerBriefing& briefing);
 
 }  // namespace labmouse

@@ -1,4 +1,5 @@
-// Reads mice from SPECs: `name[:key=value]...`, several separated by commas, each with an optional `NAME=` before it.
+// Reads mice from SPECs: `name[:key=value]...[:parts=COMMAND]`, several separated by commas, each with an optional
+// `NAME=` before it.
 #pragma once
 
 #include <cstdint>
@@ -30,19 +31,20 @@ const BuiltinMouse* entry_of(const Contestant& mouse);
 std::string unknown_mouse(std::string_view name);
 
 /// A variant of the mouse for each value of a parameter, in the order of the values; a value in the SPEC is overridden.
-/// Equal values in different spelling count once. For an external mouse each `{parameter}` in its SPEC is replaced by
-/// the value; in a mice file also in its arguments and variables. Variants lose the name that a user gave the mouse.
+/// Equal values in different spelling count once. In a command each `{parameter}` is replaced by the value; in a mice
+/// file also in its arguments and variables. Variants lose the name that a user gave the mouse.
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values,
                          const ExternalOptions& options = {});
 
 /// The single mouse of a SPEC with values for some of its parameters, which override those of the SPEC.
-SpecResult read_variant(std::string_view spec, std::span<const Setting> values);
+SpecResult read_variant(std::string_view spec, std::span<const Setting> values, const ExternalOptions& options = {});
 
 /// The same for a mouse that was read before; its own files are not read again.
 SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values);
 
-/// Whether a world in seconds has errors (physical, failure model): then more parameters have an effect.
-enum class Driving : std::uint8_t { ideal, with_errors };
+/// Whether a world in seconds has errors (failure model, physical): then more parameters have an effect. Only the
+/// physical world has a controller whose parts can be replaced.
+enum class Driving : std::uint8_t { ideal, with_errors, by_controller };
 
 /// Why these mice cannot race in seconds, or which parameter has no effect there; empty if they can. The text names
 /// mice that can.
