@@ -92,14 +92,15 @@ struct PhysicalTrial {
   ControllerBriefing briefing(const Maze& maze) const {
     return controller_briefing(maze, rules, model, conditions, seed);
   }
-  Trial result(const PhysicalRecord& record, std::string_view words) const {
+  /// `reason`: why the program gave up. A mouse that only got lost works.
+  Trial result(const PhysicalRecord& record, ForfeitReason reason, std::string_view words) const {
     const DriveScore result = score(record.drive, rules);
     Trial trial;
     for (const ControllerTick& tick : record.tape)
       trial.walk += fmt::format("{} {} {};", static_cast<int>(tick.word), tick.left, tick.right);
     for (const TracePoint& point : record.trace)
       trial.walk += fmt::format("{} {};", point.truth.position.x, point.truth.position.y);
-    trial.good = record.drive.reason == ForfeitReason::none || record.drive.reason == ForfeitReason::gave_up;
+    trial.good = reason == ForfeitReason::none || reason == ForfeitReason::gave_up;
     const auto lines = last_lines(words);
     if (!lines.empty()) trial.last = lines.back();
     if (!trial.good)
@@ -115,7 +116,7 @@ Trial try_physically(const ControllerProgram& program, const Maze& maze) {
   const PhysicalTrial trial;
   const auto code = program(trial.briefing(maze));
   const PhysicalRecord record = drive_by_code(maze, trial.rules, trial.model, trial.conditions, trial.seed, *code);
-  return trial.result(record, code->last_words());
+  return trial.result(record, record.drive.reason, code->last_words());
 }
 
 /// A mouse whose controller has external parts. It is asked each millisecond, so that a minute has to do.
@@ -127,9 +128,10 @@ Trial try_with_parts(const Contestant& mouse, const Maze& maze) {
   briefing.sight = 1;
   const auto strategy = mouse.driving_strategy(maze, briefing);
   const auto program = mouse.parts(trial.briefing(maze));
+  const ControllerParts parts = program->parts();
   const PhysicalRecord record =
-      drive_physically(maze, trial.rules, trial.model, trial.conditions, trial.seed, *strategy, program->parts());
-  return trial.result(record, program->last_words());
+      drive_physically(maze, trial.rules, trial.model, trial.conditions, trial.seed, *strategy, parts);
+  return trial.result(record, parts.reason(), program->last_words());
 }
 
 Trial try_in_seconds(const Contestant& mouse, const Maze& maze) {

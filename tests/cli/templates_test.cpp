@@ -122,7 +122,7 @@ TEST_F(AnEstimatorTemplate, IsShownAndNotReplayed) {
   };
   const Ended ended = labmouse(with({"--record", "run.jsonl", "--svg", "run.svg"}));
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, testing::HasSubstr("score"));
+  EXPECT_THAT(ended.out, testing::HasSubstr("gate to gate in run 3"));
   EXPECT_THAT(content("run.svg"), testing::HasSubstr("<svg"));
   const Ended again = labmouse({"replay", "run.jsonl"});
   EXPECT_EQ(again.code, 1);
