@@ -35,7 +35,9 @@ function(labmouse_module name)
     target_compile_definitions(${target} ${scope} $<BUILD_INTERFACE:_GLIBCXX_ASSERTIONS>)
     target_compile_options(${target} ${scope} $<BUILD_INTERFACE:-fsanitize=address,undefined>
                            $<BUILD_INTERFACE:-fno-sanitize-recover=all> $<BUILD_INTERFACE:-fno-omit-frame-pointer>)
-    target_link_options(${target} ${scope} $<BUILD_INTERFACE:-fsanitize=address,undefined>)
+    # lld takes a fifth of the time of the usual linker.
+    target_link_options(${target} ${scope} $<BUILD_INTERFACE:-fsanitize=address,undefined>
+                        $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:Clang>:-fuse-ld=lld>>)
   endif()
   foreach(module IN LISTS ARGN)
     target_link_libraries(${target} ${scope} labmouse_${module})

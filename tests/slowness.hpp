@@ -18,6 +18,9 @@ inline constexpr bool sanitized = false;
 /// case takes ten times as long.
 inline const bool thorough = !sanitized && std::getenv("LABMOUSE_PROOF") != nullptr;
 
+/// Whether the sanitizers are in it and it is not `make proof` that runs it.
+inline const bool briefly_sanitized = sanitized && std::getenv("LABMOUSE_PROOF") == nullptr;
+
 /// Where a test is not thorough, it runs one case of this many.
 inline const int slowness = sanitized ? 60 : thorough ? 1 : 12;
 

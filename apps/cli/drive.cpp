@@ -129,8 +129,7 @@ void add_drive(Command& app, int& exit) {
       ->check(setting_value(search_speed_row.setting))
       ->capture_default_str();
   command->add_flag("--fast", options->fast, "Drive the fastest route instead of the moves of a search run");
-  command->add_flag("--causes", options->causes,
-                    "Compare causes of errors: a row for each with the other causes off");
+  command->add_flag("--causes", options->causes, "Compare causes of errors: a row for each with the other causes off");
   command->add_flag("--corrections", options->corrections,
                     "Compare corrections of the position by walls: all, some and none");
   command->add_option("--runs", options->runs, "Drives in each maze")

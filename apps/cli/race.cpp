@@ -322,7 +322,8 @@ void add_race(Command& app, int& exit) {
   command->group(groups::output);
   command
       ->add_option("--curves", options->curves,
-                   "Draw the share of finished contests against several values of --noise or --variation, and what ended the others, as SVG")
+                   "Draw the share of finished contests against several values of --noise or --variation, and what "
+                   "ended the others, as SVG")
       ->type_name("FILE");
   command->add_flag("--shares", options->shares,
                     "Print the shares of the mazes that each mouse discovered and visited");

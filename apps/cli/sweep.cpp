@@ -45,9 +45,8 @@ Planned planned(const SweepOptions& options) {
   SweptValues swept = swept_values_of(options);
   ExternalOptions external_mice = options.external_mice;
   Entry entry = options.contests.world.enter_one(
-      options.vary.empty()
-          ? find_contestants({options.mouse}, external_mice)
-          : mice_of(read_variants(options.mouse, swept.parameter, swept.values, external_mice)));
+      options.vary.empty() ? find_contestants({options.mouse}, external_mice)
+                           : mice_of(read_variants(options.mouse, swept.parameter, swept.values, external_mice)));
   if (options.vary.empty() && entry.mice.size() != 1)
     throw UsageError(fmt::format("error: '{}' names {} mice; name exactly one", options.mouse, entry.mice.size()));
   MazeCollection mazes = find_mazes_of(entry, options.contests);

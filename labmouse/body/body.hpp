@@ -5,8 +5,8 @@
 
 #include "labmouse/body/beams.hpp"
 #include "labmouse/body/contact.hpp"
-#include "labmouse/body/field.hpp"
 #include "labmouse/body/error_scale.hpp"
+#include "labmouse/body/field.hpp"
 #include "labmouse/body/plant.hpp"
 #include "labmouse/body/robot_sample.hpp"
 #include "labmouse/body/senses.hpp"

@@ -107,8 +107,8 @@ std::optional<Contact> contact_of(const Field& field, const Chassis& chassis, co
                   stand.middle, x, y, contact);
   for (int column = x.first; column <= x.last; ++column)
     for (int row = y.first; row <= y.last; ++row)
-      touch_post(field, stand, ahead, Position{column * field.cell(), row * field.cell()} + field.post_shift(column, row),
-                 contact);
+      touch_post(field, stand, ahead,
+                 Position{column * field.cell(), row * field.cell()} + field.post_shift(column, row), contact);
   return contact;
 }
 

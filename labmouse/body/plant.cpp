@@ -26,7 +26,12 @@ double root_of_loss(double loss, double step) { return std::sqrt(loss * step); }
 }  // namespace
 
 Plant::Plant(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed)
-    : field_(field), hardware_(hardware), robot_sample_(robot_sample), shaking_rng_(seed_for(seed, "shaking")), charge_(robot_sample.battery), voltage_(charge_) {
+    : field_(field),
+      hardware_(hardware),
+      robot_sample_(robot_sample),
+      shaking_rng_(seed_for(seed, "shaking")),
+      charge_(robot_sample.battery),
+      voltage_(charge_) {
   drive_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.drive.time);
   turn_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.turn.time);
   const Noise& noise = hardware.noise;
@@ -45,7 +50,8 @@ void Plant::put(const Position& position, double angle) {
 }
 
 void Plant::stop() {
-  motion_.speed = motion_.rolling = motion_.turning = motion_.yaw = motion_.slip = motion_.speeding = motion_.sideways = 0.0;
+  motion_.speed = motion_.rolling = motion_.turning = motion_.yaw = motion_.slip = motion_.speeding = motion_.sideways =
+      0.0;
   shaking_ = shaking_rate_ = 0.0;
 }
 
@@ -109,7 +115,7 @@ void Plant::roll(double rolled, double grip) {
     motion_.speed = before + force * tick_seconds;
     const double rotating = hardware_.motors.rotating;
     if (rotating > 0.0) motion_.rolling = rolled + (asked - (1.0 - rotating) * force) / rotating * tick_seconds;
-    // They hold again as soon as they are no longer faster than the mouse, or no longer slower.
+    // They roll as soon as they are no longer faster than the mouse, or no longer slower.
     if (rotating <= 0.0 || (motion_.rolling - motion_.speed) * force <= 0.0) motion_.rolling = motion_.speed;
   }
   // A mouse at rest stands on a slope.

@@ -3,7 +3,8 @@
 // Method: forward motion and turning are each a first-order motor with a dead zone. Where the motors ask for more than
 // the tyres hold, the wheels spin: what is left of the torque turns them faster. The lateral force of the tyres grows
 // with the slip angle, up to a friction circle that is shared with acceleration and braking; it acts behind the centre
-// of mass, and so turns the mouse back. Shaking is a resonance driven by noise. docs/explanation/physical-model.md has the equations, and where each number comes from.
+// of mass, and so turns the mouse back. Shaking is a resonance driven by noise. docs/explanation/physical-model.md has
+// the equations, and where each number comes from.
 #pragma once
 
 #include <array>

@@ -51,7 +51,8 @@ RobotSample::RobotSample(const Hardware& hardware, const ErrorScale& scale, Size
   Draws motors(seed, "motors"), batteries(seed, "battery"), tyres(seed, "tyres"), encoders(seed, "encoders"),
       gyros(seed, "gyro"), accelerometers(seed, "acceleration"), beams(seed, "infrared"), lights(seed, "ambient light");
   for (double& factor : motor) factor = motor_factor_of(own(motors, ErrorCause::motors) * variation.motor_gain);
-  battery = std::max(0.0, 1.0 - scale.variation_of(ErrorCause::motors) * variation.battery * std::abs(batteries.next()));
+  battery =
+      std::max(0.0, 1.0 - scale.variation_of(ErrorCause::motors) * variation.battery * std::abs(batteries.next()));
   stiffness = factor_of(own(tyres, ErrorCause::tyres) * variation.stiffness);
   grip = factor_of(own(tyres, ErrorCause::tyres) * variation.grip);
   for (double& factor : encoder)

@@ -41,9 +41,9 @@ class Senses {
   Rng range_rng_;
   std::array<Rng, beam_count> ambient_rng_;
   std::array<double, beam_count> ambient_;  ///< counts
-  double infrared_fresh_;           ///< factor of the new noise in a beam's error, an AR(1) process
-  std::array<double, 2> travel_{};  ///< mm, of each wheel as its encoder measures it
-  double bias_ = 0.0;               ///< rad/s
+  double infrared_fresh_;                   ///< factor of the new noise in a beam's error, an AR(1) process
+  std::array<double, 2> travel_{};          ///< mm, of each wheel as its encoder measures it
+  double bias_ = 0.0;                       ///< rad/s
   std::array<double, beam_count> infrared_noise_{};
   int until_range_ = 0;  ///< ticks to the next reading
 };

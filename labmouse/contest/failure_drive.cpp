@@ -86,7 +86,8 @@ Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
   const bool open = maze_.is_open(place_.pose.cell, side);
   const Reading reading = reading_of(open, ahead, again);
   const std::size_t bright = brightness_class(sample_, place_.pose, side, !open);
-  ReadingRates shares = at_variation_->by_brightness[bright].readings[static_cast<std::size_t>(reading)][position_error_];
+  ReadingRates shares =
+      at_variation_->by_brightness[bright].readings[static_cast<std::size_t>(reading)][position_error_];
   double& silent = shares[evidence_class(0)];
   if (clear < silent) return 0;
   for (double& told : shares) told /= 1.0 - silent;

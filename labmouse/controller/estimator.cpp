@@ -23,7 +23,9 @@ constexpr double least_turning = 2.0, least_speed = 100.0, most_slip = 0.5;
 }  // namespace
 
 Estimator::Estimator(const Hardware& hardware, double cell, double speed_filter)
-    : hardware_(hardware), speed_filter_(speed_filter), floor_steps_a_mm_(hardware.variation.floor_steps / cell),
+    : hardware_(hardware),
+      speed_filter_(speed_filter),
+      floor_steps_a_mm_(hardware.variation.floor_steps / cell),
       offset_variance_(square(hardware.variation.acceleration_bias)) {}
 
 void Estimator::put(const Position& position, const Direction& ahead) {
@@ -69,7 +71,7 @@ void Estimator::predict(const Sense& sense) {
 /// On straights the lateral acceleration is that of the path; what is felt besides is the offset, the noise, and the
 /// slope of the floor, which is the same for a moment.
 void Estimator::measure_offset(double pulled, double seconds) {
-  constexpr double turns = 0.5;                       // rad/s
+  constexpr double turns = 0.5;                      // rad/s
   constexpr double settled = 0.1, same_slope = 0.3;  // s
   straight_ = std::abs(turning_) > turns ? 0.0 : straight_ + seconds;
   if (straight_ < settled) return;
@@ -98,8 +100,9 @@ void Estimator::estimate_slip(double pulled, double turn, double seconds) {
   // The lateral acceleration gives the turn rate of the path, and any further turn of the mouse is slip.
   felt_slip_ += pulled / speed_ * seconds - turn;
   const double slope = gravity * hardware_.variation.floor_tilt;
-  slip_variance_ += (square(hardware_.noise.acceleration) * seconds + (offset_variance_ + square(slope)) * turn_seconds) *
-                    seconds / square(speed_);
+  slip_variance_ +=
+      (square(hardware_.noise.acceleration) * seconds + (offset_variance_ + square(slope)) * turn_seconds) * seconds /
+      square(speed_);
   // The error of the nominal model is the same during a turn. The more it disagrees, the less it counts: tyres that
   // slide follow no model.
   const double off = nominal_slip_ - felt_slip_;

@@ -70,9 +70,9 @@ class Estimator {
   double floor_steps_a_mm_;
   Position position_;
   Direction ahead_;
-  double bias_ = 0.0;   ///< gyro rate at rest, rad/s
-  double scale_ = 0.0;  ///< relative error of the encoders' scale
-  double gyro_ = 0.0;   ///< relative error of the gyro's scale
+  double bias_ = 0.0;                      ///< gyro rate at rest, rad/s
+  double scale_ = 0.0;                     ///< relative error of the encoders' scale
+  double gyro_ = 0.0;                      ///< relative error of the gyro's scale
   double offset_ = 0.0, offset_variance_;  ///< of the lateral accelerometer, mm/s²
   double straight_ = 0.0;                  ///< s since it last turned
   double nominal_slip_ = 0.0, felt_slip_ = 0.0, slip_variance_ = 0.0;

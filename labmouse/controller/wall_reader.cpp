@@ -108,8 +108,8 @@ double WallReader::post_share(double along, double cosine) const {
 /// Likelihood of a mean reading, given the expected one.
 double WallReader::likelihood(double level, double expected) const {
   const Noise& noise = hardware_.noise;
-  const double variance = reading_variance(hardware_.variation, expected) +
-                          square(noise.infrared_share * expected) + square(noise.infrared) + 1.0;
+  const double variance = reading_variance(hardware_.variation, expected) + square(noise.infrared_share * expected) +
+                          square(noise.infrared) + 1.0;
   return density(level - expected, variance);
 }
 

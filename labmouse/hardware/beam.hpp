@@ -38,8 +38,8 @@ constexpr double returned_at(double cosine) {
 /// counts squared.
 constexpr double reading_variance(const Variation& variation, double level) {
   const auto square = [](double number) { return number * number; };
-  return square(level) * (square(variation.reflectance) + square(variation.maze_reflectance) +
-                          square(variation.infrared_gain)) +
+  return square(level) *
+             (square(variation.reflectance) + square(variation.maze_reflectance) + square(variation.infrared_gain)) +
          square(variation.ambient);
 }
 

@@ -198,8 +198,8 @@ TEST(Tyres, PushNoHarderThanTheirGrip) {
   EXPECT_NEAR(before, 600.0, 1.0);
 }
 
-/// The wheels turn faster than the mouse drives: what the tyres do not hold of the motors' torque turns them, whose share
-/// of the inertia is r. Their speed approaches `last` - (1 - r) grip time with the time constant r time.
+/// The wheels turn faster than the mouse drives: what the tyres do not hold of the motors' torque turns them, whose
+/// share of the inertia is r. Their speed approaches `last` - (1 - r) grip time with the time constant r time.
 TEST(Wheels, SpinAsTheExponentialWhereTheTyresDoNotHold) {
   Hardware hardware = test::plain_mouse();
   hardware.motors.drive.dead_zone = 0.0;

@@ -44,8 +44,9 @@ TEST(RobotSample, DrawsFactorsAboutOneWithTheDeviationOfTheVariation) {
   expect(0.005, [](const RobotSample& it) { return it.gyro; });
   expect(0.05, [](const RobotSample& it) { return it.infrared[3]; });
   // Of the wall and of the maze.
-  expect(std::sqrt(square(0.05) + square(0.1)),
-         [](const RobotSample& it) { return it.reflectance({1, 0}, Heading::south); });
+  expect(std::sqrt(square(0.05) + square(0.1)), [](const RobotSample& it) {
+    return it.reflectance({1, 0}, Heading::south);
+  });
   const Drawn offset = drawn([](const RobotSample& it) { return it.acceleration[1]; });
   EXPECT_NEAR(offset.mean, 0.0, 30.0);
   EXPECT_NEAR(offset.deviation, 300.0, 30.0);
@@ -222,7 +223,8 @@ TEST(RobotSample, IsSevereWhereOneOfItsNumbersIsFarOff) {
 
 TEST(RobotSample, SeesAWallAsBrightAsSensorAndWallAre) {
   const Hardware hardware = test::varied_mouse();
-  const RobotSample it(hardware, {}, {3, 3}, 8), without_maze(hardware, test::all_but(ErrorCause::reflectance), {3, 3}, 8);
+  const RobotSample it(hardware, {}, {3, 3}, 8),
+      without_maze(hardware, test::all_but(ErrorCause::reflectance), {3, 3}, 8);
   const double maze = it.brightness() / without_maze.brightness();
   EXPECT_NE(maze, 1.0);
   for (const BeamPlace beam : {BeamPlace::right, BeamPlace::left_ahead}) {

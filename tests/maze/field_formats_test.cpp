@@ -11,6 +11,7 @@
 #include "tests/maze/problem_lines.hpp"
 #include "tests/maze/random_maze.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -69,6 +70,7 @@ Maze usual_maze(Size size, std::uint64_t seed) {
 }
 
 TEST(FieldFormats, FindTheBitsThatNoFileStates) {
+  if (test::briefly_sanitized) GTEST_SKIP() << "takes long with the sanitizers: there only in `make proof`";
   int exact = 0;
   std::array order = {Heading::north, Heading::east, Heading::south, Heading::west};
   do

@@ -39,8 +39,8 @@ struct MotorAxis {
 };
 
 struct Motors {
-  MotorAxis drive;       ///< of the mean duty of both wheels
-  MotorAxis turn;        ///< of the right wheel's duty less the left one's
+  MotorAxis drive;         ///< of the mean duty of both wheels
+  MotorAxis turn;          ///< of the right wheel's duty less the left one's
   double turning = 0.0;    ///< forward duty that turning takes, per rad/s
   double rotating = 0.0;   ///< share of the inertia that turns with the wheels; 0: wheels never spin
   double sag = 0.0;        ///< share of the voltage that is lost at full duty of both
@@ -188,8 +188,8 @@ inline constexpr std::size_t error_causes = 13;
 
 constexpr std::string_view name_of(ErrorCause cause) {
   constexpr std::array<std::string_view, error_causes> names = {
-      "motors",      "tyres",         "floor",      "posts",   "encoders", "gyro", "accelerometer", "infrared",
-      "reflectance", "ambient light", "ToF sensor", "shaking", "placement"};
+      "motors",   "tyres",       "floor",         "posts",      "encoders", "gyro",     "accelerometer",
+      "infrared", "reflectance", "ambient light", "ToF sensor", "shaking",  "placement"};
   return names[static_cast<std::size_t>(cause)];
 }
 

@@ -40,12 +40,12 @@ std::string table_of(std::span<const DriveTally> tallies, const DriveOrder& orde
   std::size_t width = 14;
   for (const DriveTally& tally : tallies) width = std::max(width, shown(tally.name).size());
   std::string text = fmt::format("Robot {}\n\n", shown(order.model->robot.name));
-  text += fmt::format("{:<{}} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", width, "",
-                      "crashed", "95 %", "without", "worst", "lateral", "longit.", "heading", "max. lateral", "side",
-                      "front", "cells a");
-  text +=
-      fmt::format("{:<{}} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", width, "runs", "%",
-                  "interval", "any %", "maze %", "mm", "mm", "deg.", "50, 95 % mm", "wrong %", "wrong %", "crash");
+  text += fmt::format("{:<{}} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", width,
+                      "", "crashed", "95 %", "without", "worst", "lateral", "longit.", "heading", "max. lateral",
+                      "side", "front", "cells a");
+  text += fmt::format("{:<{}} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", width,
+                      "runs", "%", "interval", "any %", "maze %", "mm", "mm", "deg.", "50, 95 % mm", "wrong %",
+                      "wrong %", "crash");
   for (const DriveTally& tally : tallies) {
     const Interval& interval = tally.interval;
     text += fmt::format(

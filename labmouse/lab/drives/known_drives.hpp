@@ -34,7 +34,7 @@ struct DriveOrder {
 /// Results of all drives of a case, in mazes with a route.
 struct DriveTally {
   std::string name;
-  bool stopped = false;    ///< whether it was stopped before all drives were done
+  bool stopped = false;  ///< whether it was stopped before all drives were done
   int mazes = 0;
   int mazes_without_crash = 0;
   double worst_share = 0.0;  ///< share of drives that crashed in the worst maze

@@ -141,7 +141,7 @@ class FailureCounter {
   const RobotSample& sample_;
   FailureTally& tally_;
   FailureCounts& counts_;  ///< of contests with this one's brightness
-  WallSet read_;  ///< walls that were read before
+  WallSet read_;           ///< walls that were read before
 };
 
 }  // namespace

@@ -133,8 +133,9 @@ FoundRates read_rates(std::string_view text, const std::string& name) {
   FailureFile file;
   file.name = short_name(name);
   if (fields.whole("labmouse_failure_rates", 1, 1'000'000) != failure_rates_format)
-    fields.reject(fmt::format("'labmouse_failure_rates' is not {}, the only format that this version knows; count them again",
-                              failure_rates_format));
+    fields.reject(
+        fmt::format("'labmouse_failure_rates' is not {}, the only format that this version knows; count them again",
+                    failure_rates_format));
   file.robot = fields.text("robot");
   file.tables = fields.text("tables");
   file.edition = fields.whole("edition", 1, 1'000'000);

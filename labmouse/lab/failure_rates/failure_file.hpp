@@ -16,11 +16,11 @@ inline constexpr int failure_rates_format = 3;
 
 /// What was counted, and of which robot.
 struct FailureFile {
-  std::string name;    ///< that of the file without its folders and its ending
-  std::string robot;   ///< name of the robot
-  std::string tables;  ///< hash of its tables
-  int edition = 0;     ///< of the physical world
-  double noise = 1.0;  ///< scale of the noise
+  std::string name;           ///< that of the file without its folders and its ending
+  std::string robot;          ///< name of the robot
+  std::string tables;         ///< hash of its tables
+  int edition = 0;            ///< of the physical world
+  double noise = 1.0;         ///< scale of the noise
   double search_speed = 0.0;  ///< 0: the robot's own
   std::vector<FailureTally> tallies;
   std::string hash;  ///< of all that is in it

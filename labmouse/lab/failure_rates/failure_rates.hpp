@@ -2,7 +2,8 @@
 // beginning and end are counted, and crashes; for each wall reading, its evidence and whether it was wrong.
 //
 // Counts are by the localization error at the beginning of the manoeuvre and by how bright walls look, because these
-// cause most of the failures: a mouse that knows its position rarely crashes, and detects walls of the usual brightness.
+// cause most of the failures: a mouse that knows its position rarely crashes, and detects walls of the usual
+// brightness.
 #pragma once
 
 #include <atomic>

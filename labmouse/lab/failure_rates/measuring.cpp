@@ -78,8 +78,8 @@ MeasuredRates measure_rates(const FailureOrder& ordered, std::span<const Contest
   };
   for_each_parallel(parts.size(), order.jobs, [&](std::size_t i) {
     const std::size_t pair = i % pairs;
-    parts[i] = part_of(order, tallies[i / pairs], mice[pair % mice.size()], mazes[pair / mice.size()], hooks.stop,
-                       finished);
+    parts[i] =
+        part_of(order, tallies[i / pairs], mice[pair % mice.size()], mazes[pair / mice.size()], hooks.stop, finished);
   });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     tallies[i / pairs] += parts[i].tally;

@@ -16,15 +16,17 @@ using PhysicalRow = SettingRow<PhysicalConditions>;
 inline constexpr PhysicalRow noise_row = row<&PhysicalConditions::errors, &ErrorScale::noise>(
     {.name = "noise",
      .placeholder = "FACTOR",
-     .meaning = "Scale of the noise of each moment: 1 as measured, 0 none; several, separated by commas, give a race each",
+     .meaning =
+         "Scale of the noise of each moment: 1 as measured, 0 none; several, separated by commas, give a race each",
      .default_value = "1",
      .high = most_noise,
      .listed = true});
 inline constexpr PhysicalRow variation_row = row<&PhysicalConditions::errors, &ErrorScale::variation>(
     {.name = "variation",
      .placeholder = "FACTOR",
-     .meaning = "Scale of the variation between mice, mazes and days, or its name: lab (0), practice (0.5), contest (1), "
-                "bad-day (1.2); several, separated by commas, give a race each",
+     .meaning =
+         "Scale of the variation between mice, mazes and days, or its name: lab (0), practice (0.5), contest (1), "
+         "bad-day (1.2); several, separated by commas, give a race each",
      .default_value = "1",
      .high = most_variation,
      .named = variation_levels,

@@ -83,8 +83,9 @@ std::string rect_svg(double x, double y, double width, const Tone& tone, std::st
 
 /// A bar for each mouse at one scale: contests finished, and what ended the others.
 std::string bars_svg(const FinishCurves& curves, std::size_t place, int top) {
-  std::string svg = text_svg(left_edge, top - 14, "start", ink,
-                             fmt::format("What ended the others at noise {:g}", curves.curves.front().points[place].at));
+  std::string svg =
+      text_svg(left_edge, top - 14, "start", ink,
+               fmt::format("What ended the others at noise {:g}", curves.curves.front().points[place].at));
   for (std::size_t mouse = 0; mouse < curves.curves.size(); ++mouse) {
     const FinishPoint& point = curves.curves[mouse].points[place];
     const double y = top + static_cast<double>(mouse) * bar_step, unit = 1.0 * bar_width / std::max(1, point.contests);
@@ -142,7 +143,8 @@ std::string draw_curves(const FinishCurves& curves, const std::string& title) {
       {candidate, wrong}};
   std::string svg = heading_svg({left_edge, 32}, right_edge, title) +
                     axes_svg(chart, x, y, fmt::format("scale of the {}", curves.scale), "contests finished, %");
-  for (std::size_t mouse = 0; mouse < curves.curves.size(); ++mouse) svg += curve_svg(curves.curves[mouse], mouse, x, y);
+  for (std::size_t mouse = 0; mouse < curves.curves.size(); ++mouse)
+    svg += curve_svg(curves.curves[mouse], mouse, x, y);
   return sheet.with(svg + names_svg(curves, y) + bars_svg(curves, place, bars) + legend.svg());
 }
 

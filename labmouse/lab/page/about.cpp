@@ -107,8 +107,8 @@ Json worlds() {
   return list;
 }
 
-/// An example in which the map differs from the truth. The mouse detects a false wall and later corrects it, reaches the
-/// goal in a speed run, crashes in the next, and is faster in the last.
+/// An example in which the map differs from the truth. The mouse detects a false wall and later corrects it, reaches
+/// the goal in a speed run, crashes in the next, and is faster in the last.
 Json parting() {
   return {{"world", "physical"},
           {"mouse", "festina"},

@@ -150,7 +150,8 @@ const RobotKey* find_former_key(std::string_view name) {
 }
 
 bool is_body_section(std::string_view section) {
-  return section == "body" || section == "motors" || section == "sensors" || section == "noise" || section == "variation";
+  return section == "body" || section == "motors" || section == "sensors" || section == "noise" ||
+         section == "variation";
 }
 
 std::string_view key_in(std::string_view sentence) {

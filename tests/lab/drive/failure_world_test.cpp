@@ -61,7 +61,8 @@ TEST(FailureFile, RefusesWhatIsNone) {
   EXPECT_THAT(refused([](auto& json) { json["variations"].push_back(json["variations"][0]); }), HasSubstr("increase"));
   EXPECT_THAT(refused([](auto& json) { json["variations"][0]["by_brightness"].erase(0); }), HasSubstr("by_brightness"));
   EXPECT_THAT(refused([](auto& json) { json["variations"][0]["by_brightness"][0]["put"] = {-1}; }), HasSubstr("put"));
-  EXPECT_THAT(refused([](auto& json) { json["variations"][0]["by_brightness"][0].erase("readings"); }), HasSubstr("readings"));
+  EXPECT_THAT(refused([](auto& json) { json["variations"][0]["by_brightness"][0].erase("readings"); }),
+              HasSubstr("readings"));
   EXPECT_THAT(refused([](auto& json) {
                 json["variations"][0]["by_brightness"][0]["manoeuvres"]["turn"][0] = {3, 1, 0, 1};
               }),
@@ -79,7 +80,8 @@ TEST(FailureFile, SaysHowLikelyAllIs) {
   tally.variation = 1.2;
   auto& turns = tally.by_brightness[1].manoeuvres[static_cast<std::size_t>(Manoeuvre::turn)][0];
   turns = {100'000, 10'000, 2'500, {45'000, 45'000, 0, 0, 0}};
-  tally.by_brightness[1].readings[static_cast<std::size_t>(Reading::gap_beside)][0].by_evidence[evidence_classes - 1] = 1000;
+  tally.by_brightness[1].readings[static_cast<std::size_t>(Reading::gap_beside)][0].by_evidence[evidence_classes - 1] =
+      1000;
   const FailureRates failure_rates = rates_of(file);
   // Without variation nothing goes wrong.
   ASSERT_THAT(failure_rates.paces, SizeIs(1));

@@ -25,7 +25,8 @@ inline FailureRates harmless() {
 template <class Change>
 FailureRates with(Change change) {
   FailureRates failure_rates = harmless();
-  for (FailureRatesByBrightness& by_brightness : failure_rates.paces.front().variations.front().by_brightness) change(by_brightness);
+  for (FailureRatesByBrightness& by_brightness : failure_rates.paces.front().variations.front().by_brightness)
+    change(by_brightness);
   return failure_rates;
 }
 

@@ -116,8 +116,7 @@ TEST(Failures, HasTheSameBrightnessAllThroughAContest) {
   FailureRates failure_rates = harmless();
   auto& by_brightness = failure_rates.paces.front().variations.front().by_brightness;
   constexpr std::size_t dark_classes = 3;
-  for (std::size_t bright = 0; bright < dark_classes; ++bright)
-    at(by_brightness[bright], Manoeuvre::turn).crash = 1.0;
+  for (std::size_t bright = 0; bright < dark_classes; ++bright) at(by_brightness[bright], Manoeuvre::turn).crash = 1.0;
   const PhysicalConditions conditions = at_errors(1.0);
   int dark_mice = 0;
   constexpr int contests = 60;

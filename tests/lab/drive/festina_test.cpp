@@ -74,7 +74,8 @@ std::vector<DriveRun::Kind> kinds_of(const PhysicalRecord& record) {
 
 TEST(Festina, MakesSureOfARunWhereNoFastOneEndsWell) {
   using enum DriveRun::Kind;
-  const auto failure_rates = with([](FailureRatesByBrightness& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
+  const auto failure_rates =
+      with([](FailureRatesByBrightness& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
   const PhysicalRecord record = driven("festina", failure_rates);
   EXPECT_THAT(kinds_of(record), ::testing::ElementsAre(search, speed, speed, speed, search));
   // By known ways it is no slower than the search was.
@@ -93,7 +94,8 @@ TEST(Festina, MakesSureOfARunInTimeWhereRunsAreMany) {
   const DriveRules rules = find_rules("uk-2018").rules;
   const Maze maze = test::ring();
   const Briefing briefing = brief(maze, rules, *model, 1);
-  const auto failure_rates = with([](FailureRatesByBrightness& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
+  const auto failure_rates =
+      with([](FailureRatesByBrightness& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
   const auto kinds = [&](const std::string& spec) {
     const auto strategy = test::mice(spec).front().driving_strategy(maze, briefing);
     return kinds_of(drive_with_failures(maze, rules, *model, at_errors(1.0), failure_rates, 1, *strategy));

@@ -227,8 +227,8 @@ TEST(PhysicalContest, TracesBothMice) {
 TEST(PhysicalContest, AMindThatAsksForWhatIsNotThereIsLost) {
   const auto outcome_of = [](std::vector<Action> script) {
     test::Scripted mouse(std::move(script));
-    return drive_physically(test::ring(), find_rules("all-japan").rules, *test::drive_model("kerise"), at_errors(0.0), 1,
-                            mouse);
+    return drive_physically(test::ring(), find_rules("all-japan").rules, *test::drive_model("kerise"), at_errors(0.0),
+                            1, mouse);
   };
   // Through a wall; home before a goal; and a speed run over a way that is not known.
   for (const auto& script : {std::vector<Action>{Action::step(90, 1)}, {Action::step(0, 1), Action::reset()}}) {

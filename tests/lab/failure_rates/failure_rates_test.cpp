@@ -103,7 +103,8 @@ TEST(FailureRates, CountEachManoeuvreAndEachCrashOnce) {
   std::int64_t crashes = 0;
   for (std::uint64_t seed = 1; seed <= test::fewer(40U); ++seed) {
     const PhysicalRecord record = test::driven_physically("flood-return", test::ring(), conditions, seed);
-    const RobotSample sample(*test::drive_model("kerise")->robot.hardware, conditions.errors, test::ring().size(), seed);
+    const RobotSample sample(*test::drive_model("kerise")->robot.hardware, conditions.errors, test::ring().size(),
+                             seed);
     const FailureCounts tally = counted(record, cell, sample);
     std::int64_t moves = 0, segments = 0, crashed = 0;
     for (std::size_t i = 0; i < record.drive.runs.size(); ++i) {

@@ -113,7 +113,7 @@ TEST(PartsSpec, IsSweptOverParametersOfBoth) {
   order.runs = 1;
   for (const auto& [spec, parameter] : std::vector<std::pair<std::string, std::string>>{
            {"flood-return:parts=false {gain}", "gain"}, {"festina:parts=false", "safe"}}) {
-    Variation variation;
+    SweptValues variation;
     variation.parameter = parameter;
     variation.values = {"yes", "no"};
     const Sweep sweep = hold_sweep(spec, variation, {{"ring", test::ring()}}, order, {});

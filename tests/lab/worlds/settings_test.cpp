@@ -37,7 +37,8 @@ TEST(Settings, SayWhatCanBeChosen) {
   EXPECT_EQ(problem("pace", "0.2"), "");
   EXPECT_EQ(problem("pace", "0.1"), "error: --pace: '0.1' is not a number from 0.2 to 1");
   EXPECT_EQ(problem("noise", "100.5"), "error: --noise: '100.5' is not a number from 0 to 100");
-  EXPECT_EQ(problem("variation", "ten"), "error: --variation: 'ten' is not a number from 0 to 10, or one of lab, practice, contest, bad-day");
+  EXPECT_EQ(problem("variation", "ten"),
+            "error: --variation: 'ten' is not a number from 0 to 10, or one of lab, practice, contest, bad-day");
   EXPECT_EQ(problem("search-speed", "0"), "");
   EXPECT_EQ(problem("search-speed", "5"),
             "error: --search-speed: '5' is neither 0 nor a number from 10 to 20000 mm/s; if the value is in m/s, write "

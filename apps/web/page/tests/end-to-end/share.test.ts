@@ -100,7 +100,9 @@ test.runIf(proof)(
       const link = `#race&mouse=${first}&mouse=${second}&in=${mazes.join()}&seed=5&runs=2&${where.join('&')}`;
       const page = await opened(link);
       // Where there are errors its title says how many.
-      const table = page.getByRole('region', { name: new RegExp(`^Leaderboard, ${name}(, noise [\\d.]+, variation [\\d.]+)?, table$`) });
+      const table = page.getByRole('region', {
+        name: new RegExp(`^Leaderboard, ${name}(, noise [\\d.]+, variation [\\d.]+)?, table$`),
+      });
       await table.waitFor();
       expect(await linkOf(page)).toBe(link);
       const words = [

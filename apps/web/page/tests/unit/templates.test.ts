@@ -49,8 +49,10 @@ class Robot(object):
 /** Of the robots that never arrive, so many steps are enough. */
 const most = 150;
 
+/** All mazes but the large ones, which take longer; without LABMOUSE_PROOF every fourth. */
 const small = readdirSync(mazeFolder)
   .filter((name) => name.endsWith('.txt') && !/contest-(half|1[48]|2\d)-|-30/.test(name))
+  .filter((_, index) => process.env.LABMOUSE_PROOF || index % 4 === 0)
   .map((name) => join(mazeFolder, name));
 
 describe.each([javascript, python])('what one begins with in $name', ({ templates }) => {
@@ -94,14 +96,11 @@ describe.skipIf(!existsSync(program))('robots in the page and on the command lin
     ['Flood and return', python],
     ['Flood fill', javascript],
     ['Flood and return', javascript],
-  ])(
-    '%s solves all mazes but the large ones, which take longer',
-    async (name, { commandLine, fileName, templates }) => {
-      writeFileSync(join(folder, fileName), templates.find((one) => one.name === name)!.text);
-      const words = ['race', '--mice', commandLine, '--format', 'json', '--mazes', ...small];
-      const { stdout } = await promisify(execFile)(program, words, { cwd: folder, maxBuffer: 1 << 28 });
-      const [{ mazes, mice }] = (JSON.parse(stdout) as RaceResults).groups;
-      expect([mice[0].finished, mazes.length]).toEqual([small.length, small.length]);
-    },
-  );
+  ])('%s solves the mazes', async (name, { commandLine, fileName, templates }) => {
+    writeFileSync(join(folder, fileName), templates.find((one) => one.name === name)!.text);
+    const words = ['race', '--mice', commandLine, '--format', 'json', '--mazes', ...small];
+    const { stdout } = await promisify(execFile)(program, words, { cwd: folder, maxBuffer: 1 << 28 });
+    const [{ mazes, mice }] = (JSON.parse(stdout) as RaceResults).groups;
+    expect([mice[0].finished, mazes.length]).toEqual([small.length, small.length]);
+  });
 });
