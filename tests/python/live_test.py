@@ -59,7 +59,7 @@ def diary(world, seed, **options):
 def test_what_it_sees_depends_on_what_happens(world):
     seen, all_carried = [], []
     for seed in range(3):
-        _, happened = diary(world, seed, noise=4)
+        _, happened = diary(world, seed, variation=1.5)
         seen.append([what for kind, what in happened if kind == "seen"])
         carried = [seconds for kind, seconds in happened if kind == "carried"]
         assert carried == sorted(carried) and all(seconds > 0 for seconds in carried)
@@ -91,7 +91,7 @@ def test_what_it_raises_when_it_is_carried_ends_its_contest(debug):
             raise ValueError("put me down")
 
     # Whether it crashes is chance.
-    records = (labmouse.run(Clumsy, MAZE, world="failures", noise=4, seed=seed, debug=debug) for seed in range(1, 31))
+    records = (labmouse.run(Clumsy, MAZE, world="failures", variation=1.5, seed=seed, debug=debug) for seed in range(1, 31))
     assert next(one.outcome for one in records if "put me down" in (one.last_words or "")) == "forfeit: ended early"
 
 

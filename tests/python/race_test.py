@@ -14,7 +14,7 @@ WORLDS = {
     "steps": (["ariadne,flood,random"], ["--world", "steps", "--runs", "3"], {"runs": 3}),
     "seconds": (["certify,ariadne"], ["--world", "seconds", "--robot", "half"], {"robot": "half"}),
     # The default number of runs.
-    "physical": (["certify,flood"], ["--world", "physical", "--noise", "2"], {"noise": 2}),
+    "physical": (["certify,flood"], ["--world", "physical", "--variation", "bad-day"], {"variation": "bad-day"}),
 }
 MAZES = ["contest-01", "contest-05"]
 
@@ -163,7 +163,7 @@ def test_a_verdict_is_that_of_the_command():
 
 
 def test_where_failures_have_no_score_they_count_the_limit():
-    found = labmouse.race("flood,certify", world="failures", noise=2, runs=1).compare("flood", "certify")
+    found = labmouse.race("flood,certify", world="failures", variation="bad-day", runs=1).compare("flood", "certify")
     assert found.low <= found.mean <= found.high
     rate = found.finish_rate
     assert rate.low <= rate.mean <= rate.high and rate.verdict in ("better", "worse", "no difference shown")

@@ -183,7 +183,7 @@ std::vector<Contestant> mice(const std::string& spec) {
 std::shared_ptr<const World> minute() {
   DriveRules rules = find_rules("all-japan").rules;
   rules.time_limit = 20'000'000;
-  return physical_world(rules, test::drive_model("kerise"), test::at_errors(1.0));
+  return physical_world(rules, test::drive_model("kerise"), test::at_variation(0.0));
 }
 Race race(std::vector<Contestant> mice, const RaceHooks& hooks = {}) {
   RaceOrder order;

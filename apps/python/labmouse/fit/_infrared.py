@@ -16,6 +16,8 @@ from ._motion import Numbers
 
 SENSORS = ("right", "right_ahead", "left", "left_ahead")
 _WALLS = {"wall_right": (0,), "wall_left": (2,), "wall_ahead": (1, 3)}
+_EQUAL_WALLS = 0.05  # share by which equal walls of one maze differ; logs: 4 to 8 %
+_EQUAL_SENSORS = 0.03  # share by which the sensors of one mouse differ after their calibration, assumed
 _LEAST_RUNS, _MOST_BLOCKS = 5, 20
 # Unknowns 0 to 3 are the ln of each sensor's gain. Then follow 1/fall, and those of the alternative laws: a quadratic
 # term, and an offset in counts.
@@ -68,7 +70,7 @@ def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
         result.refusal = "readings do not fall with the distance, or the distances hardly differ"
         return result
     result.missed = problem.rms(fit.missed)
-    _widen(problem, float(robot["variation.reflectance"]), fit, result)
+    _widen(problem, _EQUAL_WALLS, fit, result)
     for sensor in problem.sensors:
         result.of_sensor[SENSORS[sensor]] = float(np.exp(fit.law[sensor]))
         result.places += runs[sensor]
@@ -173,7 +175,7 @@ class _Problem:
         plain = rows[:, [*self.sensors, _DISTANCE]]
         weights *= robust_weights(plain, values, usual)
         self.blocks = Blocks(rows, values, blocks, weights)
-        self.spread = max(0.01, robot["variation.infrared_gain"])
+        self.spread = _EQUAL_SENSORS
 
     def fit(self, more: Optional[int] = None) -> Optional[_LawFit]:
         """Fits the law, with `more` as another unknown. None if it is undetermined, or readings grow with distance."""
