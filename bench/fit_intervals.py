@@ -39,6 +39,10 @@ def drawn_robot(number):
         true[f"motors.{axis}_gain"] *= math.exp(random.normal(0.0, 0.15))
         true[f"motors.{axis}_time"] *= math.exp(random.normal(0.0, 0.2))
         true[f"motors.{axis}_dead_zone"] = random.uniform(0.0, 0.08)
+    # All that differs besides is the scale of each wheel.
+    for key in true:
+        if key.startswith("variation.") and key != "variation.encoder_scale":
+            true[key] = 0.0
     return base, true
 
 
@@ -47,7 +51,7 @@ def driven(number, folder):
     base, true = drawn_robot(number)
     robot, path = Path(folder) / f"{number}.toml", Path(folder) / f"{number}.csv"
     robot.write_text(_native.robot_file(json.dumps(true), {}, "drawn")[0], encoding="utf-8")
-    words = f"drive --fast --mazes contest-{1 + number % 10:02d} --runs 1 --seed {number + 1} --variation 0".split()
+    words = f"drive --fast --mazes contest-{1 + number % 10:02d} --runs 1 --seed {number + 1} --variation contest".split()
     subprocess.run(["labmouse", *words, "--robot", str(robot), "--log", str(path)], check=True, capture_output=True)
     return fit.read_log(path, COLUMNS.format(base["sensors.gyro_step"])), base, true
 

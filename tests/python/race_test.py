@@ -14,7 +14,7 @@ WORLDS = {
     "steps": (["ariadne,flood,random"], ["--world", "steps", "--runs", "3"], {"runs": 3}),
     "seconds": (["certify,ariadne"], ["--world", "seconds", "--robot", "half"], {"robot": "half"}),
     # The default number of runs.
-    "physical": (["certify,flood"], ["--world", "physical", "--variation", "bad-day"], {"variation": "bad-day"}),
+    "physical": (["certify,flood"], ["--world", "physical", "--variation", "1.5"], {"variation": 1.5}),
 }
 MAZES = ["contest-01", "contest-05"]
 
