@@ -85,7 +85,7 @@ const contests = (results: RaceResults, mouse: string, maze: string): ContestRes
 
 const race = hold(
   manyMazes
-    ? some(manyMazes, proof ? /^alljapan-0/ : /^alljapan-00/)
+    ? some(manyMazes, proof ? /^alljapan-0/ : /^alljapan-0[01]/)
     : some(join(root, 'mazes'), /^contest-[01][0-9]\.txt$/),
 );
 
