@@ -9,9 +9,10 @@ function(labmouse_module name)
   if(sources)
     set(scope PUBLIC)
     add_library(${target} ${sources})
-    # Interfaces change with the second number.
+    # Interfaces change with the second number. Shared libraries define no symbol of their own, so that the program can use
+    # their precompiled headers.
     set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
-                          SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN)
+                          SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN DEFINE_SYMBOL "")
     target_compile_options(${target} PRIVATE ${LABMOUSE_WARNINGS})
     labmouse_batch(${target} ${sources})
   else()
