@@ -69,6 +69,7 @@ void PhysicalDriver::read() { walls_.read(clock(), place().pose, controller_.evi
 bool PhysicalDriver::make(const Action& part, bool replanned) {
   const Pose from = place().pose;
   const MazeTime begin = clock();
+  body_.set_fan(false);
   controller_.search(part);
   in_its_way_ = walls_.standing(walls_between(from.cell, place().pose));
   if (!drive_on()) return false;

@@ -184,6 +184,64 @@ TEST(Estimator, DoesNotBelieveWhatIsMoreThanThreeDeviationsOff) {
   EXPECT_TRUE(estimator.correct({2.9 * deviation, 1.0, 0.0, 0.0, variance}));
 }
 
+/// A mouse that is lost: all that it sees is farther off than it believes possible, until it believes less.
+TEST(Estimator, FindsItselfAgainAfterManyRejections) {
+  Estimator estimator(hardware(), 90.0, 0.2);
+  estimator.put({100.0, 100.0}, {1.0, 0.0});
+  const double variance = estimator.variance_of(1.0, 0.0, 0.0);
+  const double off = 8.0 * std::sqrt(2.0 * variance);
+  int rejected = 0;
+  while (!estimator.correct({off, 1.0, 0.0, 0.0, variance}) && rejected < 1000) ++rejected;
+  EXPECT_GE(rejected, 20);
+  EXPECT_LE(rejected, 60);
+  EXPECT_GT(estimator.position().x, 100.0 + 0.5 * off);
+}
+
+/// A few that are wrong among others that fit do not count as lost.
+TEST(Estimator, StaysSureWhereMostObservationsFit) {
+  Estimator estimator(hardware(), 90.0, 0.2);
+  estimator.put({100.0, 100.0}, {1.0, 0.0});
+  const double variance = estimator.variance_of(1.0, 0.0, 0.0);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_FALSE(estimator.correct({20.0 * std::sqrt(variance), 1.0, 0.0, 0.0, 0.01 * variance}));
+    if (i % 10 == 9) {
+      EXPECT_TRUE(estimator.correct({0.0, 0.0, 1.0, 0.0, variance}));
+    }
+  }
+  EXPECT_EQ(estimator.variance_of(1.0, 0.0, 0.0), variance);
+}
+
+/// On a straight it learns the offset of its accelerometer, so that a curve behind it has the true slip.
+TEST(Estimator, MeasuresTheOffsetOfItsAccelerometer) {
+  Hardware built = hardware();
+  built.noise = {};
+  built.noise.shaking_speed = 1.0;
+  built.variation = {.acceleration_bias = 900.0};
+  std::uint64_t seed = 1;
+  while (std::abs(RobotSample(built, {}, {7, 7}, seed).acceleration[1]) < 700.0) ++seed;
+  OnAFloor mouse(built, {}, seed);
+  mouse.drive(700, 0.1, 0.1);
+  for (int i = 0; i < 15; ++i) {
+    mouse.drive(10, 0.0, 0.2);
+    EXPECT_NEAR(mouse.estimator().slip(), mouse.body().motion().slip, 0.012);
+  }
+}
+
+/// By every fourth reading it is about as sure as by all of them.
+TEST(Estimator, IsLessSureByTheTimeThatPassesHoweverOftenItReads) {
+  const auto angle_variance = [](int step) {
+    Estimator estimator(hardware(), 90.0, 0.2);
+    estimator.put({0.0, 0.0}, {1.0, 0.0});
+    Sense sense;
+    for (int tick = 0; tick <= 2000; tick += step) {
+      sense.tick = static_cast<std::uint32_t>(tick + 1);
+      estimator.predict(sense);
+    }
+    return estimator.variance_of(0.0, 0.0, 1.0) - square(2.0 * hardware().variation.placement_turn);
+  };
+  EXPECT_NEAR(angle_variance(4) / angle_variance(1), 1.0, 0.35);
+}
+
 TEST(Estimator, TurnsAnErrorOfTheAngleIntoOneAside) {
   OnAFloor mouse(hardware(), no_errors);
   const double turned = mouse.estimator().variance_of(0.0, 0.0, 1.0);

@@ -45,7 +45,7 @@ Contest contest(const Launch& launch, MazeTime limit = 3600'000'000) {
   return held;
 }
 
-/// A program that offers parts and then gives these answers, one to each question. It writes down what it is told.
+/// A program that offers parts and then gives these answers, one to each question. It saves the lines that it gets.
 Launch scripted(const std::string& parts, const std::string& answers) {
   Launch launch;
   launch.words = {"sh", "-c",

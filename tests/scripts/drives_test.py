@@ -35,7 +35,7 @@ class Drives(unittest.TestCase):
             return subprocess.run([sys.executable, "-B", str(ROOT / "scripts" / "drives"), part, "--mazes", name,
                                    "--program", str(program)], capture_output=True, check=False).returncode
 
-    def test_exact_drives_neither_crash_nor_misread(self):
+    def test_exact_drives_neither_crash_nor_read_wrongly(self):
         self.assertEqual(self.drive("exact", row("noise 0, variation 0")), 0)
         self.assertEqual(self.drive("exact", row("noise 0, variation 0", crashed=1)), 1)
         self.assertEqual(self.drive("exact", row("noise 0, variation 0", wrong=1)), 1)

@@ -56,7 +56,7 @@ class PhysicalWorld : public DriveWorld {
     return all;
   }
   int edition() const override { return physical_edition; }
-  std::string heading() const override { return ", " + errors_text(); }
+  std::string heading() const override { return ", " + text_of(conditions_.errors); }
 
   std::string refuse(const Contestant& mouse) const override {
     if (std::holds_alternative<ControllerProgram>(mouse.kind))
@@ -79,8 +79,8 @@ class PhysicalWorld : public DriveWorld {
         "Rules {}: {}. Lower is better; mice that finished more contests come first.\nRobot {}, cells of {:g} mm, {}. "
         "'score' is the mean of finished contests; 'failures at limit' counts the others as {:g} {}.\nCrashes: the "
         "tyres slipped, the mouse lost its position, or it hit a wall that its map had as open.\n{}\n",
-        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, errors_text(), limit_score(),
-        unit(), bound_words(race));
+        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, text_of(conditions_.errors),
+        limit_score(), unit(), bound_words(race));
   }
 
  protected:
@@ -93,8 +93,6 @@ class PhysicalWorld : public DriveWorld {
   }
 
  private:
-  std::string errors_text() const { return text_of(conditions_.errors); }
-
   DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
                       bool traced, const std::atomic<bool>* stop) const override {
     PhysicalConditions conditions = conditions_;

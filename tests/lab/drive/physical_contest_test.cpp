@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
+#include "labmouse/contest/logged_tick.hpp"
 #include "labmouse/contest/physical.hpp"
 #include "tests/contest/scripted.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"
@@ -44,6 +46,38 @@ PhysicalRecord first_with(Predicate is_it, const DriveRules& rules = find_rules(
 }
 bool crashes_early(const PhysicalRecord& record) {
   return record.ends.size() > 1 && is_crash(record.ends.front()) && record.drive.runs.size() > 1;
+}
+
+/// Without the fan, tyres of little grip bound the acceleration of the search run and of the way home.
+TEST(PhysicalContest, RunsTheFanInSpeedRunsAlone) {
+  DriveModel model = *test::drive_model("kerise");
+  model.robot.hardware->tyres.grip = 2500.0;
+  model.robot.hardware->tyres.downforce = 6000.0;
+  PhysicalConditions conditions = at_errors(0.0);
+  std::vector<LoggedTick> log;
+  conditions.log = &log;
+  const DriveRules rules = find_rules("all-japan").rules;
+  Briefing briefing = brief(test::ring(), rules, model, 1);
+  briefing.sight = 1;
+  const BuiltinMouse& entry = *find_mouse("festina");
+  const auto strategy = entry.drive(briefing, Settings(entry.parameters));
+  const PhysicalRecord record = drive_physically(test::ring(), rules, model, conditions, 1, *strategy);
+  std::map<Kind, double> most;
+  // The log leaves out the time in which a hand carries the mouse.
+  MazeTime carried = 0;
+  for (std::size_t i = 0; i < record.drive.runs.size(); ++i) {
+    const DriveRun& run = record.drive.runs[i];
+    for (MazeTime time = run.begin - carried; time < run.end - carried; time += 1000)
+      most[run.kind] =
+          std::max(most[run.kind], std::abs(log.at(static_cast<std::size_t>(time / 1000)).motion.speeding));
+    if (is_crash(record.ends[i])) carried += conditions.handling;
+  }
+  EXPECT_LE(most[Kind::search], 2500.01);
+  EXPECT_LE(most[Kind::home], 2500.01);
+  EXPECT_GT(most[Kind::speed], 2600.0);
+  EXPECT_GE(std::count_if(record.drive.runs.begin(), record.drive.runs.end(),
+                          [](const DriveRun& run) { return run.kind == Kind::home; }),
+            2);
 }
 
 TEST(PhysicalContest, GoesWithoutNoiseAsInSeconds) {

@@ -66,6 +66,12 @@ TEST(MmsWorld, HoldsOneRunInAMaze) {
   }
 }
 
+TEST(MmsWorld, HoldsOneRunWhateverAMouseAsksFor) {
+  Contestant mouse = mms_mouse("a", {"exit:2"});
+  mouse.runs = 3;
+  EXPECT_EQ(hold_race({mouse}, {plank()}, in_mms()).results.size(), 1U);
+}
+
 TEST(MmsWorld, AMouseThatPlaysABestRunScoresTheBound) {
   for (const NamedMaze& maze : {plank(), test::corridor(), loop()}) {
     const Race race = hold_race({witness_of(maze.maze)}, {maze}, in_mms());

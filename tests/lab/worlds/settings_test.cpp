@@ -1,4 +1,6 @@
 // The tables of settings and of stored figures of all worlds.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -27,6 +29,16 @@ TEST(Settings, HaveTheDefaultsOfTheirConditions) {
   expect_usual_defaults(steps_rows);
   expect_usual_defaults(mms_rows);
   expect_usual_defaults(physical_rows);
+}
+
+TEST(Settings, NameTheLevelsOfTheVariation) {
+  for (const NamedNumber& level : variation_levels) {
+    PhysicalConditions conditions;
+    EXPECT_EQ(choose(physical_rows, {{"variation", std::string(level.name)}}, conditions), "");
+    EXPECT_EQ(conditions.errors.variation, level.number);
+    EXPECT_THAT(std::string(variation_row.setting.meaning),
+                ::testing::HasSubstr(fmt::format("{} ({:g})", level.name, level.number)));
+  }
 }
 
 TEST(Settings, SayWhatCanBeChosen) {
