@@ -116,6 +116,14 @@ TEST(Encoders, AreOffByARippleOverATurnOfTheirMagnets) {
   EXPECT_NEAR(std::hypot(sine, cosine), 0.1, 0.001);
 }
 
+TEST(Encoders, CountWheelsThatSpin) {
+  Sensed mouse(test::plain_mouse());
+  mouse.motion.speed = 100.0;
+  mouse.motion.rolling = 300.0;
+  mouse.readings(1000, [](const Sense& sense) { return double(sense.counts[0]); });
+  EXPECT_NEAR(mouse.read().counts[0] * 0.001, 300.3, 0.01);
+}
+
 TEST(Encoders, TrembleByTheirNoise) {
   Hardware hardware = test::plain_mouse();
   hardware.noise.encoder = 0.02;

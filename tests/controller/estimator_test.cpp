@@ -22,7 +22,10 @@ const Hardware& hardware() { return *test::kerise().robot.hardware; }
 class OnAFloor {
  public:
   explicit OnAFloor(const Hardware& built, const ErrorScale& level, std::uint64_t seed = 1)
-      : hardware_(built), body_(floor_, 1000.0, hardware_, level, seed), estimator_(hardware(), 90.0, 0.2) {
+      : OnAFloor(built, hardware(), level, seed) {}
+  /// `known`: the hardware that the estimator expects; it must outlive this.
+  OnAFloor(const Hardware& built, const Hardware& known, const ErrorScale& level, std::uint64_t seed)
+      : hardware_(built), body_(floor_, 1000.0, hardware_, level, seed), estimator_(known, 90.0, 0.2) {
     body_.put({3500.0, 3500.0}, 0.4);
     estimator_.put({3500.0, 3500.0}, direction_of(0.4));
   }
@@ -219,7 +222,7 @@ TEST(Estimator, MeasuresTheOffsetOfItsAccelerometer) {
   built.variation = {.acceleration_bias = 900.0};
   std::uint64_t seed = 1;
   while (std::abs(RobotSample(built, {}, {7, 7}, seed).acceleration[1]) < 700.0) ++seed;
-  OnAFloor mouse(built, {}, seed);
+  OnAFloor mouse(built, built, {}, seed);
   mouse.drive(700, 0.1, 0.1);
   for (int i = 0; i < 15; ++i) {
     mouse.drive(10, 0.0, 0.2);
