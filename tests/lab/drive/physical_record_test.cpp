@@ -89,6 +89,19 @@ TEST(PhysicalRecord, IsReadUnderAllConditionsThatCanBeChosen) {
   EXPECT_FALSE(is_read(1.0, 1.0, 1.0, 1.01 * most_search_speed));
 }
 
+/// They called the causes of errors groups, had fewer of them, and named one otherwise.
+TEST(PhysicalRecord, OfEarlierVersionsAreRead) {
+  PhysicalConditions conditions = at_errors(0.0);
+  constexpr auto tof = static_cast<std::size_t>(ErrorCause::ranger), gyro = static_cast<std::size_t>(ErrorCause::gyro);
+  conditions.errors.causes[tof] = 0.5;
+  conditions.errors.causes[gyro] = 0.25;
+  const std::string text = write_drive_record(physical_file("flood", conditions));
+  const std::string earlier = changed(
+      changed(changed(text, "\"causes\":", "\"groups\":"), "\"ToF sensor\":", "\"ranger\":"), "\"posts\":1.0,", "");
+  const ErrorScale errors = read(earlier).physical->conditions.errors;
+  EXPECT_EQ(errors.causes, conditions.errors.causes);
+}
+
 TEST(PhysicalRecord, DisagreesWhereAnythingWasChanged) {
   const std::string text = write_drive_record(physical_file("flood-return", traced(2.0), 5));
   EXPECT_EQ(replay(read(text)), "");
