@@ -45,8 +45,8 @@ PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, co
 
 std::string why_not_physical(const DriveModel& model) {
   if (!model.robot.hardware)
-    return "it has no [body], [motors], [sensors] and [noise], which describe its parts; robots/classic.toml is an "
-           "example";
+    return "it has no [body], [motors], [sensors], [noise] and [variation], which describe its parts; "
+           "robots/classic.toml is an example";
   if (model.robot.fixed) return "its turns are times, without the curves behind them";
   return "";
 }

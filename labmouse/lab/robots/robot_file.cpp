@@ -79,7 +79,11 @@ class RobotReader {
   }
 
   void read(const RobotKey& key) {
-    const toml::node* found = node(key.name);
+    const toml::node *found = node(key.name), *former = key.former.empty() ? nullptr : at(key.former);
+    if (former != nullptr && former != found)
+      add(former->source().begin,
+          fmt::format("'{}' is the former name of '{}', which is in the file, too; delete one of them", key.former,
+                      key.name));
     if (found == nullptr) return key.needed && forms_.has(key) ? missing(key) : void();
     if (!forms_.has(key)) return add(found->source().begin, fmt::format("'{}' {}", key.name, why_not(key, forms_)));
     using Kind = RobotKey::Kind;

@@ -92,6 +92,10 @@ placement_turn = 0.0175
   EXPECT_EQ(earlier.robot->hardware->variation.dust, 0.0);
   const RobotResult none = read_robot(before + text, "mine");
   EXPECT_FALSE(none.robot);
+  const RobotResult both = read_robot(before + text + "grip = 0.2\n[variation]\n" + former, "mine");
+  ASSERT_EQ(both.problems.size(), 1U);
+  EXPECT_NE(both.problems.front().reason.find("'noise.grip'"), std::string::npos);
+  EXPECT_NE(both.problems.front().reason.find("'variation.grip'"), std::string::npos);
 }
 
 }  // namespace
