@@ -20,6 +20,7 @@ FailureDriver::FailureDriver(const Maze& maze, const DriveModel& model, const Ph
       handling_(conditions.handling),
       usual_pace_(conditions.controller.pace),
       walls_(maze, conditions.map, record),
+      seed_(seed),
       rng_(seed_for(seed, "hazards")),
       rates_(failure_rates),
       sample_(*model.robot.hardware, conditions.errors, maze.size(), seed),
@@ -44,8 +45,9 @@ const FailureRatesByBrightness& FailureDriver::rates() const {
   return at_variation_->by_brightness[brightness_class(sample_.brightness())];
 }
 
-std::size_t FailureDriver::one_of(std::span<const double> shares) {
-  double left = rng_.unit();
+std::size_t FailureDriver::random_class(std::span<const double> shares) { return class_at(rng_.unit(), shares); }
+
+std::size_t FailureDriver::class_at(double left, std::span<const double> shares) {
   std::size_t place = 0;
   while (place + 1 < shares.size() && left >= shares[place]) left -= shares[place++];
   // Rounding can leave a remainder: it goes to the last class with a positive share.
@@ -55,7 +57,7 @@ std::size_t FailureDriver::one_of(std::span<const double> shares) {
 
 void FailureDriver::put_at_start() {
   TimedDriver::put_at_start();
-  position_error_ = one_of(rates().put);
+  position_error_ = random_class(rates().put);
   crash_.reset();
   walls_.put_down();
 }
@@ -92,7 +94,10 @@ Evidence FailureDriver::read_wall(Heading side, bool ahead, double clear) {
   if (clear < silent) return 0;
   for (double& told : shares) told /= 1.0 - silent;
   silent = 0.0;
-  return evidence_in(one_of(shares));
+  // What is wrong with a wall stays: each look at it from this side has the same random number.
+  const auto number_of_side =
+      static_cast<std::uint64_t>(4 * maze_.size().index(place_.pose.cell) + static_cast<int>(side));
+  return evidence_in(class_at(Rng(seed_for(seed_, "reading", number_of_side)).unit(), shares));
 }
 
 FailureDriver::ManoeuvreOutcome FailureDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
@@ -100,7 +105,7 @@ FailureDriver::ManoeuvreOutcome FailureDriver::drive(Manoeuvre manoeuvre, bool w
   if (!way_is_open) return {RunEnd::wall_error, 0.5};
   if (rng_.unit() < failure.crash)
     return {rng_.unit() < failure.slid ? RunEnd::slid : RunEnd::position_lost, rng_.unit()};
-  position_error_ = one_of(failure.after);
+  position_error_ = random_class(failure.after);
   return {};
 }
 

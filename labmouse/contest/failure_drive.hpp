@@ -39,7 +39,9 @@ class FailureDriver final : public TimedDriver {
     double part = 1.0;
   };
 
-  std::size_t one_of(std::span<const double> shares);
+  std::size_t random_class(std::span<const double> shares);
+  /// The class in which a random number from 0 to 1 falls.
+  static std::size_t class_at(double number, std::span<const double> shares);
   ManoeuvreOutcome drive(Manoeuvre manoeuvre, bool way_is_open);
   bool crash_at(MazeTime time, RunEnd cause);
   /// Sets the clock to that time, or to the time limit. Returns whether time is left.
@@ -52,6 +54,7 @@ class FailureDriver final : public TimedDriver {
   MazeTime handling_;
   double usual_pace_;
   BelievedWalls walls_;
+  std::uint64_t seed_;
   Rng rng_;
   const FailureRates& rates_;
   RobotSample sample_;

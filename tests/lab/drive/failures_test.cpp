@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/lab/failure_rates/failure_file.hpp"
@@ -156,6 +158,33 @@ TEST(Failures, ReadsAWallByItsOwnBrightness) {
   }
   EXPECT_GT(dark, 10);
   EXPECT_GT(bright, 10);
+}
+
+TEST(Failures, ReadsAWallFromOneSideInTheSameWayEachTime) {
+  const auto failure_rates = with([](FailureRatesByBrightness& some) {
+    for (auto& of_reading : some.readings)
+      for (ReadingRates& shares : of_reading) {
+        shares = {};
+        shares.front() = shares.back() = 0.5;
+      }
+  });
+  int again = 0, wrong = 0, right = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    std::map<std::pair<int, Heading>, Evidence> read;
+    for (const Look& look : driven("flood-return", failure_rates, seed).looks)
+      for (const auto& [side, evidence] : {std::pair{left_of(look.pose.heading), look.evidence.left},
+                                           std::pair{look.pose.heading, look.evidence.ahead},
+                                           std::pair{right_of(look.pose.heading), look.evidence.right}}) {
+        if (evidence == 0) continue;
+        const auto [first, is_new] = read.try_emplace({test::ring().size().index(look.pose.cell), side}, evidence);
+        EXPECT_EQ(first->second, evidence) << seed;
+        again += is_new ? 0 : 1;
+        ++((evidence > 0) == test::ring().is_open(look.pose.cell, side) ? right : wrong);
+      }
+  }
+  EXPECT_GT(again, 10);
+  EXPECT_GT(wrong, 3);
+  EXPECT_GT(right, 3);
 }
 
 TEST(Failures, ReadsAllWallsAboutItOrNone) {
