@@ -70,7 +70,7 @@ def test_what_it_sees_depends_on_what_happens(world):
 
 @pytest.mark.parametrize("world", ["seconds", "physical", "failures"])
 def test_it_is_shown_what_there_is_on_the_way_on_which_it_is_driven(world):
-    record, happened = diary(world, 1)
+    record, happened = diary(world, 2)
     shown = [what for kind, what in happened if kind == "shown"]
     assert record.score is not None and shown
     assert all((x, y) != MAZE.start or heading for x, y, heading, _ in shown)
