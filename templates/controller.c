@@ -87,9 +87,9 @@ static void read_sense(struct controller *p, const struct labmouse_sense *sense)
   p->angle += p->turning * TICK;
   p->levels[0] += 0.3 * (fmax(sense->infrared[2], 1) - p->levels[0]);
   p->levels[1] += 0.3 * (fmax(sense->infrared[0], 1) - p->levels[1]);
-  p->range = sense->range;
+  p->range = sense->ranges[0];
   p->volts = sense->millivolts / 1000.0;
-  if (fabs(off_heading(p)) < 0.2 && p->speed > 0.3 * p->search_speed) keep_to_walls(p, sense->range_new);
+  if (fabs(off_heading(p)) < 0.2 && p->speed > 0.3 * p->search_speed) keep_to_walls(p, sense->ranges_new[0]);
 }
 
 /* Records the walls of its cell. */

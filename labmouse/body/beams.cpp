@@ -31,21 +31,26 @@ Lines lines_of(const Field& field, double from, double way) {
   return {gap * per_way, cell * per_way, cosine, index, up ? 1 : -1};
 }
 
+/// The ray of a sensor that looks in the direction `own`, relative to ahead.
+Ray ray_of(const Beam& at, const Direction& own, const Position& position, const Direction& ahead) {
+  return {{position.x + at.ahead * ahead.cosine - at.aside * ahead.sine,
+           position.y + at.ahead * ahead.sine + at.aside * ahead.cosine},
+          {ahead.sine * own.cosine + ahead.cosine * own.sine, ahead.cosine * own.cosine - ahead.sine * own.sine}};
+}
+
 }  // namespace
 
 Beams::Beams(const Field& field, const Sensors& sensors, const RobotSample& robot_sample)
-    : field_(field),
-      sensors_(sensors),
-      robot_sample_(robot_sample),
-      per_fall_(1.0 / sensors.infrared.fall),
-      per_footprint_(1.0 / sensors.infrared.footprint) {
-  const Infrared& infrared = sensors.infrared;
-  for (std::size_t beam = 0; beam < beam_count; ++beam) {
-    directions_[beam] = direction_of(infrared.beams[beam].angle);
-    const double calibrated = calibrated_distance(infrared.beams[beam], field.cell());
-    gains_[beam] = infrared.gain * robot_sample.infrared[beam] * exp_of(calibrated * per_fall_);
-    reaches_[beam] = infrared.fall * log_of(2.0 * std::max(1.0, gains_[beam]));
+    : field_(field), sensors_(sensors), robot_sample_(robot_sample) {
+  constexpr double least = 0.5;  // counts
+  for (std::size_t i = 0; i < sensors.infrared.size(); ++i) {
+    const Infrared& sensor = sensors.infrared[i];
+    const InfraredCurve curve(sensor, field.cell());
+    const double factor = robot_sample.infrared[i];
+    lights_.push_back({direction_of(sensor.beam.angle), curve, factor,
+                       curve.distance(std::min(least / factor, curve.level(0.0))), 1.0 / sensor.footprint});
   }
+  for (const Ranger& ranger : sensors.rangers) rangers_.push_back(direction_of(ranger.beam.angle));
 }
 
 /// Calls visit(crossing) for the lines that a ray meets, the nearest first, until it returns false or the maze ends.
@@ -96,10 +101,10 @@ void Beams::displace(Crossing& crossing, bool upright, int step) const {
 ///      below       along                       above
 ///      ---o=========o---          posts o, the side's wall =, its neighbours -
 ///         0        cell
-double Beams::share_of(const Crossing& crossing) const {
+double Beams::share_of(const Crossing& crossing, double per_footprint) const {
   const double half = field_.half_wall(), along = crossing.along;
   const double first = crossing.low, last = field_.cell() + crossing.high;
-  const double per_deviation = crossing.cosine * per_footprint_;
+  const double per_deviation = crossing.cosine * per_footprint;
   const int column = crossing.column, row = crossing.row;
   const Heading side = crossing.side;
   const bool stands = field_.stands(column, row, side);
@@ -122,30 +127,27 @@ double Beams::share_of(const Crossing& crossing) const {
   return std::clamp(share, 0.0, 1.0);
 }
 
-double Beams::level(std::size_t beam, const Position& position, const Direction& ahead) const {
-  const Beam& at = sensors_.infrared.beams[beam];
-  const Direction& own = directions_[beam];
-  const Ray ray = {
-      {position.x + at.ahead * ahead.cosine - at.aside * ahead.sine,
-       position.y + at.ahead * ahead.sine + at.aside * ahead.cosine},
-      {ahead.sine * own.cosine + ahead.cosine * own.sine, ahead.cosine * own.cosine - ahead.sine * own.sine}};
+double Beams::level(std::size_t sensor, const Position& position, const Direction& ahead) const {
+  const Light& light = lights_[sensor];
   double level = 0.0, passing = 1.0;
-  for_each_crossing(ray, [&](const Crossing& crossing) {
-    if (crossing.distance > reaches_[beam]) return false;
-    const double share = share_of(crossing);
-    if (share > 0.0) {
-      level += passing * share * gains_[beam] * fading(crossing.distance * per_fall_) * returned_at(crossing.cosine) *
-               robot_sample_.reflectance({crossing.column, crossing.row}, crossing.side);
-      passing *= 1.0 - share;
-    }
-    return passing > 0.02;
-  });
-  return std::min(level, sensors_.infrared.most);
+  for_each_crossing(ray_of(sensors_.infrared[sensor].beam, light.direction, position, ahead),
+                    [&](const Crossing& crossing) {
+                      if (crossing.distance > light.reach) return false;
+                      const double share = share_of(crossing, light.per_footprint);
+                      if (share > 0.0) {
+                        level += passing * share * light.factor * light.curve.level(crossing.distance) *
+                                 returned_at(crossing.cosine) *
+                                 robot_sample_.reflectance({crossing.column, crossing.row}, crossing.side);
+                        passing *= 1.0 - share;
+                      }
+                      return passing > 0.02;
+                    });
+  return std::min(level, sensors_.infrared[sensor].most);
 }
 
-double Beams::range(const Position& position, const Direction& ahead) const {
-  const Ranger& ranger = sensors_.ranger;
-  const Ray ray = {{position.x + ranger.ahead * ahead.cosine, position.y + ranger.ahead * ahead.sine}, ahead};
+double Beams::range(std::size_t sensor, const Position& position, const Direction& ahead) const {
+  const Ranger& ranger = sensors_.rangers[sensor];
+  const Ray ray = ray_of(ranger.beam, rangers_[sensor], position, ahead);
   const double cell = field_.cell(), half = field_.half_wall();
   double range = 0.0;
   for_each_crossing(ray, [&](const Crossing& crossing) {

@@ -7,11 +7,12 @@
 // mouse (kerikun11/micromouse-kerise-v4), docs/explanation/physical-model.md.
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "labmouse/body/field.hpp"
 #include "labmouse/body/robot_sample.hpp"
 #include "labmouse/functions/angles.hpp"
+#include "labmouse/hardware/beam.hpp"
 #include "labmouse/hardware/hardware.hpp"
 
 namespace labmouse {
@@ -27,11 +28,11 @@ class Beams {
   /// All must outlive it.
   Beams(const Field& field, const Sensors& sensors, const RobotSample& robot_sample);
 
-  /// The level of a beam in counts, before noise, of a mouse in that position and direction.
-  double level(std::size_t beam, const Position& position, const Direction& ahead) const;
-  /// The distance from the ToF sensor to the first wall or post straight ahead, in mm; 0 if nothing is within its
+  /// The level of an infrared sensor in counts, before noise, of a mouse in that position and direction.
+  double level(std::size_t sensor, const Position& position, const Direction& ahead) const;
+  /// The distance from a ToF sensor to the first wall or post that it looks at, in mm; 0 if nothing is within its
   /// reach.
-  double range(const Position& position, const Direction& ahead) const;
+  double range(std::size_t sensor, const Position& position, const Direction& ahead) const;
 
  private:
   /// A line that a ray meets.
@@ -47,16 +48,21 @@ class Beams {
 
   template <class Visit>
   void for_each_crossing(const Ray& ray, Visit visit) const;
-  double share_of(const Crossing& crossing) const;
+  double share_of(const Crossing& crossing, double per_footprint) const;
   void displace(Crossing& crossing, bool upright, int step) const;
 
   const Field& field_;
   const Sensors& sensors_;
   const RobotSample& robot_sample_;
-  double per_fall_, per_footprint_;
-  std::array<Direction, beam_count> directions_{};  ///< of each beam, relative to ahead
-  std::array<double, beam_count> gains_{};          ///< counts at distance 0
-  std::array<double, beam_count> reaches_{};        ///< mm; a wall farther away returns less than half a count
+  struct Light {
+    Direction direction;  ///< relative to ahead
+    InfraredCurve curve;
+    double factor = 1.0;         ///< of its gain
+    double reach = 0.0;          ///< mm; a wall farther away returns less than half a count
+    double per_footprint = 1.0;  ///< 1/mm
+  };
+  std::vector<Light> lights_;       ///< of the infrared sensors
+  std::vector<Direction> rangers_;  ///< of the ToF sensors, relative to ahead
 };
 
 }  // namespace labmouse

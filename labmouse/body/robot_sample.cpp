@@ -37,7 +37,8 @@ class Draws {
 }  // namespace
 
 RobotSample::RobotSample(const Hardware& hardware, const ErrorScale& scale, Size size, std::uint64_t seed)
-    : scale_(scale), size_(size) {
+    : infrared(hardware.sensors.infrared.size()), ambient(infrared.size()), scale_(scale), size_(size) {
+  for (const Infrared& sensor : hardware.sensors.infrared) looks_.push_back(side_of(sensor.beam));
   const Variation& variation = hardware.variation;
   double fourth_powers = 0.0;
   int drawn = 0;
@@ -108,11 +109,20 @@ void RobotSample::draw_maze(const Variation& variation, std::uint64_t seed) {
 }
 
 double RobotSample::brightness() const {
-  return maze_reflectance_ * std::accumulate(infrared.begin(), infrared.end(), 0.0) / beam_count;
+  if (infrared.empty()) return maze_reflectance_;
+  return maze_reflectance_ * std::accumulate(infrared.begin(), infrared.end(), 0.0) /
+         static_cast<double>(infrared.size());
 }
 
-double RobotSample::brightness(BeamPlace beam, Cell cell, Heading side, bool wall) const {
-  return infrared[static_cast<std::size_t>(beam)] * (wall ? reflectance(cell, side) : maze_reflectance_);
+double RobotSample::brightness(BeamSide looks, Cell cell, Heading side, bool wall) const {
+  double sum = 0.0;
+  int sensors = 0;
+  for (std::size_t i = 0; i < looks_.size(); ++i)
+    if (looks_[i] == looks) {
+      sum += infrared[i];
+      ++sensors;
+    }
+  return (sensors > 0 ? sum / sensors : 1.0) * (wall ? reflectance(cell, side) : maze_reflectance_);
 }
 
 double RobotSample::reflectance(Cell cell, Heading side) const {

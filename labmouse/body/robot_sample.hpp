@@ -9,6 +9,7 @@
 #include "labmouse/body/error_scale.hpp"
 #include "labmouse/functions/position.hpp"
 #include "labmouse/grid/wall.hpp"
+#include "labmouse/hardware/beam.hpp"
 
 namespace labmouse {
 
@@ -35,9 +36,9 @@ class RobotSample {
   double severity() const { return severity_; }
   /// How bright walls look to its sensors on average, as a factor of what is nominal.
   double brightness() const;
-  /// How bright a side of a cell looks to one sensor, as a factor of what is nominal: as reflectance() where a wall
-  /// stands, or as walls do on average.
-  double brightness(BeamPlace beam, Cell cell, Heading side, bool wall) const;
+  /// How bright a side of a cell looks to the infrared sensors that look there, as a factor of what is nominal: as
+  /// reflectance() where a wall stands, or as walls do on average.
+  double brightness(BeamSide looks, Cell cell, Heading side, bool wall) const;
   /// The factor of a cause's noise.
   double noise_of(ErrorCause cause) const { return scale_.noise_of(cause); }
   /// The factor of a cause's variation.
@@ -50,20 +51,21 @@ class RobotSample {
   /// By how much each post is off its place in mm, row by row from the south-western one; empty if all are in place.
   const std::vector<Position>& post_shifts() const { return post_shifts_; }
 
-  std::array<double, 2> motor{};              ///< factor of each motor's duty, left and right
-  double battery = 1.0;                       ///< factor of the voltage at rest, at the start
-  double stiffness = 1.0, grip = 1.0;         ///< factors
-  std::array<double, 2> encoder{};            ///< factor of each wheel's travel, as it counts it
-  std::array<double, 2> ripple{};             ///< phases of the magnets' ripple, in turns
-  double gyro = 1.0;                          ///< factor
-  std::array<double, 2> acceleration{};       ///< mm/s², offsets of both axes
-  std::array<double, beam_count> infrared{};  ///< factors
-  std::array<double, beam_count> ambient{};   ///< counts, at the start
+  std::array<double, 2> motor{};         ///< factor of each motor's duty, left and right
+  double battery = 1.0;                  ///< factor of the voltage at rest, at the start
+  double stiffness = 1.0, grip = 1.0;    ///< factors
+  std::array<double, 2> encoder{};       ///< factor of each wheel's travel, as it counts it
+  std::array<double, 2> ripple{};        ///< phases of the magnets' ripple, in turns
+  double gyro = 1.0;                     ///< factor
+  std::array<double, 2> acceleration{};  ///< mm/s², offsets of both axes
+  std::vector<double> infrared;          ///< factors
+  std::vector<double> ambient;           ///< counts of each infrared sensor, at the start
 
  private:
   void draw_maze(const Variation& variation, std::uint64_t seed);
 
   ErrorScale scale_;
+  std::vector<BeamSide> looks_;  ///< of each infrared sensor
   double severity_ = 0.0;
   Size size_;
   double maze_reflectance_ = 1.0;

@@ -20,6 +20,12 @@ std::int16_t in_register(double number) {
   return static_cast<std::int16_t>(whole_below(std::min(std::max(number, -most), most) + 0.5));
 }
 
+/// The count of a counter with so many bits.
+std::int32_t wrapped(std::int32_t count, double bits) {
+  const int unused = 32 - static_cast<int>(bits);
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(count) << unused) >> unused;
+}
+
 }  // namespace
 
 Senses::Senses(const Field& field, const Hardware& hardware, const RobotSample& robot_sample, std::uint64_t seed)
@@ -31,13 +37,18 @@ Senses::Senses(const Field& field, const Hardware& hardware, const RobotSample& 
       bias_rng_(seed_for(seed, "gyro bias")),
       walk_rng_(seed_for(seed, "gyro walk")),
       acceleration_rng_{Rng(seed_for(seed, "acceleration ahead")), Rng(seed_for(seed, "acceleration aside"))},
-      infrared_rng_{Rng(seed_for(seed, "infrared", 0)), Rng(seed_for(seed, "infrared", 1)),
-                    Rng(seed_for(seed, "infrared", 2)), Rng(seed_for(seed, "infrared", 3))},
-      range_rng_(seed_for(seed, "ranger")),
-      ambient_rng_{Rng(seed_for(seed, "ambient", 0)), Rng(seed_for(seed, "ambient", 1)),
-                   Rng(seed_for(seed, "ambient", 2)), Rng(seed_for(seed, "ambient", 3))},
-      ambient_(robot_sample.ambient),
-      infrared_fresh_(std::sqrt(1.0 - square(hardware.noise.infrared_memory))) {}
+      fresh_(std::sqrt(1.0 - square(hardware.noise.infrared_memory))) {
+  for (std::size_t i = 0; i < hardware.sensors.infrared.size(); ++i) {
+    const Infrared& sensor = hardware.sensors.infrared[i];
+    lights_.push_back({Rng(seed_for(seed, "infrared", i)), Rng(seed_for(seed, "ambient", i)), robot_sample.ambient[i],
+                       0.0, 0, std::vector<std::int16_t>(static_cast<std::size_t>(sensor.latency))});
+    groups_ = std::max(groups_, static_cast<unsigned>(sensor.group) + 1);
+  }
+  sense_.infrared_sensors = static_cast<std::uint8_t>(lights_.size());
+  sense_.range_sensors = static_cast<std::uint8_t>(hardware.sensors.rangers.size());
+  for (std::size_t i = 0; i < hardware.sensors.rangers.size(); ++i)
+    ranges_.push_back({i == 0 ? Rng(seed_for(seed, "ranger")) : Rng(seed_for(seed, "ranger", i))});
+}
 
 void Senses::calibrate() {
   bias_ = robot_sample_.noise_of(ErrorCause::gyro) * hardware_.noise.gyro_bias * normal(bias_rng_);
@@ -64,11 +75,12 @@ void Senses::count(const BodyMotion& motion) {
       const double turns = travel_[wheel] / noise.ripple_length + robot_sample_.ripple[wheel];
       shown += level * (noise.ripple * sine_of_turns(turns) + noise.encoder * normal(encoder_rng_[wheel]));
     }
-    sense_.counts[wheel] = whole_below(shown / hardware_.sensors.count);
+    sense_.counts[wheel] = wrapped(whole_below(shown / hardware_.sensors.count), hardware_.sensors.count_bits);
   }
 }
 
 void Senses::turn(const BodyMotion& motion) {
+  if (!hardware_.sensors.has_gyro()) return;
   const Noise& noise = hardware_.noise;
   const double level = robot_sample_.noise_of(ErrorCause::gyro);
   double rate = robot_sample_.gyro * motion.yaw;
@@ -81,6 +93,7 @@ void Senses::turn(const BodyMotion& motion) {
 }
 
 void Senses::accelerate(const BodyMotion& motion) {
+  if (!hardware_.sensors.has_accelerometer()) return;
   const double deviation = robot_sample_.noise_of(ErrorCause::accelerometer) * hardware_.noise.acceleration;
   // It feels what holds the mouse against gravity.
   std::array<double, 2> rates = {motion.speeding - motion.pull.x, motion.sideways};
@@ -97,32 +110,38 @@ void Senses::shine(const BodyMotion& motion) {
   const double factor = robot_sample_.noise_of(ErrorCause::infrared);
   const double drift =
       robot_sample_.variation_of(ErrorCause::ambient) * hardware_.variation.ambient_drift * root_of_tick;
-  for (std::size_t beam = 0; beam < beam_count; ++beam) {
-    double level = beams_.level(beam, motion.position, motion.ahead);
-    if (drift > 0.0) ambient_[beam] = std::max(0.0, ambient_[beam] + drift * normal(ambient_rng_[beam]));
-    level += ambient_[beam];
-    if (factor > 0.0) {
-      infrared_noise_[beam] =
-          noise.infrared_memory * infrared_noise_[beam] + infrared_fresh_ * normal(infrared_rng_[beam]);
-      level += factor * (noise.infrared + noise.infrared_share * level) * infrared_noise_[beam];
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const Infrared& sensor = hardware_.sensors.infrared[i];
+    Light& light = lights_[i];
+    if (drift > 0.0) light.ambient = std::max(0.0, light.ambient + drift * normal(light.ambient_rng));
+    if (factor > 0.0) light.noise = noise.infrared_memory * light.noise + fresh_ * normal(light.noise_rng);
+    std::int16_t read = light.last;
+    if (sense_.tick % groups_ == static_cast<unsigned>(sensor.group)) {
+      double level = beams_.level(i, motion.position, motion.ahead) + light.ambient;
+      level += factor * (noise.infrared + noise.infrared_share * level) * light.noise;
+      read = light.last = in_register(std::min(std::max(level, 0.0), sensor.most));
     }
-    sense_.infrared[beam] = in_register(std::min(std::max(level, 0.0), hardware_.sensors.infrared.most));
+    if (!light.delayed.empty()) std::swap(read, light.delayed[sense_.tick % light.delayed.size()]);
+    sense_.infrared[i] = read;
   }
 }
 
 void Senses::range(const BodyMotion& motion) {
-  sense_.range_new = --until_range_ <= 0;
-  if (!sense_.range_new) return;
-  const Ranger& ranger = hardware_.sensors.ranger;
-  until_range_ = static_cast<int>(ranger.period);
-  double distance = beams_.range(motion.position, motion.ahead);
-  if (distance > 0.0) {
-    constexpr double at_rest = 10.0;  // mm/s
-    const bool moves = std::abs(motion.speed) > at_rest;
-    const double deviation = moves ? hardware_.noise.ranger : hardware_.noise.ranger_rest;
-    distance += robot_sample_.noise_of(ErrorCause::ranger) * deviation * normal(range_rng_);
+  for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    const Ranger& ranger = hardware_.sensors.rangers[i];
+    RangeSense& seen = sense_.ranges[i];
+    seen.is_new = --ranges_[i].until_new <= 0;
+    if (!seen.is_new) continue;
+    ranges_[i].until_new = static_cast<int>(ranger.period);
+    double distance = beams_.range(i, motion.position, motion.ahead);
+    if (distance > 0.0) {
+      constexpr double at_rest = 10.0;  // mm/s
+      const bool moves = std::abs(motion.speed) > at_rest;
+      const double deviation = moves ? hardware_.noise.ranger : hardware_.noise.ranger_rest;
+      distance += robot_sample_.noise_of(ErrorCause::ranger) * deviation * normal(ranges_[i].rng);
+    }
+    seen.distance = static_cast<std::uint16_t>(std::clamp(distance + 0.5, 0.0, ranger.reach));
   }
-  sense_.range = static_cast<std::uint16_t>(std::clamp(distance + 0.5, 0.0, ranger.reach));
 }
 
 }  // namespace labmouse

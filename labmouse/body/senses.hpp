@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "labmouse/body/beams.hpp"
 #include "labmouse/body/plant.hpp"
@@ -37,15 +38,25 @@ class Senses {
   std::array<Rng, 2> encoder_rng_;
   Rng gyro_rng_, bias_rng_, walk_rng_;
   std::array<Rng, 2> acceleration_rng_;
-  std::array<Rng, beam_count> infrared_rng_;
-  Rng range_rng_;
-  std::array<Rng, beam_count> ambient_rng_;
-  std::array<double, beam_count> ambient_;  ///< counts
-  double infrared_fresh_;                   ///< factor of the new noise in a beam's error, an AR(1) process
-  std::array<double, 2> travel_{};          ///< mm, of each wheel as its encoder measures it
-  double bias_ = 0.0;                       ///< rad/s
-  std::array<double, beam_count> infrared_noise_{};
-  int until_range_ = 0;  ///< ticks to the next reading
+  /// An infrared sensor.
+  struct Light {
+    Rng noise_rng, ambient_rng;
+    double ambient = 0.0;  ///< counts
+    double noise = 0.0;    ///< in standard deviations, an AR(1) process
+    std::int16_t last = 0;
+    std::vector<std::int16_t> delayed;  ///< readings of the last ticks, as many as its latency, in a ring
+  };
+  std::vector<Light> lights_;
+  unsigned groups_ = 1;  ///< of infrared sensors
+  /// A ToF sensor.
+  struct Range {
+    Rng rng;
+    int until_new = 0;  ///< ticks to the next reading
+  };
+  std::vector<Range> ranges_;
+  double fresh_;                    ///< factor of the new noise in that of an infrared sensor
+  std::array<double, 2> travel_{};  ///< mm, of each wheel as its encoder measures it
+  double bias_ = 0.0;               ///< rad/s
 };
 
 }  // namespace labmouse

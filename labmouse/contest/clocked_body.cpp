@@ -55,7 +55,9 @@ void ClockedBody::note_laps(DriveRun& run, Cell cell) {
 bool ClockedBody::trace_due() const { return trace_every_ > 0 && clock_ / tick_time % trace_every_ == 0; }
 
 void ClockedBody::trace(const std::optional<BodyPose>& estimate) {
-  if (trace_due()) record_.trace.push_back({clock_, pose(), estimate, body_.sense().infrared});
+  if (!trace_due()) return;
+  const auto levels = body_.sense().all_infrared();
+  record_.trace.push_back({clock_, pose(), estimate, {levels.begin(), levels.end()}});
 }
 
 RunEnd ClockedBody::cause() const { return body_.slid_within(slide_ticks) ? RunEnd::slid : RunEnd::position_lost; }

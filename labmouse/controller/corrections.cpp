@@ -40,8 +40,9 @@ Corrections::Corrections(const Hardware& hardware, double cell, Size size, const
       size_(size),
       choice_(choice),
       views_(hardware.sensors.infrared, cell),
-      finders_{EdgeFinder(cell / 5.0, half_wall_of(cell)), EdgeFinder(cell / 5.0, half_wall_of(cell)),
-               EdgeFinder(cell / 5.0, half_wall_of(cell)), EdgeFinder(cell / 5.0, half_wall_of(cell))} {}
+      finders_(hardware.sensors.infrared.size(), EdgeFinder(cell / 5.0, half_wall_of(cell))) {
+  for (const Ranger& ranger : hardware.sensors.rangers) mounts_.push_back(mount_of(ranger));
+}
 
 void Corrections::forget() {
   for (EdgeFinder& finder : finders_) finder.forget();
@@ -68,40 +69,44 @@ void Corrections::apply(const Sense& sense, const Target& target, const Knowledg
     forget();
     return;
   }
-  for (const BeamPlace beam : {BeamPlace::right, BeamPlace::left})
-    see_side(static_cast<std::size_t>(beam), sense, *corridor, known, estimator);
-  if (choice_.front && sense.range_new && sense.range > 0) see_front(sense, *corridor, known, estimator);
+  for (std::size_t i = 0; i < finders_.size(); ++i)
+    if (views_.side(i) != BeamSide::ahead) see_side(i, sense, *corridor, known, estimator);
+  for (std::size_t i = 0; i < mounts_.size(); ++i) {
+    const bool wanted = mounts_[i].side == BeamSide::ahead ? choice_.front : choice_.sides;
+    if (const RangeSense& seen = sense.ranges[i]; wanted && seen.is_new && seen.distance > 0)
+      see_range(mounts_[i], seen.distance, *corridor, known, estimator);
+  }
 }
 
-void Corrections::see_side(std::size_t beam, const Sense& sense, const Corridor& corridor, const Knowledge* known,
+void Corrections::see_side(std::size_t sensor, const Sense& sense, const Corridor& corridor, const Knowledge* known,
                            Estimator& estimator) {
-  const Heading side = views_.looks_left(beam) ? left_of(corridor.axis) : right_of(corridor.axis);
+  const Heading side = side_in(corridor.axis, views_.side(sensor));
   const WallLine wall_line = line_on(corridor.cell, side, corridor.axis, cell_);
   View view;
-  if (!views_.see(beam, estimator.position(), estimator.ahead(), wall_line, view)) {
-    finders_[beam].forget();
+  if (!views_.see(sensor, estimator.position(), estimator.ahead(), wall_line, view)) {
+    finders_[sensor].forget();
     return;
   }
-  const auto slopes = [&] { return views_.slopes(beam, estimator.ahead(), wall_line, view); };
-  const double level = std::max<double>(1.0, sense.infrared[beam]);
+  const auto slopes = [&] { return views_.slopes(sensor, estimator.ahead(), wall_line, view); };
+  const double level = std::max<double>(1.0, sense.infrared[sensor]);
   const int line = whole_below(view.along / cell_ + 0.5);
   const double behind = view.along - line * cell_;
   const Cell cell = cell_along(corridor, view.along);
-  if (choice_.edges && finders_[beam].needs(behind)) {
-    const double share = std::min(1.5, level / views_.level_of(beam, view));
-    if (const auto edge = finders_[beam].pass(line, behind, share))
+  if (choice_.edges && finders_[sensor].needs(behind)) {
+    const double share = std::min(1.5, level / views_.level_of(sensor, view));
+    if (const auto edge = finders_[sensor].pass(line, behind, share))
       see_edge(*edge, view, slopes(), cell_along(corridor, (line + 0.5) * cell_), side, corridor.axis, known,
                estimator);
   }
   // Away from posts.
-  if (choice_.sides && (sense.tick + beam) % ticks_between == 0 && std::abs(behind) > cell_ / 4.0 &&
+  if (choice_.sides && (sense.tick + sensor) % ticks_between == 0 && std::abs(behind) > cell_ / 4.0 &&
       size_.contains(cell) && state_of(known, cell, side, size_) != WallState::open)
-    see_wall(beam, level, view, slopes(), estimator);
+    see_wall(sensor, level, view, slopes(), estimator);
 }
 
-void Corrections::see_wall(std::size_t beam, double level, const View& view, const ViewSlopes& slopes,
+void Corrections::see_wall(std::size_t sensor, double level, const View& view, const ViewSlopes& slopes,
                            Estimator& estimator) const {
-  const Infrared& infrared = hardware_.sensors.infrared;
+  const Infrared& infrared = hardware_.sensors.infrared[sensor];
   constexpr double least = 0.12, most = 0.95;
   if (level < least * infrared.gain || level > most * infrared.most) return;
   const Noise& noise = hardware_.noise;
@@ -109,8 +114,8 @@ void Corrections::see_wall(std::size_t beam, double level, const View& view, con
   const double between = std::max(slow, std::abs(estimator.speed())) * ticks_between * tick_seconds;
   const double many = std::max(1.0, alike * cell_ / 2.0 / between);
   const double share = (reading_variance(hardware_.variation, level) + square(noise.infrared)) / square(level);
-  estimator.correct({views_.distance_of(beam, level, view) - view.distance, slopes.distance[0], slopes.distance[1],
-                     slopes.distance[2], many * square(infrared.fall) * share + 0.25});
+  estimator.correct({views_.distance_of(sensor, level, view) - view.distance, slopes.distance[0], slopes.distance[1],
+                     slopes.distance[2], many * square(views_.fall_of(sensor, view)) * share + 0.25});
 }
 
 /// `behind` is the cell of the corridor behind the line.
@@ -134,20 +139,26 @@ void Corrections::see_edge(const SeenEdge& seen, const View& view, const ViewSlo
       {seeming - seen.behind, slopes.along[0], slopes.along[1], slopes.along[2], square(deviation * cell_)});
 }
 
-void Corrections::see_front(const Sense& sense, const Corridor& corridor, const Knowledge* known,
+void Corrections::see_range(const RangerMount& mount, double distance, const Corridor& corridor, const Knowledge* known,
                             Estimator& estimator) const {
-  const Ranger& ranger = hardware_.sensors.ranger;
-  const Position on = way_in(corridor.axis);
-  const double ahead = dot({estimator.ahead().cosine, estimator.ahead().sine}, on);
-  const double from = dot(estimator.position(), on), face = from + (ranger.ahead + sense.range) * ahead;
+  const Heading side = side_in(corridor.axis, mount.side);
+  const Position on = way_in(side);
+  const double in_line = dot({estimator.ahead().cosine, estimator.ahead().sine}, way_in(corridor.axis));
+  const double way = distance * mount.cosine, from = dot(estimator.position(), on);
+  const double face = from + (mount.depth + way) * in_line;
   const int line = whole_below((face + half_wall_of(cell_)) / cell_ + 0.5);
   const double error = line * cell_ - half_wall_of(cell_) - face;
-  const Cell before = cell_along(corridor, (line - 0.5) * cell_);
+  const bool ahead = mount.side == BeamSide::ahead;
+  const Cell before = ahead ? cell_along(corridor, (line - 0.5) * cell_) : corridor.cell;
+  // Beside it, only the wall of the corridor counts.
+  if (!ahead && std::abs(line * cell_ - cell_ / 2.0 -
+                         dot({(corridor.cell.x + 0.5) * cell_, (corridor.cell.y + 0.5) * cell_}, on)) > 0.5 * cell_)
+    return;
   // The more uncertain the position, the larger the accepted error, up to where the wall could be another one.
   const double uncertainty = 2.5 * std::sqrt(estimator.variance_of(on.x, on.y, 0.0));
   const double most = std::clamp(uncertainty, 0.2 * cell_, 0.42 * cell_);
-  if (sense.range > 2.0 * cell_ || std::abs(error) > most || !size_.contains(before)) return;
-  if (state_of(known, before, corridor.axis, size_) == WallState::open) return;
+  if (distance > 2.0 * cell_ || std::abs(error) > most || !size_.contains(before)) return;
+  if (state_of(known, before, side, size_) == WallState::open) return;
   const Noise& noise = hardware_.noise;
   // Measured less expected: if the wall is farther than expected, the mouse is less far along.
   estimator.correct({-error, -on.x, -on.y, 0.0, square(2.0 * noise.ranger) + square(0.01 * cell_)});

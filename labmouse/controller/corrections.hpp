@@ -2,8 +2,8 @@
 // edges of walls, posts, and walls ahead give the longitudinal error.
 #pragma once
 
-#include <array>
 #include <optional>
+#include <vector>
 
 #include "labmouse/controller/controller_choice.hpp"
 #include "labmouse/controller/edge_finder.hpp"
@@ -34,12 +34,14 @@ class Corrections {
   const Views& views() const { return views_; }
 
  private:
-  void see_side(std::size_t beam, const Sense& sense, const Corridor& corridor, const Knowledge* known,
+  void see_side(std::size_t sensor, const Sense& sense, const Corridor& corridor, const Knowledge* known,
                 Estimator& estimator);
-  void see_wall(std::size_t beam, double level, const View& view, const ViewSlopes& slopes, Estimator& estimator) const;
+  void see_wall(std::size_t sensor, double level, const View& view, const ViewSlopes& slopes,
+                Estimator& estimator) const;
   void see_edge(const SeenEdge& seen, const View& view, const ViewSlopes& slopes, Cell behind, Heading side,
                 Heading axis, const Knowledge* known, Estimator& estimator) const;
-  void see_front(const Sense& sense, const Corridor& corridor, const Knowledge* known, Estimator& estimator) const;
+  void see_range(const RangerMount& mount, double distance, const Corridor& corridor, const Knowledge* known,
+                 Estimator& estimator) const;
   Cell cell_along(const Corridor& corridor, double along) const;
 
   const Hardware& hardware_;
@@ -47,7 +49,8 @@ class Corrections {
   Size size_;
   CorrectionChoice choice_;
   Views views_;
-  std::array<EdgeFinder, beam_count> finders_;
+  std::vector<EdgeFinder> finders_;  ///< of the infrared sensors
+  std::vector<RangerMount> mounts_;  ///< of the ToF sensors
 };
 
 }  // namespace labmouse

@@ -13,12 +13,21 @@ namespace {
 constexpr double turn_seconds = 0.15;
 /// Share of the gyro's scale error that remains after calibration, and relative error of the slip.
 constexpr double gyro_rest = 0.2, slip_rest = 0.3;
+/// Relative error of an angle that only the wheels measure: they roll on the edges of their tyres, assumed.
+constexpr double wheel_rest = 0.03;
 /// Slip that the nominal tyre model misses of any, rad.
 constexpr double least_slip_error = 0.003;
 /// mm/s²
 constexpr double gravity = 9810.0;
 /// Slip is measured above this turn rate (rad/s) and this speed (mm/s), and limited to `most_slip` (rad).
 constexpr double least_turning = 2.0, least_speed = 100.0, most_slip = 0.5;
+
+/// What an encoder has counted since a tick; its counter may have wrapped.
+std::int32_t counted(std::int32_t now, std::int32_t before, double bits) {
+  const int unused = 32 - static_cast<int>(bits);
+  return static_cast<std::int32_t>((static_cast<std::uint32_t>(now) - static_cast<std::uint32_t>(before)) << unused) >>
+         unused;
+}
 
 }  // namespace
 
@@ -32,7 +41,7 @@ void Estimator::put(const Position& position, const Direction& ahead) {
   const Variation& variation = hardware_.variation;
   position_ = position;
   ahead_ = ahead;
-  bias_ = nominal_slip_ = felt_slip_ = slip_variance_ = speed_ = turning_ = 0.0;
+  bias_ = nominal_slip_ = felt_slip_ = slip_variance_ = speed_ = speeding_ = turning_ = 0.0;
   rejected_ = 0;
   const auto own = [&](State state, double deviation) { return any_ ? covariance_[state][state] : square(deviation); };
   const double scale = own(at_scale, variation.encoder_scale), gyro = own(at_gyro, variation.gyro_scale);
@@ -40,7 +49,10 @@ void Estimator::put(const Position& position, const Direction& ahead) {
   // Twice the standard deviation of placement by hand, so that the first wall observations are not rejected.
   covariance_[at_x][at_x] = covariance_[at_y][at_y] = 4.0 * square(variation.placement);
   covariance_[at_angle][at_angle] = 4.0 * square(variation.placement_turn);
-  covariance_[at_bias][at_bias] = square(hardware_.noise.gyro_bias);
+  // Without a gyro, wheels of different diameters turn the mouse as it drives.
+  covariance_[at_bias][at_bias] = hardware_.sensors.has_gyro()
+                                      ? square(hardware_.noise.gyro_bias)
+                                      : square(variation.encoder_scale / hardware_.chassis.half_track) / 2.0;
   covariance_[at_scale][at_scale] = scale;
   covariance_[at_gyro][at_gyro] = gyro;
 }
@@ -49,23 +61,47 @@ void Estimator::predict(const Sense& sense) {
   if (!any_) last_ = sense;
   if (any_ && sense.tick == last_.tick) return;
   any_ = true;
-  const double counts = 0.5 * ((sense.counts[0] - last_.counts[0]) + (sense.counts[1] - last_.counts[1]));
-  const double shown = counts * hardware_.sensors.count, way = shown * (1.0 - scale_);
-  turning_ = sense.gyro * hardware_.sensors.gyro_step * (1.0 - gyro_) - bias_;
-  const double rate = sense.acceleration[0] * hardware_.sensors.acceleration_step;
+  const Sensors& sensors = hardware_.sensors;
+  const auto travel = [&](std::size_t wheel) {
+    return counted(sense.counts[wheel], last_.counts[wheel], sensors.count_bits);
+  };
+  const double counts = 0.5 * (travel(0) + travel(1));
+  const double shown = counts * sensors.count, way = shown * (1.0 - scale_);
   const double seconds = std::max(1.0, static_cast<double>(sense.tick - last_.tick)) * tick_seconds;
-  speed_ = speed_filter_ * way / seconds + (1.0 - speed_filter_) * (speed_ + rate * seconds);
+  double turn = 0.0;
+  if (sensors.has_gyro()) {
+    turning_ = sense.gyro * sensors.gyro_step * (1.0 - gyro_) - bias_;
+    turn = turning_ * seconds;
+  } else {
+    // The angle is that of the wheels; their rate is filtered, since a count is much in a tick.
+    turn = (travel(1) - travel(0)) * sensors.count / (2.0 * hardware_.chassis.half_track) * (1.0 - gyro_) - way * bias_;
+    turning_ += speed_filter_ * (turn / seconds - turning_);
+  }
+  if (sensors.has_accelerometer()) {
+    const double rate = sense.acceleration[0] * sensors.acceleration_step;
+    speed_ = speed_filter_ * way / seconds + (1.0 - speed_filter_) * (speed_ + rate * seconds);
+  } else {
+    track_speed(way, seconds);
+  }
   last_ = sense;
 
-  const double turn = turning_ * seconds;
-  const double pulled = sense.acceleration[1] * hardware_.sensors.acceleration_step;
-  measure_offset(pulled, seconds);
+  const double pulled = sense.acceleration[1] * sensors.acceleration_step;
+  if (sensors.has_accelerometer()) measure_offset(pulled, seconds);
   estimate_slip(pulled - offset_, turn, seconds);
   const Direction went = turned_by(ahead_, turn / 2.0 + felt_slip_);
   position_ = {position_.x + way * went.cosine, position_.y + way * went.sine};
   ahead_ = turned_by(ahead_, turn);
   spread(way, turn, seconds, went);
-  add_noise(way, seconds);
+  add_noise(way, turn, seconds);
+}
+
+/// Without an accelerometer, an alpha-beta filter follows the speed of the wheels and its rate.
+void Estimator::track_speed(double way, double seconds) {
+  speed_ += speeding_ * seconds;
+  const double error = way / seconds - speed_;
+  speed_ += speed_filter_ * error;
+  // The second weight is that of Benedict and Bordner (1962) for the first.
+  speeding_ += square(speed_filter_) / (2.0 - speed_filter_) * error / seconds;
 }
 
 /// On straights the lateral acceleration is that of the path; what is felt besides is the offset, the noise, and the
@@ -113,44 +149,49 @@ void Estimator::estimate_slip(double pulled, double turn, double seconds) {
   felt_slip_ = std::clamp(felt_slip_, -most_slip, most_slip);
 }
 
-bool Estimator::feels_slip() const { return std::abs(turning_) > least_turning && speed_ > least_speed; }
+bool Estimator::feels_slip() const {
+  return hardware_.sensors.has_accelerometer() && std::abs(turning_) > least_turning && speed_ > least_speed;
+}
 
 /// Propagates errors of the angle, the gyro bias and the scales to the position and the angle.
 void Estimator::spread(double way, double turn, double seconds, const Direction& went) {
+  const double biased = hardware_.sensors.has_gyro() ? seconds : way;
   const double x_angle = -way * went.sine, y_angle = way * went.cosine;
   const double x_scale = -way * went.cosine, y_scale = -way * went.sine;
   auto& p = covariance_;
   for (std::size_t i = 0; i < states; ++i) {
     p[at_x][i] += x_angle * p[at_angle][i] + x_scale * p[at_scale][i];
     p[at_y][i] += y_angle * p[at_angle][i] + y_scale * p[at_scale][i];
-    p[at_angle][i] -= seconds * p[at_bias][i] + turn * p[at_gyro][i];
+    p[at_angle][i] -= biased * p[at_bias][i] + turn * p[at_gyro][i];
   }
   for (std::size_t i = 0; i < states; ++i) {
     p[i][at_x] += x_angle * p[i][at_angle] + x_scale * p[i][at_scale];
     p[i][at_y] += y_angle * p[i][at_angle] + y_scale * p[i][at_scale];
-    p[i][at_angle] -= seconds * p[i][at_bias] + turn * p[i][at_gyro];
+    p[i][at_angle] -= biased * p[i][at_bias] + turn * p[i][at_gyro];
   }
 }
 
-void Estimator::add_noise(double way, double seconds) {
+void Estimator::add_noise(double way, double turn, double seconds) {
   const Noise& noise = hardware_.noise;
   const Variation& variation = hardware_.variation;
-  const double turn = turning_ * seconds, length = std::abs(way);
+  const double length = std::abs(way);
   const double again = std::max(1.0, turn_seconds / seconds);
   // Encoders: ripple and residual wheel slip.
   const double along = square(0.02 * way) + 2e-5 * length * square(noise.ripple);
   // Slip: the error of the filter, and one in proportion to it.
   const double slip = (feels_slip() ? slip_variance_ : 0.0) + square(slip_rest * felt_slip_);
   const double across = again * slip * square(way) + floor_steps_a_mm_ * square(variation.floor_shift) * length;
-  const double angle = again * square(gyro_rest * variation.gyro_scale * turn) + square(noise.gyro * seconds) +
-                       floor_steps_a_mm_ * square(variation.floor_turn) * length;
+  const double share = hardware_.sensors.has_gyro() ? gyro_rest * variation.gyro_scale : wheel_rest;
+  const double moment = hardware_.sensors.has_gyro() ? noise.gyro * seconds : 0.0;
+  const double angle =
+      again * square(share * turn) + square(moment) + floor_steps_a_mm_ * square(variation.floor_turn) * length;
   const double c = ahead_.cosine, s = ahead_.sine;
   covariance_[at_x][at_x] += along * c * c + across * s * s;
   covariance_[at_y][at_y] += along * s * s + across * c * c;
   covariance_[at_x][at_y] += (along - across) * c * s;
   covariance_[at_y][at_x] += (along - across) * c * s;
   covariance_[at_angle][at_angle] += angle;
-  covariance_[at_bias][at_bias] += square(noise.gyro_walk) * seconds;
+  if (hardware_.sensors.has_gyro()) covariance_[at_bias][at_bias] += square(noise.gyro_walk) * seconds;
 }
 
 bool Estimator::correct(const Observation& seen) {

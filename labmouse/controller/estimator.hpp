@@ -4,7 +4,8 @@
 // which differ between mice. Encoders and gyro predict the motion. Two scalar filters beside it give the offset of the
 // lateral accelerometer, and the slip angle in turns: the integral of the lateral acceleration, weighed against the
 // nominal tyre model. Wall observations correct the state, one scalar at a time. The scale errors and the offset are
-// kept when the mouse is put down elsewhere.
+// kept when the mouse is put down elsewhere. Without a gyro the wheels measure the turns, and the bias is that of their
+// diameters; without an accelerometer the slip is that of the nominal tyre model.
 #pragma once
 
 #include <array>
@@ -60,7 +61,8 @@ class Estimator {
   void measure_offset(double pulled, double seconds);
   void estimate_slip(double pulled, double turn, double seconds);
   void spread(double way, double turn, double seconds, const Direction& went);
-  void add_noise(double way, double seconds);
+  void track_speed(double way, double seconds);
+  void add_noise(double way, double turn, double seconds);
   void doubt();
   /// Whether it turns and drives fast enough to measure its slip.
   bool feels_slip() const;
@@ -70,7 +72,7 @@ class Estimator {
   double floor_steps_a_mm_;
   Position position_;
   Direction ahead_;
-  double bias_ = 0.0;                      ///< gyro rate at rest, rad/s
+  double bias_ = 0.0;                      ///< gyro rate at rest, rad/s; without a gyro rad/mm that it turns
   double scale_ = 0.0;                     ///< relative error of the encoders' scale
   double gyro_ = 0.0;                      ///< relative error of the gyro's scale
   double offset_ = 0.0, offset_variance_;  ///< of the lateral accelerometer, mm/s²
@@ -78,6 +80,7 @@ class Estimator {
   double nominal_slip_ = 0.0, felt_slip_ = 0.0, slip_variance_ = 0.0;
   int rejected_ = 0;  ///< observations in a row
   double speed_ = 0.0, turning_ = 0.0;
+  double speeding_ = 0.0;  ///< mm/s²; without an accelerometer only
   std::array<Row, states> covariance_{};
   Sense last_;
   bool any_ = false;

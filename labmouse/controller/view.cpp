@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "labmouse/functions/exponential.hpp"
 #include "labmouse/functions/position.hpp"
 #include "labmouse/hardware/beam.hpp"
 
@@ -17,12 +16,14 @@ WallLine line_on(Cell cell, Heading side, Heading axis, double size) {
   return {out, way_in(axis), dot(middle, out) + size / 2.0 - half_wall_of(size)};
 }
 
-Views::Views(const Infrared& infrared, double cell) : infrared_(infrared) {
-  for (std::size_t beam = 0; beam < beam_count; ++beam) {
-    directions_[beam] = direction_of(infrared.beams[beam].angle);
-    gains_[beam] = infrared.gain * exp_of(calibrated_distance(infrared.beams[beam], cell) / infrared.fall);
-    aside_[beam] = labmouse::looks_aside(infrared.beams[beam]);
-  }
+Heading side_in(Heading heading, BeamSide side) {
+  return side == BeamSide::ahead ? heading : side == BeamSide::left ? left_of(heading) : right_of(heading);
+}
+
+Views::Views(const std::vector<Infrared>& sensors, double cell) {
+  for (const Infrared& sensor : sensors)
+    sensors_.push_back(
+        {sensor.beam, direction_of(sensor.beam.angle), side_of(sensor.beam), InfraredCurve(sensor, cell), sensor.most});
 }
 
 /// From the middle of the axle to a sensor.
@@ -30,27 +31,27 @@ Position arm_of(const Beam& beam, const Direction& ahead) {
   return {beam.ahead * ahead.cosine - beam.aside * ahead.sine, beam.ahead * ahead.sine + beam.aside * ahead.cosine};
 }
 
-Position Views::way_of(std::size_t beam, const Direction& ahead) const {
-  const Direction& own = directions_[beam];
+Position Views::way_of(std::size_t sensor, const Direction& ahead) const {
+  const Direction& own = sensors_[sensor].direction;
   return {ahead.cosine * own.cosine - ahead.sine * own.sine, ahead.sine * own.cosine + ahead.cosine * own.sine};
 }
 
-bool Views::see(std::size_t beam, const Position& position, const Direction& ahead, const WallLine& line,
+bool Views::see(std::size_t sensor, const Position& position, const Direction& ahead, const WallLine& line,
                 View& view) const {
   constexpr double least = 0.2;
-  const Position way = way_of(beam, ahead);
+  const Position way = way_of(sensor, ahead);
   view.cosine = dot(way, line.out);
   if (view.cosine < least) return false;
-  const Position from = position + arm_of(infrared_.beams[beam], ahead);
+  const Position from = position + arm_of(sensors_[sensor].beam, ahead);
   view.distance = (line.face - dot(from, line.out)) / view.cosine;
   view.along = dot(from, line.on) + view.distance * dot(way, line.on);
   return view.distance >= 0.0;
 }
 
-ViewSlopes Views::slopes(std::size_t beam, const Direction& ahead, const WallLine& line, const View& view) const {
+ViewSlopes Views::slopes(std::size_t sensor, const Direction& ahead, const WallLine& line, const View& view) const {
   const auto& [out, on, face] = line;
   // Derivative of the point that the beam meets by the mouse's angle, at a fixed length of the beam.
-  const Position arm = arm_of(infrared_.beams[beam], ahead), way = way_of(beam, ahead);
+  const Position arm = arm_of(sensors_[sensor].beam, ahead), way = way_of(sensor, ahead);
   const Position turned = {-arm.y - view.distance * way.y, arm.x + view.distance * way.x};
   const double beside = dot(way, on);
   ViewSlopes slopes;
@@ -58,16 +59,18 @@ ViewSlopes Views::slopes(std::size_t beam, const Direction& ahead, const WallLin
   slopes.along = {on.x + slopes.distance[0] * beside, on.y + slopes.distance[1] * beside,
                   dot(turned, on) + slopes.distance[2] * beside};
   // A more oblique wall reflects less, so it reads as farther away.
-  if (returned_at(view.cosine) < 1.0) slopes.distance[2] += infrared_.fall / view.cosine * dot({way.y, -way.x}, out);
+  if (returned_at(view.cosine) < 1.0)
+    slopes.distance[2] += fall_of(sensor, view) / view.cosine * dot({way.y, -way.x}, out);
   return slopes;
 }
 
-double Views::level_of(std::size_t beam, const View& view) const {
-  return std::min(infrared_.most, gains_[beam] * returned_at(view.cosine) * fading(view.distance / infrared_.fall));
+double Views::level_of(std::size_t sensor, const View& view) const {
+  const Mounted& mounted = sensors_[sensor];
+  return std::min(mounted.most, mounted.curve.level(view.distance, returned_at(view.cosine)));
 }
 
-double Views::distance_of(std::size_t beam, double level, const View& view) const {
-  return infrared_.fall * log_of(gains_[beam] * returned_at(view.cosine) / level);
+double Views::distance_of(std::size_t sensor, double level, const View& view) const {
+  return sensors_[sensor].curve.distance(level, returned_at(view.cosine));
 }
 
 }  // namespace labmouse

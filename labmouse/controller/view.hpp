@@ -2,11 +2,12 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "labmouse/controller/estimator.hpp"
 #include "labmouse/grid/cell.hpp"
 #include "labmouse/grid/heading.hpp"
-#include "labmouse/hardware/hardware.hpp"
+#include "labmouse/hardware/beam.hpp"
 
 namespace labmouse {
 
@@ -33,30 +34,38 @@ struct ViewSlopes {
   std::array<double, 3> along{};
 };
 
-/// The controller's model of the beams.
+/// The controller's model of the infrared sensors.
 class Views {
  public:
-  Views(const Infrared& infrared, double cell);
+  Views(const std::vector<Infrared>& sensors, double cell);
 
-  /// Computes where a beam meets a line; false if it does not, or too obliquely.
-  bool see(std::size_t beam, const Position& position, const Direction& ahead, const WallLine& line, View& view) const;
-  ViewSlopes slopes(std::size_t beam, const Direction& ahead, const WallLine& line, const View& view) const;
-  /// Whether a beam looks to a side rather than ahead, and whether that is the left one.
-  bool looks_aside(std::size_t beam) const { return aside_[beam]; }
-  bool looks_left(std::size_t beam) const { return infrared_.beams[beam].angle > 0.0; }
+  /// Computes where a sensor's beam meets a line; false if it does not, or too obliquely.
+  bool see(std::size_t sensor, const Position& position, const Direction& ahead, const WallLine& line,
+           View& view) const;
+  ViewSlopes slopes(std::size_t sensor, const Direction& ahead, const WallLine& line, const View& view) const;
+  BeamSide side(std::size_t sensor) const { return sensors_[sensor].side; }
   /// Expected reading of a whole wall, in counts, and the inverse: the distance (mm) of a wall with that reading.
-  double level_of(std::size_t beam, const View& view) const;
-  double distance_of(std::size_t beam, double level, const View& view) const;
+  double level_of(std::size_t sensor, const View& view) const;
+  double distance_of(std::size_t sensor, double level, const View& view) const;
+  /// See InfraredCurve.
+  double fall_of(std::size_t sensor, const View& view) const { return sensors_[sensor].curve.fall(view.distance); }
 
  private:
-  Position way_of(std::size_t beam, const Direction& ahead) const;
+  struct Mounted {
+    Beam beam;
+    Direction direction;  ///< relative to ahead
+    BeamSide side = BeamSide::ahead;
+    InfraredCurve curve;
+    double most = 0.0;  ///< counts
+  };
 
-  const Infrared& infrared_;
-  std::array<Direction, beam_count> directions_{};
-  std::array<double, beam_count> gains_{};  ///< counts at distance 0
-  std::array<bool, beam_count> aside_{};
+  Position way_of(std::size_t sensor, const Direction& ahead) const;
+
+  std::vector<Mounted> sensors_;
 };
 
+/// The side of a cell at which a sensor looks, of a mouse with that heading.
+Heading side_in(Heading heading, BeamSide side);
 /// Unit vector of a heading.
 Position way_in(Heading heading);
 inline double dot(const Position& a, const Position& b) { return a.x * b.x + a.y * b.y; }

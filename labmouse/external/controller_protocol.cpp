@@ -76,9 +76,11 @@ void add_sense(const Sense& sense, std::string& text) {
   for (const std::int32_t count : sense.counts) add(count);
   add(int{sense.gyro});
   for (const std::int16_t acceleration : sense.acceleration) add(int{acceleration});
-  for (const std::int16_t level : sense.infrared) add(int{level});
-  add(unsigned{sense.range});
-  add(sense.range_new ? 1 : 0);
+  for (const std::int16_t level : sense.all_infrared()) add(int{level});
+  for (const RangeSense& range : sense.all_ranges()) {
+    add(unsigned{range.distance});
+    add(range.is_new ? 1 : 0);
+  }
   add(unsigned{sense.millivolts});
 }
 

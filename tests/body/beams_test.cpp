@@ -99,7 +99,6 @@ class InSomeMazes : public testing::Test {
   template <class Visit>
   void for_each_look(int count, Visit visit) {
     const Hardware hardware = test::plain_mouse();
-    const Infrared& infrared = hardware.sensors.infrared;
     Rng rng(5);
     const auto share = [&] { return rng.below(1 << 20) / static_cast<double>(1 << 20); };
     for (int i = 0; i < count; ++i) {
@@ -114,7 +113,8 @@ class InSomeMazes : public testing::Test {
                              (rng.below(8) + 0.35 + 0.3 * share()) * test::cell};
         const double angle = 2.0 * pi * share();
         const std::size_t beam = static_cast<std::size_t>(rng.below(4));
-        const Beam& mounted = infrared.beams[beam];
+        const Infrared& infrared = hardware.sensors.infrared[beam];
+        const Beam& mounted = infrared.beam;
         const double c = std::cos(angle), s = std::sin(angle);
         Look look;
         look.from = {at.x + mounted.ahead * c - mounted.aside * s, at.y + mounted.ahead * s + mounted.aside * c};
@@ -168,7 +168,7 @@ TEST(Beams, ReadTheirGainInTheMiddleOfACorridor) {
     o---o---o
   )");
   Hardware hardware = test::plain_mouse();
-  hardware.sensors.infrared.footprint = 0.5;  // all of it on the wall
+  for (Infrared& sensor : hardware.sensors.infrared) sensor.footprint = 0.5;  // all of it on the wall
   const Field field(maze, test::cell);
   const RobotSample robot_sample(hardware, {}, maze.size(), 1);
   const Beams beams(field, hardware.sensors, robot_sample);
@@ -197,7 +197,7 @@ TEST(Beams, ReadWallsAsTheirSidesReflect) {
   Hardware hardware = test::plain_mouse();
   hardware.variation.reflectance = 0.3;
   hardware.variation.infrared_gain = 0.2;
-  hardware.sensors.infrared.footprint = 0.5;
+  for (Infrared& sensor : hardware.sensors.infrared) sensor.footprint = 0.5;
   const Maze maze = test::hall(4);
   const Field field(maze, test::cell);
   const RobotSample robot_sample(hardware, {}, maze.size(), 7);
@@ -226,12 +226,38 @@ TEST(Ranger, ReadsTheDistanceToTheFirstBoxAhead) {
       const Position from = {at.x + 20.0 * c, at.y + 20.0 * s};
       if (boxes.inside(from)) continue;
       const double expected = hit_of(boxes, from, c, s).distance;
-      ASSERT_NEAR(beams.range(at, direction_of(angle)), expected > 250.0 ? 0.0 : expected, 1e-6)
+      ASSERT_NEAR(beams.range(0, at, direction_of(angle)), expected > 250.0 ? 0.0 : expected, 1e-6)
           << "at " << at.x << " " << at.y << " towards " << angle;
       seen += expected <= 250.0 ? 1 : 0;
     }
   }
   EXPECT_GT(seen, 1000);
+}
+
+TEST(Ranger, LooksInItsDirection) {
+  Hardware hardware = test::plain_mouse();
+  hardware.sensors.rangers.push_back({{5.0, 10.0, pi / 2.0}, 250.0, 10.0});
+  const Maze maze = test::hall(2);
+  const Field field(maze, test::cell);
+  const RobotSample robot_sample(hardware, {}, maze.size(), 1);
+  const Beams beams(field, hardware.sensors, robot_sample);
+  // North of it are 200 mm less half a wall; so far is the sensor on its left side.
+  EXPECT_NEAR(beams.range(1, {90.0, 60.0}, {0.0, 1.0}), 200.0 - half_wall - 60.0 - 10.0, 1e-9);
+}
+
+/// Of a wall twice as far away, a quarter of the light comes back.
+TEST(Infrared, MayFallWithTheSquareOfTheDistance) {
+  Hardware hardware = test::plain_mouse();
+  const Beam left = {0.0, 10.0, pi / 2.0};
+  hardware.sensors.infrared = {{left, 400.0, 0.0, 30000.0, 0.5}};
+  const Maze maze = test::hall(4);
+  const Field field(maze, test::cell);
+  const RobotSample robot_sample(hardware, {}, maze.size(), 1);
+  const Beams beams(field, hardware.sensors, robot_sample);
+  const double usual = test::cell / 2.0 - half_wall - 10.0;
+  for (const double distance : {usual / 2.0, usual, 2.0 * usual, 3.0 * usual})
+    EXPECT_NEAR(beams.level(0, {150.0, 400.0 - half_wall - 10.0 - distance}, {0.0, 1.0}),
+                400.0 * square(usual / distance), 1e-6);
 }
 
 /// Posts that are all off by as much are a maze that is moved.
@@ -244,19 +270,19 @@ TEST(Shifts, MoveWallsAndPosts) {
   const Beams beams(field, hardware.sensors, robot_sample), moved_beams(moved, hardware.sensors, robot_sample);
   Rng rng(4);
   int near = 0;
-  constexpr int times = 500;
+  constexpr int times = 500, sensors = 4;
   for (int i = 0; i < times; ++i) {
     const Position at = {(rng.below(8) + 0.4 + 0.002 * rng.below(100)) * test::cell,
                          (rng.below(8) + 0.4 + 0.002 * rng.below(100)) * test::cell};
     const Direction ahead = direction_of(pi / 2.0 * rng.below(4) + 0.002 * rng.below(100));
-    near += std::abs(moved_beams.range(at + shift, ahead) - beams.range(at, ahead)) < 0.4 ? 1 : 0;
-    for (std::size_t beam = 0; beam < beam_count; ++beam) {
+    near += std::abs(moved_beams.range(0, at + shift, ahead) - beams.range(0, at, ahead)) < 0.4 ? 1 : 0;
+    for (std::size_t beam = 0; beam < std::size_t{sensors}; ++beam) {
       // Where the ray is oblique, the place on the line is that of the wall that is not moved.
       const double level = moved_beams.level(beam, at + shift, ahead), usual = beams.level(beam, at, ahead);
       near += std::abs(level - usual) < 5.0 + 0.1 * usual ? 1 : 0;
     }
   }
-  EXPECT_GT(near, 0.95 * times * (beam_count + 1));
+  EXPECT_GT(near, 0.95 * times * (sensors + 1));
 }
 
 /// A wall stands between its posts, so in its middle it is off by their mean.
@@ -270,9 +296,9 @@ TEST(Shifts, OfAWallAreThoseBetweenItsPosts) {
   const Beams beams(field, hardware.sensors, robot_sample);
   const Direction west = {0.0, -1.0};
   const double usual = 90.0 - 20.0 - half_wall_of(test::cell);
-  EXPECT_NEAR(beams.range({90.0, 50.0}, west), usual - 1.0, 1e-9);
-  EXPECT_NEAR(beams.range({90.0, 25.0}, west), usual - 1.5, 1e-9);
-  EXPECT_NEAR(beams.range({90.0, 150.0}, west), usual, 1e-9);
+  EXPECT_NEAR(beams.range(0, {90.0, 50.0}, west), usual - 1.0, 1e-9);
+  EXPECT_NEAR(beams.range(0, {90.0, 25.0}, west), usual - 1.5, 1e-9);
+  EXPECT_NEAR(beams.range(0, {90.0, 150.0}, west), usual, 1e-9);
 }
 
 }  // namespace

@@ -17,13 +17,10 @@ inline Hardware plain_mouse() {
   hardware.sensors.gyro_step = 0.001;
   hardware.sensors.gyro_most = 30.0;
   hardware.sensors.acceleration_step = 5.0;
-  hardware.sensors.infrared = {
-      {Beam{12.0, -12.0, -1.15}, Beam{20.0, -8.0, -0.1}, Beam{12.0, 12.0, 1.15}, Beam{20.0, 8.0, 0.1}},
-      700.0,
-      13.0,
-      3600.0,
-      5.0};
-  hardware.sensors.ranger = {20.0, 250.0, 10.0};
+  for (const Beam& beam :
+       {Beam{12.0, -12.0, -1.15}, Beam{20.0, -8.0, -0.1}, Beam{12.0, 12.0, 1.15}, Beam{20.0, 8.0, 0.1}})
+    hardware.sensors.infrared.push_back({beam, 700.0, 13.0, 3600.0, 5.0});
+  hardware.sensors.rangers = {{{20.0, 0.0, 0.0}, 250.0, 10.0}};
   return hardware;
 }
 

@@ -227,10 +227,10 @@ TEST(RobotSample, SeesAWallAsBrightAsSensorAndWallAre) {
       without_maze(hardware, test::all_but(ErrorCause::reflectance), {3, 3}, 8);
   const double maze = it.brightness() / without_maze.brightness();
   EXPECT_NE(maze, 1.0);
-  for (const BeamPlace beam : {BeamPlace::right, BeamPlace::left_ahead}) {
-    const double gain = it.infrared[static_cast<std::size_t>(beam)];
-    EXPECT_NEAR(it.brightness(beam, {1, 1}, Heading::west, true), gain * it.reflectance({1, 1}, Heading::west), 1e-9);
-    EXPECT_NEAR(it.brightness(beam, {1, 1}, Heading::west, false), gain * maze, 1e-9);
+  const double ahead = (it.infrared[1] + it.infrared[3]) / 2.0;
+  for (const auto& [looks, gain] : {std::pair{BeamSide::right, it.infrared[0]}, {BeamSide::ahead, ahead}}) {
+    EXPECT_NEAR(it.brightness(looks, {1, 1}, Heading::west, true), gain * it.reflectance({1, 1}, Heading::west), 1e-9);
+    EXPECT_NEAR(it.brightness(looks, {1, 1}, Heading::west, false), gain * maze, 1e-9);
   }
 }
 

@@ -239,7 +239,7 @@ TEST(Infrared, ReadsTheLightOfTheRoom) {
   Hardware hardware = test::plain_mouse();
   hardware.variation.ambient = 30.0;
   Sensed mouse(hardware, {}, 4);
-  for (std::size_t beam = 0; beam < beam_count; ++beam)
+  for (std::size_t beam = 0; beam < hardware.sensors.infrared.size(); ++beam)
     EXPECT_NEAR(mouse.read().infrared[beam], mouse.robot_sample().ambient[beam], 0.51) << beam;
 }
 
@@ -288,7 +288,7 @@ TEST(Infrared, IsNeverBelowNothing) {
 TEST(Ranger, ReadsAnewOncePerPeriod) {
   Sensed mouse(test::plain_mouse());
   int news = 0;
-  for (int tick = 0; tick < 1000; ++tick) news += mouse.read().range_new ? 1 : 0;
+  for (int tick = 0; tick < 1000; ++tick) news += mouse.read().ranges[0].is_new ? 1 : 0;
   EXPECT_EQ(news, 100);
 }
 
@@ -296,12 +296,12 @@ TEST(Ranger, IsLessSureWhereTheMouseMoves) {
   Hardware hardware = test::plain_mouse();
   hardware.noise.ranger_rest = 2.0;
   hardware.noise.ranger = 6.0;
-  hardware.sensors.ranger.period = 1.0;
+  hardware.sensors.rangers[0].period = 1.0;
   for (const double speed : {0.0, 300.0}) {
     Sensed mouse(hardware);
     mouse.motion.position = {700.0, 350.0};
     mouse.motion.speed = mouse.motion.rolling = speed;
-    const auto readings = mouse.readings(5000, [](const Sense& sense) { return double(sense.range); });
+    const auto readings = mouse.readings(5000, [](const Sense& sense) { return double(sense.ranges[0].distance); });
     // The face of the east wall, less where the ranger sits.
     EXPECT_NEAR(mean_of(readings), 800.0 - test::cell / 30.0 - 720.0, 0.3);
     EXPECT_NEAR(deviation_of(readings), speed > 0.0 ? 6.0 : 2.0, 0.2);
@@ -311,7 +311,73 @@ TEST(Ranger, IsLessSureWhereTheMouseMoves) {
 TEST(Ranger, SeesNothingBeyondItsReach) {
   Sensed mouse(test::plain_mouse());
   mouse.motion.position = {500.0, 350.0};
-  EXPECT_EQ(mouse.read().range, 0);
+  EXPECT_EQ(mouse.read().ranges[0].distance, 0);
+}
+
+TEST(Encoders, WrapAsWideAsTheirCountersAre) {
+  Hardware hardware = test::plain_mouse();
+  hardware.sensors.count_bits = 16.0;
+  Sensed mouse(hardware), wide(test::plain_mouse());
+  mouse.motion.speed = mouse.motion.rolling = wide.motion.speed = wide.motion.rolling = 200.0;
+  for (int tick = 0; tick < 500; ++tick)
+    EXPECT_EQ(mouse.read().counts[0], static_cast<std::int16_t>(wide.read().counts[0])) << tick;
+  EXPECT_GT(wide.read().counts[0], 40'000);
+}
+
+TEST(Senses, OfSensorsThatItLacksAreNothing) {
+  Hardware hardware = test::varied_mouse();
+  hardware.sensors.gyro_step = hardware.sensors.acceleration_step = 0.0;
+  hardware.sensors.infrared.pop_back();
+  hardware.sensors.rangers.clear();
+  Sensed mouse(hardware);
+  mouse.motion.yaw = 3.0;
+  mouse.motion.sideways = 1000.0;
+  const Sense sense = mouse.read();
+  EXPECT_EQ(sense.gyro, 0);
+  EXPECT_EQ(sense.acceleration, (std::array<std::int16_t, 2>{}));
+  EXPECT_EQ(sense.all_infrared().size(), 3U);
+  EXPECT_TRUE(sense.all_ranges().empty());
+}
+
+/// Of two groups, each is read every second millisecond.
+TEST(Infrared, IsReadGroupByGroup) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.infrared = 50.0;
+  for (const std::size_t left : {2U, 3U}) hardware.sensors.infrared[left].group = 1.0;
+  Sensed mouse(hardware);
+  mouse.motion.position = {50.0, 350.0};
+  Sense last = mouse.read();
+  std::array<int, 4> news{};
+  for (int i = 0; i < 100; ++i) {
+    const Sense now = mouse.read();
+    for (const std::size_t sensor : {0U, 1U, 2U, 3U}) {
+      const bool lit = now.tick % 2 == (sensor < 2 ? 0U : 1U);
+      if (!lit) {
+        EXPECT_EQ(now.infrared[sensor], last.infrared[sensor]) << now.tick;
+      }
+      news[sensor] += now.infrared[sensor] != last.infrared[sensor] ? 1 : 0;
+    }
+    last = now;
+  }
+  EXPECT_GT(news[0], 30);
+  EXPECT_GT(news[2], 30);
+}
+
+TEST(Infrared, IsReadAsLateAsItsLatency) {
+  Hardware hardware = test::plain_mouse(), late = hardware;
+  for (Infrared& sensor : late.sensors.infrared) sensor.latency = 3.0;
+  Sensed now(hardware), then(late);
+  std::vector<std::int16_t> readings;
+  for (int tick = 0; tick < 50; ++tick) {
+    now.motion.position = then.motion.position = {40.0 + 0.3 * tick, 350.0};
+    now.motion.ahead = then.motion.ahead = {1.0, 0.0};
+    readings.push_back(now.read().infrared[2]);
+    const std::int16_t read = then.read().infrared[2];
+    if (tick >= 3) {
+      EXPECT_EQ(read, readings[static_cast<std::size_t>(tick - 3)]) << tick;
+    }
+  }
+  EXPECT_NE(readings.front(), readings.back());
 }
 
 TEST(Battery, IsReadInMillivolts) {
@@ -332,7 +398,7 @@ std::vector<std::pair<std::string, std::vector<double>>> noise_by_source() {
   const auto add = [&](const std::string& name, const std::function<void(Noise&)>& make, const Direction& ahead,
                        const std::function<double(const Sense&)>& number) {
     Hardware hardware = test::plain_mouse();
-    hardware.sensors.ranger.period = 1.0;
+    hardware.sensors.rangers[0].period = 1.0;
     make(hardware.noise);
     Sensed mouse(hardware, {}, 23);
     mouse.motion.position = {50.0, 350.0};
@@ -355,14 +421,14 @@ std::vector<std::pair<std::string, std::vector<double>>> noise_by_source() {
       "bias of the gyro", [](Noise& noise) { noise.gyro_walk = 3.0; }, north,
       [&](const Sense& sense) { return double(sense.gyro) - std::exchange(before, double(sense.gyro)); });
   // Each beam where it sees the west wall.
-  const std::array<Direction, beam_count> ways = {south, west, north, west};
-  for (std::size_t beam = 0; beam < beam_count; ++beam)
+  const std::array<Direction, 4> ways = {south, west, north, west};
+  for (std::size_t beam = 0; beam < ways.size(); ++beam)
     add(
         "infrared", [](Noise& noise) { noise.infrared = 30.0; }, ways[beam],
         [beam](const Sense& sense) { return double(sense.infrared[beam]); });
   add(
       "ranger", [](Noise& noise) { noise.ranger_rest = 5.0; }, west,
-      [](const Sense& sense) { return double(sense.range); });
+      [](const Sense& sense) { return double(sense.ranges[0].distance); });
   return sources;
 }
 
@@ -419,7 +485,7 @@ TEST(Streams, OneSourceOffShiftsNoOther) {
     expect(ErrorCause::gyro, [](const Sense& sense) { return sense.gyro; });
     expect(ErrorCause::accelerometer, [](const Sense& sense) { return sense.acceleration; });
     expect(ErrorCause::infrared, [](const Sense& sense) { return sense.infrared; });
-    expect(ErrorCause::ranger, [](const Sense& sense) { return sense.range; });
+    expect(ErrorCause::ranger, [](const Sense& sense) { return sense.ranges[0].distance; });
   }
 }
 

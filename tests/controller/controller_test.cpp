@@ -129,7 +129,9 @@ TEST(Controller, ReadsTheWallsAboutEachCell) {
       const WallEvidence evidence = driven.controller().evidence();
       const auto expect = [&](Evidence read, Heading side) {
         const bool stands = !driven.maze().is_open(pose.cell, side);
-        EXPECT_GT(stands ? read : -read, 4 * evidence_a_nat)
+        // An infrared sensor alone is less sure of a wall that is a cell away.
+        const bool sure = side != pose.heading || !model->robot.hardware->sensors.rangers.empty();
+        EXPECT_GT(stands ? read : -read, (sure ? 4 : 1) * evidence_a_nat)
             << name_of(side) << " of " << int(pose.cell.x) << "," << int(pose.cell.y);
       };
       expect(evidence.left, left_of(pose.heading));

@@ -78,6 +78,64 @@ TEST(Estimator, KnowsHowFastItIs) {
   }
 }
 
+TEST(Estimator, CountsOnWhereACounterWraps) {
+  Hardware narrow = hardware();
+  narrow.sensors.count_bits = 16.0;
+  OnAFloor mouse(narrow, narrow, no_errors, 1), wide(hardware(), no_errors);
+  for (OnAFloor* each : {&mouse, &wide}) each->drive(800, 0.3, 0.25);
+  EXPECT_GT(std::abs(wide.body().sense().counts[0]), 1 << 16) << "it wraps";
+  EXPECT_EQ(mouse.estimator().position(), wide.estimator().position());
+}
+
+/// Without a gyro the wheels measure its turns.
+TEST(Estimator, KnowsWhereItIsWithoutAGyro) {
+  Hardware blind = hardware();
+  blind.sensors.gyro_step = 0.0;
+  OnAFloor mouse(blind, blind, no_errors, 1);
+  mouse.drive(300, 0.2, 0.2);
+  for (int i = 0; i < 5; ++i) {
+    mouse.drive(200, 0.15, 0.27);
+    mouse.drive(200, 0.27, 0.15);
+  }
+  EXPECT_LT(mouse.error(), 1.5);
+  EXPECT_NEAR(mouse.angle_error(), 0.0, 0.003);
+  EXPECT_NEAR(mouse.estimator().turning(), mouse.body().motion().yaw, 0.3);
+}
+
+/// Wheels of different diameters seem to turn it: observations of its angle tell.
+TEST(Estimator, LearnsTheMismatchOfItsWheelsWithoutAGyro) {
+  Hardware blind = hardware();
+  blind.sensors.gyro_step = 0.0;
+  ErrorScale unequal = no_errors;
+  unequal.variation = 1.0;
+  unequal.causes[static_cast<std::size_t>(ErrorCause::encoders)] = 1.0;
+  OnAFloor mouse(blind, blind, unequal, 3), unseen(blind, blind, unequal, 3);
+  for (int i = 0; i < 30; ++i) {
+    mouse.drive(50, 0.1, 0.1);
+    unseen.drive(50, 0.1, 0.1);
+    mouse.estimator().correct({-mouse.angle_error(), 0.0, 0.0, 1.0, 1e-6});
+  }
+  mouse.drive(300, 0.1, 0.1);
+  unseen.drive(300, 0.1, 0.1);
+  EXPECT_GT(std::abs(unseen.angle_error()), 0.05);
+  EXPECT_LT(std::abs(mouse.angle_error()), 0.01);
+}
+
+TEST(Estimator, KnowsHowFastItIsWithoutAnAccelerometer) {
+  Hardware blind = hardware();
+  blind.sensors.acceleration_step = 0.0;
+  OnAFloor mouse(blind, blind, no_errors, 1);
+  mouse.drive(200, 0.1, 0.1);
+  for (int i = 0; i < 20; ++i) {
+    mouse.drive(20, 0.1 + 0.01 * i, 0.1 + 0.01 * i);
+    const double speed = mouse.body().motion().speed;
+    EXPECT_NEAR(mouse.estimator().speed(), speed, 0.05 * speed + 3.0);
+  }
+  // In turns, the slip is that of the nominal tyres.
+  mouse.drive(100, 0.1, 0.25);
+  EXPECT_EQ(mouse.estimator().slip(), mouse.estimator().estimate().slip);
+}
+
 /// Of tyres that are not those of the nominal model: they give way more, or slide all through a curve.
 TEST(Estimator, FeelsHowItSlips) {
   for (const bool slides : {false, true}) {

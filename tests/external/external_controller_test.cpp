@@ -194,8 +194,9 @@ TEST(ControllerProtocol, TellsWhatWasRead) {
   sense.gyro = -32767;
   sense.acceleration = {1, -2};
   sense.infrared = {10, 20, 30, 3650};
-  sense.range = 255;
-  sense.range_new = true;
+  sense.infrared_sensors = 4;
+  sense.ranges[0] = {255, true};
+  sense.range_sensors = 1;
   sense.millivolts = 3987;
   std::string text = "sense";
   add_sense(sense, text);

@@ -52,8 +52,8 @@ struct BodyPose {
 struct TracePoint {
   MazeTime time = 0;
   BodyPose truth;
-  std::optional<BodyPose> estimate;  ///< none for an external controller
-  std::array<std::int16_t, 4> infrared{};
+  std::optional<BodyPose> estimate;    ///< none for an external controller
+  std::vector<std::int16_t> infrared;  ///< counts of each sensor
 
   friend bool operator==(const TracePoint&, const TracePoint&) = default;
 };

@@ -2,9 +2,9 @@
 //
 //              front
 //        +---------------+      x ahead of the middle of the axle, y to the left of it, in mm;
-//        |    3     1    |      angles in rad to the left of ahead
-//        | 2           0 |
-//  wheel |------ + ------| wheel      beams: 0 to the right, 1 and 3 ahead, 2 to the left
+//        |               |      angles in rad to the left of ahead
+//        |               |
+//  wheel |------ + ------| wheel
 //        |               |
 //        +---------------+
 //              back
@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace labmouse {
 
@@ -61,7 +62,7 @@ struct Tyres {
   friend bool operator==(const Tyres&, const Tyres&) = default;
 };
 
-/// Where an infrared sensor is mounted, in mm ahead and to the left, and its angle in rad.
+/// Where a sensor is mounted, in mm ahead and to the left, and the angle at which it looks, in rad to the left.
 struct Beam {
   double ahead = 0.0;
   double aside = 0.0;
@@ -70,36 +71,43 @@ struct Beam {
   friend bool operator==(const Beam&, const Beam&) = default;
 };
 
-inline constexpr std::size_t beam_count = 4;
-enum class BeamPlace : std::size_t { right, right_ahead, left, left_ahead };
+inline constexpr std::size_t most_infrared = 16, most_rangers = 8;
 
-/// Infrared sensors read gain * exp(-(distance - calibrated_distance()) / fall), up to `most`.
+/// An infrared sensor: at a right angle to a wall it reads gain * exp(-(distance - calibrated_distance()) / fall), or
+/// gain * (calibrated_distance() / distance)² where `fall` is below 1; up to `most`.
 struct Infrared {
-  std::array<Beam, beam_count> beams{};
-  double gain = 0.0;       ///< counts
+  Beam beam;
+  double gain = 0.0;       ///< counts, of a wall at calibrated_distance()
   double fall = 0.0;       ///< mm
-  double most = 0.0;       ///< counts
+  double most = 0.0;       ///< counts; of an ADC with n bits: 2^n - 1
   double footprint = 0.0;  ///< mm, standard deviation of the light spot on a wall at a right angle
+  double group = 0.0;      ///< sensors of a group are lit and read at the same tick; the groups follow each other
+  double latency = 0.0;    ///< ms between the light and the reading, whole
 
   friend bool operator==(const Infrared&, const Infrared&) = default;
 };
 
-/// A ToF distance sensor that looks straight ahead.
+/// A ToF distance sensor.
 struct Ranger {
-  double ahead = 0.0;    ///< mm ahead of the axle
+  Beam beam;
   double reach = 0.0;    ///< mm; nothing is seen beyond
   double period = 11.0;  ///< ms between two readings, whole
 
   friend bool operator==(const Ranger&, const Ranger&) = default;
 };
 
+/// Steps of 0: the robot has no such sensor.
 struct Sensors {
   double count = 0.0;            ///< mm of travel of a wheel per count of its encoder
+  double count_bits = 32.0;      ///< of the counters, which wrap
   double gyro_step = 0.0;        ///< rad/s per unit
   double gyro_most = 0.0;        ///< rad/s, the measuring range
   double acceleration_step = 0;  ///< mm/s² per unit
-  Infrared infrared;
-  Ranger ranger;
+  std::vector<Infrared> infrared;
+  std::vector<Ranger> rangers;
+
+  bool has_gyro() const { return gyro_step > 0.0; }
+  bool has_accelerometer() const { return acceleration_step > 0.0; }
 
   friend bool operator==(const Sensors&, const Sensors&) = default;
 };

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "labmouse/hardware/hardware.hpp"
 
@@ -12,16 +13,27 @@ namespace labmouse {
 /// One step of body and controller, in seconds.
 inline constexpr double tick_seconds = 0.001;
 
-/// What the hardware reads at a tick.
+/// What a ToF sensor reads.
+struct RangeSense {
+  std::uint16_t distance = 0;  ///< mm to what it looks at; 0 where nothing is seen
+  bool is_new = false;         ///< whether that was read just now
+
+  friend bool operator==(const RangeSense&, const RangeSense&) = default;
+};
+
+/// What the hardware reads at a tick. Sensors that the robot lacks read 0.
 struct Sense {
-  std::uint32_t tick = 0;                           ///< ms since the mouse was switched on
-  std::array<std::int32_t, 2> counts{};             ///< of the encoders since then, left and right
-  std::int16_t gyro = 0;                            ///< units, to the left
-  std::array<std::int16_t, 2> acceleration{};       ///< units, ahead and to the left
-  std::array<std::int16_t, beam_count> infrared{};  ///< counts, without ambient light
-  std::uint16_t range = 0;                          ///< mm to what is ahead; 0 where nothing is seen
-  bool range_new = false;                           ///< whether `range` was read just now
-  std::uint16_t millivolts = 0;                     ///< of the battery
+  std::uint32_t tick = 0;                              ///< ms since the mouse was switched on
+  std::array<std::int32_t, 2> counts{};                ///< of the encoders since then, left and right
+  std::int16_t gyro = 0;                               ///< units, to the left
+  std::array<std::int16_t, 2> acceleration{};          ///< units, ahead and to the left
+  std::array<std::int16_t, most_infrared> infrared{};  ///< counts, without ambient light
+  std::array<RangeSense, most_rangers> ranges{};
+  std::uint16_t millivolts = 0;                          ///< of the battery
+  std::uint8_t infrared_sensors = 0, range_sensors = 0;  ///< how many the robot has
+
+  std::span<const std::int16_t> all_infrared() const { return std::span(infrared).first(infrared_sensors); }
+  std::span<const RangeSense> all_ranges() const { return std::span(ranges).first(range_sensors); }
 
   friend bool operator==(const Sense&, const Sense&) = default;
 };

@@ -105,9 +105,9 @@ Hardware hardware() {
   sensors.gyro_step = 0.001;
   sensors.gyro_most = 35.0;
   sensors.acceleration_step = 5.0;
-  sensors.infrared = {
-      {Beam{12, -12, -1.16}, Beam{20, -8, -0.09}, Beam{12, 12, 1.16}, Beam{20, 8, 0.09}}, 700.0, 12.9, 3600.0, 5.0};
-  sensors.ranger = {20.0, 255.0, 11.0};
+  for (const Beam& beam : {Beam{12, -12, -1.16}, Beam{20, -8, -0.09}, Beam{12, 12, 1.16}, Beam{20, 8, 0.09}})
+    sensors.infrared.push_back({beam, 700.0, 12.9, 3600.0, 5.0});
+  sensors.rangers = {{{20.0, 0.0, 0.0}, 255.0, 11.0}};
   Noise& noise = all.noise;
   noise.gyro_bias = 0.002;
   noise.ripple = 0.1;

@@ -13,11 +13,17 @@ namespace {
 constexpr std::array robot_members = {LABMOUSE_ROBOT_NUMBERS(LABMOUSE_ROBOT_MEMBER)};
 #undef LABMOUSE_ROBOT_MEMBER
 
-labmouse_robot robot_in_c(Hardware hardware) {
+labmouse_robot robot_in_c(const Hardware& hardware) {
   labmouse_robot robot{};
+  HardwareTerms terms = terms_of(hardware);
   const auto keys = hardware_keys();
   for (std::size_t i = 0; i < std::min(keys.size(), robot_members.size()); ++i)
-    robot.*robot_members[i] = keys[i].number(hardware) * keys[i].unit;
+    robot.*robot_members[i] = keys[i].number(terms.numbers) * keys[i].unit;
+  for (const Infrared& one : hardware.sensors.infrared)
+    robot.infrared[robot.infrared_sensors++] = {one.beam.ahead, one.beam.aside, one.beam.angle, one.gain,   one.fall,
+                                                one.most,       one.footprint,  one.group,      one.latency};
+  for (const Ranger& one : hardware.sensors.rangers)
+    robot.ranger[robot.range_sensors++] = {one.beam.ahead, one.beam.aside, one.beam.angle, one.reach, one.period};
   return robot;
 }
 
@@ -54,8 +60,10 @@ labmouse_sense sense_in_c(const Sense& sense) {
   told.gyro = sense.gyro;
   std::copy(sense.acceleration.begin(), sense.acceleration.end(), told.acceleration);
   std::copy(sense.infrared.begin(), sense.infrared.end(), told.infrared);
-  told.range = sense.range;
-  told.range_new = sense.range_new ? 1 : 0;
+  for (std::size_t i = 0; i < sense.ranges.size(); ++i) {
+    told.ranges[i] = sense.ranges[i].distance;
+    told.ranges_new[i] = sense.ranges[i].is_new ? 1 : 0;
+  }
   told.millivolts = sense.millivolts;
   return told;
 }

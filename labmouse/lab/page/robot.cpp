@@ -111,6 +111,8 @@ Json keys_of(const Json& values) {
     forms.body = forms.body || is_body_section(name.substr(0, name.find('.')));
   }
   forms.search_times = values.contains("search.cell");
+  forms.infrared_list = values.contains(std::string(infrared_list));
+  forms.ranger_list = values.contains(std::string(ranger_list));
   forms.diagonals = values.value("diagonals", Json(true)) != Json(false);
   Json keys = Json::array();
   for (const RobotKey& key : robot_keys())

@@ -19,10 +19,21 @@ std::string built_in_text(PageRequest& request) {
   return "";
 }
 
+/// Whether it is a list of sensors, with numbers by name.
+bool is_list(const std::string& name, const ReadJson& value) {
+  const auto is_sensor = [](const ReadJson& sensor) {
+    return sensor.is_object() &&
+           std::all_of(sensor.begin(), sensor.end(), [](const ReadJson& number) { return number.is_number(); });
+  };
+  return (name == infrared_list || name == ranger_list) && value.is_array() &&
+         std::all_of(value.begin(), value.end(), is_sensor);
+}
+
 std::string text_of_values(PageRequest& request) {
   const ReadJson& values = request.json()["values"];
   if (!values.is_object()) return request.reject("'values' is not an object"), "";
   for (const auto& [name, value] : values.items()) {
+    if (is_list(name, value)) continue;
     const auto is_it = [&, &key_name = name](const RobotKey& key) { return key.name == key_name; };
     if (std::none_of(robot_keys().begin(), robot_keys().end(), is_it))
       return request.reject(fmt::format("no robot has '{}'", name)), "";

@@ -25,6 +25,10 @@ class Reading {
 
  private:
   Size size() const { return file_.maze->size(); }
+  std::size_t infrared_sensors() const {
+    const auto& hardware = file_.model->robot.hardware;
+    return hardware ? hardware->sensors.infrared.size() : 0;
+  }
   std::vector<DriveRun>& runs() { return file_.record.runs; }
 
   void read_maze(const ReadJson& json, JsonFields& outer);
@@ -262,7 +266,7 @@ std::string Reading::read_line(const ReadJson& json) {
   if (file_.physical) {
     JsonFields fields(json, "");
     if (read_decision_line(json, file_.physical->notes, fields)) return fields.error();
-    if (read_physical_line(json, size(), file_.physical->notes, fields)) return fields.error();
+    if (read_physical_line(json, size(), infrared_sensors(), file_.physical->notes, fields)) return fields.error();
   }
   return "the line does not belong to a record in seconds: it has no run, move, piece, end, wall or outcome";
 }

@@ -121,19 +121,21 @@ void read_tape(PhysicalNotes& notes, JsonFields& fields) {
   }
 }
 
-void read_trace(PhysicalNotes& notes, JsonFields& fields) {
+void read_trace(std::size_t sensors, PhysicalNotes& notes, JsonFields& fields) {
   const ReadJson& list = fields.list("trace");
-  const bool believes = list.size() == 7 + beam_count;
-  if (!believes && list.size() != 4 + beam_count)
-    return fields.fail("has a 'trace' that is not a time, one or two poses and four readings");
+  const bool believes = list.size() == 7 + sensors;
+  if (!believes && list.size() != 4 + sensors)
+    return fields.fail(
+        fmt::format("has a 'trace' that is not a time, one or two poses and a reading of each of the robot's {} "
+                    "infrared sensors",
+                    sensors));
   TracePoint point;
   point.time = long_at(list, 0, "trace", fields);
   point.truth = body_at(list, 1, "trace", fields);
   if (believes) point.estimate = body_at(list, 4, "trace", fields);
-  for (std::size_t beam = 0; beam < beam_count; ++beam)
-    point.infrared[beam] =
-        static_cast<std::int16_t>(fields.whole(list[list.size() - beam_count + beam], "trace", 0, 32767));
-  notes.trace.push_back(point);
+  for (std::size_t i = list.size() - sensors; i < list.size(); ++i)
+    point.infrared.push_back(static_cast<std::int16_t>(fields.whole(list[i], "trace", 0, 32767)));
+  notes.trace.push_back(std::move(point));
 }
 
 }  // namespace
@@ -265,7 +267,8 @@ RunEnd read_run_end(JsonFields& fields) {
   return RunEnd::done;
 }
 
-bool read_physical_line(const ReadJson& json, Size size, PhysicalNotes& notes, JsonFields& fields) {
+bool read_physical_line(const ReadJson& json, Size size, std::size_t sensors, PhysicalNotes& notes,
+                        JsonFields& fields) {
   if (notes.looks.size() + notes.touches.size() + notes.trace.size() > most_lines)
     fields.fail(fmt::format("is one of more than {} lines", most_lines));
   else if (json.contains("look"))
@@ -273,7 +276,7 @@ bool read_physical_line(const ReadJson& json, Size size, PhysicalNotes& notes, J
   else if (json.contains("touch"))
     read_touch(notes, fields);
   else if (json.contains("trace"))
-    read_trace(notes, fields);
+    read_trace(sensors, notes, fields);
   else
     return false;
   return true;

@@ -35,7 +35,7 @@ bool read_decision_line(const ReadJson& json, PhysicalNotes& notes, JsonFields& 
 /// How a run ended.
 RunEnd read_run_end(JsonFields& fields);
 /// Reads a line of wall evidence, a contact or a point of the trace; returns false if it is another kind of line.
-bool read_physical_line(const ReadJson& json, Size size, PhysicalNotes& notes, JsonFields& fields);
+bool read_physical_line(const ReadJson& json, Size size, std::size_t sensors, PhysicalNotes& notes, JsonFields& fields);
 void read_counts(const ReadJson& json, PhysicalNotes& notes, JsonFields& outer);
 
 }  // namespace labmouse

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "labmouse/functions/exponential.hpp"
 #include "labmouse/hardware/beam.hpp"
 #include "labmouse/lab/pictures/trace_path.hpp"
 
@@ -20,19 +19,18 @@ double beside(double heading, double other) { return heading - 8.0 * std::round(
 
 /// The distance, in cells, at which a wall at a right angle to the beam gives this reading; 0 if the reading is too
 /// small.
-double distance_of(std::int16_t level, const Infrared& infrared, const Beam& beam, double cell) {
+double distance_of(std::int16_t level, const InfraredCurve& curve, double cell) {
   constexpr std::int16_t least = 5;
   if (level < least) return 0.0;
-  const double off = infrared.fall * log_of(infrared.gain / static_cast<double>(level));
-  return rounded(std::max(0.0, calibrated_distance(beam, cell) + off) / cell);
+  return rounded(std::max(0.0, curve.distance(level)) / cell);
 }
 
-Json beams_json(const Infrared& infrared, double cell) {
+Json beams_json(const std::vector<Infrared>& sensors, double cell) {
   Json beams = Json::array();
-  for (const Beam& beam : infrared.beams)
-    beams.push_back({{"ahead", rounded(beam.ahead / cell)},
-                     {"left", rounded(beam.aside / cell)},
-                     {"angle", rounded(-beam.angle / eighth)}});
+  for (const Infrared& sensor : sensors)
+    beams.push_back({{"ahead", rounded(sensor.beam.ahead / cell)},
+                     {"left", rounded(sensor.beam.aside / cell)},
+                     {"angle", rounded(-sensor.beam.angle / eighth)}});
   return beams;
 }
 
@@ -61,7 +59,9 @@ Json touches_json(const DriveRecordFile& contest) {
 Json bodies_json(const DriveRecordFile& contest) {
   const double cell = contest.model->tables.cell;
   const Hardware& hardware = *contest.model->robot.hardware;
-  const Infrared& infrared = hardware.sensors.infrared;
+  const std::vector<Infrared>& infrared = hardware.sensors.infrared;
+  std::vector<InfraredCurve> curves;
+  for (const Infrared& sensor : infrared) curves.emplace_back(sensor, cell);
   const PhysicalNotes& notes = contest.physical->notes;
   std::vector<double> x, y, heading, distances;
   for (std::size_t i = 0; i < contest.record.runs.size(); ++i) {
@@ -73,8 +73,8 @@ Json bodies_json(const DriveRecordFile& contest) {
     }
     const DriveRun& run = contest.record.runs[i];
     for (const TracePoint& point : trace_of(contest, run))
-      for (std::size_t beam = 0; beam < beam_count; ++beam)
-        distances.push_back(distance_of(point.infrared[beam], infrared, infrared.beams[beam], cell));
+      for (std::size_t i = 0; i < curves.size(); ++i)
+        distances.push_back(distance_of(point.infrared[i], curves[i], cell));
   }
   const Chassis& chassis = hardware.chassis;
   return {{"front", rounded(chassis.front / cell)},

@@ -1,18 +1,32 @@
 #include "labmouse/lab/robots/hardware_keys.hpp"
 
 #include <array>
+#include <utility>
+
+#include "labmouse/hardware/beam.hpp"
 
 namespace labmouse {
 namespace {
 
-// Files give the left beams; the right ones mirror them.
-constexpr auto side = static_cast<std::size_t>(BeamPlace::left);
-constexpr auto front = static_cast<std::size_t>(BeamPlace::left_ahead);
+using Sensor = RobotKey::Sensor;
+
+/// The sensor to which a key belongs.
+constexpr Sensor sensor_of(std::string_view name) {
+  const auto in = [&](std::string_view part) { return name.find(part) != std::string_view::npos; };
+  if (name.starts_with("body.") || name.starts_with("motors.")) return Sensor::none;
+  if (in(".gyro")) return Sensor::gyro;
+  if (in(".acceleration")) return Sensor::accelerometer;
+  if (in(".side_")) return Sensor::side;
+  if (in(".front_")) return Sensor::front;
+  if (in(".infrared")) return Sensor::infrared;
+  return in(".ranger") ? Sensor::ranger : Sensor::none;
+}
 
 constexpr HardwareKey of(std::string_view name, std::string_view meaning, std::string_view unit, double low,
-                         double high, double& (*number)(Hardware&), double factor = 1.0) {
+                         double high, double& (*number)(HardwareNumbers&), double factor = 1.0) {
   RobotKey key{name, meaning, unit, low, high, RobotKey::With::body};
-  if (name == "sensors.ranger_period") key.kind = RobotKey::Kind::whole;
+  if (name == "sensors.ranger_period" || name == "sensors.count_bits") key.kind = RobotKey::Kind::whole;
+  key.sensor = sensor_of(name);
   return {key, number, factor};
 }
 
@@ -25,7 +39,7 @@ constexpr HardwareKey may_lack(HardwareKey key) {
 /// A standard deviation of what is drawn once a contest. Those that stood among the noise in earlier versions have a
 /// former name, and are needed.
 constexpr HardwareKey varies(std::string_view name, std::string_view meaning, std::string_view unit, double high,
-                             double& (*number)(Hardware&), std::string_view former = {}) {
+                             double& (*number)(HardwareNumbers&), std::string_view former = {}) {
   HardwareKey key = of(name, meaning, unit, 0.0, high, number);
   key.key.former = former;
   key.key.needed = !former.empty();
@@ -34,169 +48,287 @@ constexpr HardwareKey varies(std::string_view name, std::string_view meaning, st
 
 constexpr std::array keys = {
     of("body.front", "from the middle of the axle to its foremost point", "mm", 1.0, 500.0,
-       [](Hardware& h) -> double& { return h.chassis.front; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.chassis.front; }),
     of("body.back", "from the middle of the axle to its hindmost point", "mm", 1.0, 500.0,
-       [](Hardware& h) -> double& { return h.chassis.back; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.chassis.back; }),
     of("body.half_width", "from its middle to its side", "mm", 1.0, 500.0,
-       [](Hardware& h) -> double& { return h.chassis.half_width; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.chassis.half_width; }),
     of("body.half_track", "from its middle to where a wheel rolls", "mm", 1.0, 500.0,
-       [](Hardware& h) -> double& { return h.chassis.half_track; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.chassis.half_track; }),
     of("body.slip_stiffness", "lateral acceleration for a rad of slip", "mm/s²", 1000.0, 100000000.0,
-       [](Hardware& h) -> double& { return h.tyres.stiffness; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.tyres.stiffness; }),
     of("body.grip", "what the tyres hold in any direction", "mm/s²", 100.0, 200000.0,
-       [](Hardware& h) -> double& { return h.tyres.grip; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.tyres.grip; }),
     may_lack(of("body.downforce", "grip that the fan adds, which runs in speed runs; default 0: none", "mm/s²", 0.0,
-                200000.0, [](Hardware& h) -> double& { return h.tyres.downforce; })),
+                200000.0, [](HardwareNumbers& n) -> double& { return n.hardware.tyres.downforce; })),
     may_lack(of("body.yaw_moment",
                 "how the tyres turn it back: distance of the centre of mass ahead of the axle, divided by the square "
                 "of the radius of gyration; default 0",
-                "1/mm", 0.0, 1.0, [](Hardware& h) -> double& { return h.tyres.yaw_moment; })),
+                "1/mm", 0.0, 1.0, [](HardwareNumbers& n) -> double& { return n.hardware.tyres.yaw_moment; })),
     of("motors.drive_gain", "the speed that full duty leads to", "mm/s", 10.0, 100000.0,
-       [](Hardware& h) -> double& { return h.motors.drive.gain; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.motors.drive.gain; }),
     of(
         "motors.drive_time", "the time constant of that", "ms", 1.0, 10000.0,
-        [](Hardware& h) -> double& { return h.motors.drive.time; }, 1000),
+        [](HardwareNumbers& n) -> double& { return n.hardware.motors.drive.time; }, 1000),
     of("motors.drive_dead_zone", "share of full duty that friction takes", "", 0.0, 0.9,
-       [](Hardware& h) -> double& { return h.motors.drive.dead_zone; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.motors.drive.dead_zone; }),
     of("motors.turn_gain", "the yaw speed at a difference of 1: the right motor's duty less the left one's", "rad/s",
-       1.0, 10000.0, [](Hardware& h) -> double& { return h.motors.turn.gain; }),
+       1.0, 10000.0, [](HardwareNumbers& n) -> double& { return n.hardware.motors.turn.gain; }),
     of(
         "motors.turn_time", "the time constant of that", "ms", 1.0, 10000.0,
-        [](Hardware& h) -> double& { return h.motors.turn.time; }, 1000),
+        [](HardwareNumbers& n) -> double& { return n.hardware.motors.turn.time; }, 1000),
     of("motors.turn_dead_zone", "share of full duty that friction takes", "", 0.0, 0.9,
-       [](Hardware& h) -> double& { return h.motors.turn.dead_zone; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.motors.turn.dead_zone; }),
     of("motors.turning", "share of full duty that a turn of a rad/s takes from driving on", "", 0.0, 0.1,
-       [](Hardware& h) -> double& { return h.motors.turning; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.motors.turning; }),
     may_lack(of("motors.rotating", "share of the inertia that turns with the wheels; default 0: they never spin", "",
-                0.0, 0.9, [](Hardware& h) -> double& { return h.motors.rotating; })),
+                0.0, 0.9, [](HardwareNumbers& n) -> double& { return n.hardware.motors.rotating; })),
     of("motors.sag", "share of the voltage that is lost at full duty", "", 0.0, 0.9,
-       [](Hardware& h) -> double& { return h.motors.sag; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.motors.sag; }),
     may_lack(of("motors.discharge", "share of the voltage that is lost for good in a second at full duty; default 0",
-                "", 0.0, 0.1, [](Hardware& h) -> double& { return h.motors.discharge; })),
+                "", 0.0, 0.1, [](HardwareNumbers& n) -> double& { return n.hardware.motors.discharge; })),
     of("motors.volts", "of the full battery at rest", "V", 0.5, 60.0,
-       [](Hardware& h) -> double& { return h.motors.volts; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.motors.volts; }),
     of("sensors.count", "travel of a wheel for a count of its encoder", "mm", 1e-06, 10.0,
-       [](Hardware& h) -> double& { return h.sensors.count; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.sensors.count; }),
+    may_lack(of("sensors.count_bits", "width of the counters of the encoders, which wrap; default 32", "bits", 8.0,
+                32.0, [](HardwareNumbers& n) -> double& { return n.hardware.sensors.count_bits; })),
     of("sensors.gyro_step", "yaw speed for a unit of the gyro", "rad/s", 1e-06, 1.0,
-       [](Hardware& h) -> double& { return h.sensors.gyro_step; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.sensors.gyro_step; }),
     of("sensors.gyro_most", "the largest yaw speed that it shows", "rad/s", 1.0, 1000.0,
-       [](Hardware& h) -> double& { return h.sensors.gyro_most; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.sensors.gyro_most; }),
     of("sensors.acceleration_step", "acceleration for a unit of the accelerometer", "mm/s²", 0.001, 1000.0,
-       [](Hardware& h) -> double& { return h.sensors.acceleration_step; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.sensors.acceleration_step; }),
     of("sensors.side_ahead", "how far before the axle the side sensors sit", "mm", -500.0, 500.0,
-       [](Hardware& h) -> double& { return h.sensors.infrared.beams[side].ahead; }),
+       [](HardwareNumbers& n) -> double& { return n.side.ahead; }),
     of("sensors.side_aside", "how far from the middle", "mm", 0.0, 500.0,
-       [](Hardware& h) -> double& { return h.sensors.infrared.beams[side].aside; }),
-    // At less than 45 degrees a sensor looks ahead rather than aside: looks_aside().
-    of("sensors.side_angle", "how far from straight ahead they look", "rad", 0.7854, 1.6,
-       [](Hardware& h) -> double& { return h.sensors.infrared.beams[side].angle; }),
+       [](HardwareNumbers& n) -> double& { return n.side.aside; }),
+    // At less than 45 degrees a sensor looks ahead rather than aside: side_of().
+    of("sensors.side_angle", "how far from straight ahead they look", "rad", 0.785, 1.6,
+       [](HardwareNumbers& n) -> double& { return n.side.angle; }),
     of("sensors.front_ahead", "how far before the axle the front sensors sit", "mm", -500.0, 500.0,
-       [](Hardware& h) -> double& { return h.sensors.infrared.beams[front].ahead; }),
+       [](HardwareNumbers& n) -> double& { return n.front.ahead; }),
     of("sensors.front_aside", "how far from the middle", "mm", 0.0, 500.0,
-       [](Hardware& h) -> double& { return h.sensors.infrared.beams[front].aside; }),
-    of("sensors.front_angle", "how far from straight ahead they look", "rad", 0.0, 0.75,
-       [](Hardware& h) -> double& { return h.sensors.infrared.beams[front].angle; }),
+       [](HardwareNumbers& n) -> double& { return n.front.aside; }),
+    of("sensors.front_angle", "how far from straight ahead they look", "rad", 0.0, 0.784,
+       [](HardwareNumbers& n) -> double& { return n.front.angle; }),
     of("sensors.infrared_gain", "what a sensor reads of a wall in the middle of a cell", "counts", 10.0, 30000.0,
-       [](Hardware& h) -> double& { return h.sensors.infrared.gain; }),
-    of("sensors.infrared_fall", "how much farther a wall is that is read as 1/e of that", "mm", 1.0, 500.0,
-       [](Hardware& h) -> double& { return h.sensors.infrared.fall; }),
+       [](HardwareNumbers& n) -> double& { return n.infrared.gain; }),
+    of("sensors.infrared_fall",
+       "how much farther a wall is that is read as 1/e of that; 0: readings fall with the square of the distance", "mm",
+       0.0, 500.0, [](HardwareNumbers& n) -> double& { return n.infrared.fall; }),
     of("sensors.infrared_most", "the largest reading", "counts", 10.0, 32767.0,
-       [](Hardware& h) -> double& { return h.sensors.infrared.most; }),
+       [](HardwareNumbers& n) -> double& { return n.infrared.most; }),
     of("sensors.infrared_footprint", "standard deviation of a sensor's spot on a wall", "mm", 0.1, 100.0,
-       [](Hardware& h) -> double& { return h.sensors.infrared.footprint; }),
+       [](HardwareNumbers& n) -> double& { return n.infrared.footprint; }),
     of("sensors.ranger_ahead", "how far before the axle the distance sensor sits", "mm", -500.0, 500.0,
-       [](Hardware& h) -> double& { return h.sensors.ranger.ahead; }),
+       [](HardwareNumbers& n) -> double& { return n.ranger.beam.ahead; }),
     of("sensors.ranger_reach", "the largest distance that it sees", "mm", 1.0, 10000.0,
-       [](Hardware& h) -> double& { return h.sensors.ranger.reach; }),
+       [](HardwareNumbers& n) -> double& { return n.ranger.reach; }),
     of("sensors.ranger_period", "from one of its readings to the next", "ms", 1.0, 1000.0,
-       [](Hardware& h) -> double& { return h.sensors.ranger.period; }),
+       [](HardwareNumbers& n) -> double& { return n.ranger.period; }),
     of("noise.gyro_bias", "after each calibration at rest", "rad/s", 0.0, 10.0,
-       [](Hardware& h) -> double& { return h.noise.gyro_bias; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.gyro_bias; }),
     of("noise.ripple", "amplitude of an encoder's error over a turn of its magnet", "mm", 0.0, 10.0,
-       [](Hardware& h) -> double& { return h.noise.ripple; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.ripple; }),
     of("noise.ripple_length", "travel in such a turn", "mm", 0.1, 1000.0,
-       [](Hardware& h) -> double& { return h.noise.ripple_length; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.ripple_length; }),
     of("noise.encoder", "of each moment, as are those that follow", "mm", 0.0, 10.0,
-       [](Hardware& h) -> double& { return h.noise.encoder; }),
-    of("noise.gyro", "the same of the gyro", "rad/s", 0.0, 10.0, [](Hardware& h) -> double& { return h.noise.gyro; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.encoder; }),
+    of("noise.gyro", "the same of the gyro", "rad/s", 0.0, 10.0,
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.gyro; }),
     of("noise.gyro_walk", "how its bias wanders", "rad/s/√s", 0.0, 10.0,
-       [](Hardware& h) -> double& { return h.noise.gyro_walk; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.gyro_walk; }),
     of("noise.acceleration", "the same of the accelerometer", "mm/s²", 0.0, 100000.0,
-       [](Hardware& h) -> double& { return h.noise.acceleration; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.acceleration; }),
     of("noise.infrared", "the same of an infrared sensor", "counts", 0.0, 10000.0,
-       [](Hardware& h) -> double& { return h.noise.infrared; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.infrared; }),
     of("noise.infrared_share", "added for each count of the level", "share", 0.0, 1.0,
-       [](Hardware& h) -> double& { return h.noise.infrared_share; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.infrared_share; }),
     of("noise.infrared_memory", "how much of one moment's error is left in the next", "share", 0.0, 0.99,
-       [](Hardware& h) -> double& { return h.noise.infrared_memory; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.infrared_memory; }),
     of("noise.ranger_rest", "of a mouse at rest", "mm", 0.0, 1000.0,
-       [](Hardware& h) -> double& { return h.noise.ranger_rest; }),
-    of("noise.ranger", "of one that moves", "mm", 0.0, 1000.0, [](Hardware& h) -> double& { return h.noise.ranger; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.ranger_rest; }),
+    of("noise.ranger", "of one that moves", "mm", 0.0, 1000.0,
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.ranger; }),
     of("noise.shaking", "yaw speed of what shakes it", "rad/s", 0.0, 100.0,
-       [](Hardware& h) -> double& { return h.noise.shaking; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.shaking; }),
     of("noise.shaking_speed", "from this speed on; below it shakes in proportion", "mm/s", 1.0, 100000.0,
-       [](Hardware& h) -> double& { return h.noise.shaking_speed; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.shaking_speed; }),
     of(
         "noise.shaking_pitch", "frequency of its resonance", "Hz", 0.1, 400.0,
-        [](Hardware& h) -> double& { return h.noise.shaking_pitch; }, 0.15915494309189535),
+        [](HardwareNumbers& n) -> double& { return n.hardware.noise.shaking_pitch; }, 0.15915494309189535),
     of("noise.shaking_loss", "how damped that is, as a share of critical", "share", 0.01, 2.0,
-       [](Hardware& h) -> double& { return h.noise.shaking_loss; }),
+       [](HardwareNumbers& n) -> double& { return n.hardware.noise.shaking_loss; }),
     varies(
         "variation.motor_gain", "of each motor, at most a fifth off", "share", 1.0,
-        [](Hardware& h) -> double& { return h.variation.motor_gain; }, "noise.motor_gain"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.motor_gain; }, "noise.motor_gain"),
     varies("variation.battery", "of the voltage that the battery lacks at the start", "share", 1.0,
-           [](Hardware& h) -> double& { return h.variation.battery; }),
+           [](HardwareNumbers& n) -> double& { return n.hardware.variation.battery; }),
     varies(
         "variation.slip_stiffness", "of body.slip_stiffness", "share", 1.0,
-        [](Hardware& h) -> double& { return h.variation.stiffness; }, "noise.slip_stiffness"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.stiffness; }, "noise.slip_stiffness"),
     varies(
-        "variation.grip", "of body.grip", "share", 1.0, [](Hardware& h) -> double& { return h.variation.grip; },
-        "noise.grip"),
+        "variation.grip", "of body.grip", "share", 1.0,
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.grip; }, "noise.grip"),
     varies("variation.dust", "of the grip that the dust of a cell takes", "share", 1.0,
-           [](Hardware& h) -> double& { return h.variation.dust; }),
+           [](HardwareNumbers& n) -> double& { return n.hardware.variation.dust; }),
     varies(
         "variation.encoder_scale", "of each wheel", "share", 1.0,
-        [](Hardware& h) -> double& { return h.variation.encoder_scale; }, "noise.encoder_scale"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.encoder_scale; }, "noise.encoder_scale"),
     varies(
         "variation.gyro_scale", "of what the gyro shows", "share", 1.0,
-        [](Hardware& h) -> double& { return h.variation.gyro_scale; }, "noise.gyro_scale"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.gyro_scale; }, "noise.gyro_scale"),
     varies("variation.acceleration_bias", "offset of each axis of the accelerometer", "mm/s²", 10000.0,
-           [](Hardware& h) -> double& { return h.variation.acceleration_bias; }),
+           [](HardwareNumbers& n) -> double& { return n.hardware.variation.acceleration_bias; }),
     varies(
         "variation.infrared_gain", "of each infrared sensor, after its calibration", "share", 1.0,
-        [](Hardware& h) -> double& { return h.variation.infrared_gain; }, "noise.infrared_gain"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.infrared_gain; }, "noise.infrared_gain"),
     varies(
         "variation.reflectance", "of each side of each wall", "share", 1.0,
-        [](Hardware& h) -> double& { return h.variation.reflectance; }, "noise.reflectance"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.reflectance; }, "noise.reflectance"),
     varies("variation.maze_reflectance", "of all walls of a maze", "share", 1.0,
-           [](Hardware& h) -> double& { return h.variation.maze_reflectance; }),
+           [](HardwareNumbers& n) -> double& { return n.hardware.variation.maze_reflectance; }),
     varies("variation.post_shift", "of each post, in x and in y; walls stand between their posts", "mm", 20.0,
-           [](Hardware& h) -> double& { return h.variation.post_shift; }),
+           [](HardwareNumbers& n) -> double& { return n.hardware.variation.post_shift; }),
     varies("variation.ambient", "what the light of the room adds to an infrared sensor", "counts", 10000.0,
-           [](Hardware& h) -> double& { return h.variation.ambient; }),
+           [](HardwareNumbers& n) -> double& { return n.hardware.variation.ambient; }),
     varies("variation.ambient_drift", "how that changes", "counts/√s", 10000.0,
-           [](Hardware& h) -> double& { return h.variation.ambient_drift; }),
+           [](HardwareNumbers& n) -> double& { return n.hardware.variation.ambient_drift; }),
     varies(
         "variation.floor_steps", "how many boundaries between cells have a step of the floor", "share", 1.0,
-        [](Hardware& h) -> double& { return h.variation.floor_steps; }, "noise.floor_steps"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.floor_steps; }, "noise.floor_steps"),
     varies(
         "variation.floor_turn", "by how much such a step turns the mouse", "rad", 1.0,
-        [](Hardware& h) -> double& { return h.variation.floor_turn; }, "noise.floor_turn"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.floor_turn; }, "noise.floor_turn"),
     varies(
         "variation.floor_shift", "by how much it moves the mouse aside", "mm", 100.0,
-        [](Hardware& h) -> double& { return h.variation.floor_shift; }, "noise.floor_shift"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.floor_shift; }, "noise.floor_shift"),
     varies("variation.floor_tilt", "of the floor of each cell, along x and along y", "rad", 0.2,
-           [](Hardware& h) -> double& { return h.variation.floor_tilt; }),
+           [](HardwareNumbers& n) -> double& { return n.hardware.variation.floor_tilt; }),
     varies(
         "variation.placement", "of a hand that puts the mouse down, each way", "mm", 100.0,
-        [](Hardware& h) -> double& { return h.variation.placement; }, "noise.placement"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.placement; }, "noise.placement"),
     varies(
         "variation.placement_turn", "of the same", "rad", 1.0,
-        [](Hardware& h) -> double& { return h.variation.placement_turn; }, "noise.placement_turn"),
+        [](HardwareNumbers& n) -> double& { return n.hardware.variation.placement_turn; }, "noise.placement_turn"),
 };
+
+template <class Which>
+constexpr SensorKey<Which> in_list(RobotKey key, double& (*number)(Which&)) {
+  return {key, number};
+}
+
+constexpr RobotKey::With body = RobotKey::With::body;
+constexpr auto whole = RobotKey::Kind::whole;
+constexpr std::string_view ahead_meaning = "how far before the axle it sits",
+                           aside_meaning = "how far to the left of the middle; to the right below 0",
+                           angle_meaning = "the direction in which it looks, to the left of ahead";
+
+constexpr std::array infrared_table = {
+    in_list<Infrared>({"ahead", ahead_meaning, "mm", -500.0, 500.0, body},
+                      [](Infrared& one) -> double& { return one.beam.ahead; }),
+    in_list<Infrared>({"aside", aside_meaning, "mm", -500.0, 500.0, body},
+                      [](Infrared& one) -> double& { return one.beam.aside; }),
+    in_list<Infrared>({"angle", angle_meaning, "rad", -1.6, 1.6, body},
+                      [](Infrared& one) -> double& { return one.beam.angle; }),
+    in_list<Infrared>({"gain", "what it reads of a wall in the middle of a cell; default: sensors.infrared_gain",
+                       "counts", 10.0, 30000.0, body, false},
+                      [](Infrared& one) -> double& { return one.gain; }),
+    in_list<Infrared>({"fall", "as sensors.infrared_fall, which is the default", "mm", 0.0, 500.0, body, false},
+                      [](Infrared& one) -> double& { return one.fall; }),
+    in_list<Infrared>(
+        {"most", "the largest reading; default: sensors.infrared_most", "counts", 10.0, 32767.0, body, false},
+        [](Infrared& one) -> double& { return one.most; }),
+    in_list<Infrared>({"footprint", "standard deviation of its spot on a wall; default: sensors.infrared_footprint",
+                       "mm", 0.1, 100.0, body, false},
+                      [](Infrared& one) -> double& { return one.footprint; }),
+    in_list<Infrared>({"group", "sensors with the same number are lit together, and the groups one each ms; default 0",
+                       "", 0.0, 15.0, body, false, whole},
+                      [](Infrared& one) -> double& { return one.group; }),
+    in_list<Infrared>({"latency", "from the light to the reading; default 0", "ms", 0.0, 100.0, body, false, whole},
+                      [](Infrared& one) -> double& { return one.latency; }),
+};
+
+constexpr std::array ranger_table = {
+    in_list<Ranger>({"ahead", ahead_meaning, "mm", -500.0, 500.0, body},
+                    [](Ranger& one) -> double& { return one.beam.ahead; }),
+    in_list<Ranger>({"aside", aside_meaning, "mm", -500.0, 500.0, body},
+                    [](Ranger& one) -> double& { return one.beam.aside; }),
+    in_list<Ranger>({"angle", angle_meaning, "rad", -1.6, 1.6, body},
+                    [](Ranger& one) -> double& { return one.beam.angle; }),
+    in_list<Ranger>({"reach", "the largest distance that it sees", "mm", 1.0, 10000.0, body},
+                    [](Ranger& one) -> double& { return one.reach; }),
+    in_list<Ranger>({"period", "from one of its readings to the next", "ms", 1.0, 1000.0, body, true, whole},
+                    [](Ranger& one) -> double& { return one.period; }),
+};
+
+Infrared with_beam(Infrared sensor, const Beam& beam) {
+  sensor.beam = beam;
+  return sensor;
+}
+Beam mirrored(const Beam& beam) { return {beam.ahead, -beam.aside, -beam.angle}; }
 
 }  // namespace
 
 std::span<const HardwareKey> hardware_keys() { return keys; }
+std::span<const SensorKey<Infrared>> infrared_keys() { return infrared_table; }
+std::span<const SensorKey<Ranger>> ranger_keys() { return ranger_table; }
+
+Hardware hardware_of(const HardwareNumbers& numbers, PlainSensors which) {
+  Hardware hardware = numbers.hardware;
+  auto& infrared = hardware.sensors.infrared;
+  // The right ones come first.
+  const auto add = [&](const Beam& beam) { infrared.push_back(with_beam(numbers.infrared, beam)); };
+  if (which.side) add(mirrored(numbers.side));
+  if (which.front) add(mirrored(numbers.front));
+  if (which.side) add(numbers.side);
+  if (which.front) add(numbers.front);
+  if (which.ranger) hardware.sensors.rangers.push_back(numbers.ranger);
+  return hardware;
+}
+
+HardwareTerms terms_of(const Hardware& hardware) {
+  HardwareTerms terms;
+  auto& [numbers, plain, lists] = terms;
+  numbers.hardware = hardware;
+  numbers.hardware.sensors.infrared.clear();
+  numbers.hardware.sensors.rangers.clear();
+  const Sensors& sensors = hardware.sensors;
+  for (const Infrared& sensor : sensors.infrared) {
+    const bool ahead = side_of(sensor.beam) == BeamSide::ahead;
+    numbers.infrared = with_beam(sensor, {});
+    // The left ones come last.
+    (ahead ? numbers.front : numbers.side) = sensor.beam;
+    (ahead ? plain.front : plain.side) = true;
+  }
+  plain.ranger = !sensors.rangers.empty();
+  if (plain.ranger) numbers.ranger = sensors.rangers.front();
+  numbers.ranger.beam.aside = numbers.ranger.beam.angle = 0.0;
+  lists = hardware_of(numbers, plain) != hardware;
+  if (lists) terms = {{.hardware = hardware, .side = {}, .front = {}, .infrared = {}, .ranger = {}}, {}, true};
+  return terms;
+}
+
+bool HardwareTerms::has(const RobotKey& key) const {
+  const bool of_lists = lists && !key.name.starts_with("sensors.");
+  switch (key.sensor) {
+    case Sensor::gyro:
+      return numbers.hardware.sensors.has_gyro();
+    case Sensor::accelerometer:
+      return numbers.hardware.sensors.has_accelerometer();
+    case Sensor::side:
+      return plain.side;
+    case Sensor::front:
+      return plain.front;
+    case Sensor::infrared:
+      return plain.side || plain.front || of_lists;
+    case Sensor::ranger:
+      return plain.ranger || of_lists;
+    case Sensor::none:
+      break;
+  }
+  return true;
+}
 
 }  // namespace labmouse

@@ -32,10 +32,16 @@ class RobotReader {
  public:
   explicit RobotReader(const toml::table& root)
       : root_(root),
-        forms_{node("turns") != nullptr, node("search.cell") != nullptr, flag("diagonals"),
-               std::any_of(root.begin(), root.end(),
-                           [](const auto& entry) { return is_body_section(entry.first.str()); })} {
+        forms_{
+            node("turns") != nullptr,
+            node("search.cell") != nullptr,
+            flag("diagonals"),
+            std::any_of(root.begin(), root.end(), [](const auto& entry) { return is_body_section(entry.first.str()); }),
+            root.get(infrared_list) != nullptr,
+            root.get(ranger_list) != nullptr} {
     for (const RobotKey& key : robot_keys()) read(key);
+    if (forms_.infrared_list) read_list<Infrared>(infrared_list, infrared_keys(), most_infrared);
+    if (forms_.ranger_list) read_list<Ranger>(ranger_list, ranger_keys(), most_rangers);
     for (const auto& [name, value] : root_) check_name("", name, value);
   }
 
@@ -57,6 +63,31 @@ class RobotReader {
     return found == nullptr ? otherwise : found->value<std::string_view>().value_or(otherwise);
   }
   const RobotForms& forms() const { return forms_; }
+
+  /// Whether the file describes that sensor.
+  bool has(RobotKey::Sensor sensor) const {
+    using Sensor = RobotKey::Sensor;
+    if (sensor == Sensor::none) return true;
+    if (sensor == Sensor::infrared) return forms_.infrared_list || has(Sensor::side) || has(Sensor::front);
+    if (sensor == Sensor::ranger && forms_.ranger_list) return true;
+    return std::any_of(robot_keys().begin(), robot_keys().end(), [&](const RobotKey& key) {
+      return key.sensor == sensor && key.name.starts_with("sensors.") && node(key.name) != nullptr;
+    });
+  }
+
+  /// The sensors of a list; `usual` has the numbers that may be left out.
+  template <class Sensor>
+  std::vector<Sensor> sensors(std::string_view list, std::span<const SensorKey<Sensor>> keys,
+                              const Sensor& usual) const {
+    std::vector<Sensor> all;
+    for (const toml::node& entry : *root_.get(list)->as_array()) {
+      Sensor& sensor = all.emplace_back(usual);
+      for (const SensorKey<Sensor>& key : keys)
+        if (const toml::node* found = entry.as_table()->get(key.key.name))
+          key.number(sensor) = found->template value<double>().value_or(0.0);
+    }
+    return all;
+  }
 
   std::vector<Problem> problems() const { return in_order(problems_); }
 
@@ -84,7 +115,7 @@ class RobotReader {
       add(former->source().begin,
           fmt::format("'{}' is the former name of '{}', which is in the file, too; delete one of them", key.former,
                       key.name));
-    if (found == nullptr) return key.needed && forms_.has(key) ? missing(key) : void();
+    if (found == nullptr) return key.needed && forms_.has(key) && wants(key) ? missing(key) : void();
     if (!forms_.has(key)) return add(found->source().begin, fmt::format("'{}' {}", key.name, why_not(key, forms_)));
     using Kind = RobotKey::Kind;
     if (key.kind == Kind::yes_or_no)
@@ -98,12 +129,56 @@ class RobotReader {
                  ? void()
                  : add(found->source().begin, fmt::format("'{}' must be {}", key.name, range_of(key)));
     }
-    if (!found->is_number()) return add(found->source().begin, fmt::format("'{}' must be {}", key.name, words_of(key)));
+    read_number(key, *found);
+  }
+
+  void read_number(const RobotKey& key, const toml::node& found) {
+    if (!found.is_number()) return add(found.source().begin, fmt::format("'{}' must be {}", key.name, words_of(key)));
     // A whole number too large for a double is out of any range.
-    const double value = found->value<double>().value_or(std::numeric_limits<double>::infinity());
-    if (!(value >= key.low && value <= key.high) || (key.kind == Kind::whole && !found->is_integer()))
-      add(found->source().begin, fmt::format("'{}' is {}; it must be {}{}", key.name, written(*found), range_of(key),
-                                             unit_hint(value, key.low, key.high, key.unit)));
+    const double value = found.value<double>().value_or(std::numeric_limits<double>::infinity());
+    if (!(value >= key.low && value <= key.high) || (key.kind == RobotKey::Kind::whole && !found.is_integer()))
+      add(found.source().begin, fmt::format("'{}' is {}; it must be {}{}", key.name, written(found), range_of(key),
+                                            unit_hint(value, key.low, key.high, key.unit)));
+  }
+
+  /// Whether the robot has the sensor of a key.
+  bool wants(const RobotKey& key) const {
+    // Those of a list may each have numbers of their own.
+    const bool usual = forms_.infrared_list && key.sensor == RobotKey::Sensor::infrared;
+    return has(key.sensor) && !(usual && key.name.starts_with("sensors."));
+  }
+
+  template <class Sensor>
+  void read_list(std::string_view list, std::span<const SensorKey<Sensor>> keys, std::size_t most) {
+    const toml::node& node = *root_.get(list);
+    const toml::array* entries = node.as_array();
+    if (entries == nullptr || !(entries->empty() || entries->is_homogeneous(toml::node_type::table)))
+      return add(node.source().begin, fmt::format("'{0}' must be a list of tables: [[{0}]]", list));
+    if (entries->size() > most)
+      return add(node.source().begin,
+                 fmt::format("there are {} sensors in [[{}]]; a robot has at most {}", entries->size(), list, most));
+    for (const toml::node& entry : *entries) read_entry(*entry.as_table(), list, keys);
+  }
+
+  template <class Sensor>
+  void read_entry(const toml::table& entry, std::string_view list, std::span<const SensorKey<Sensor>> keys) {
+    std::vector<std::string> names;
+    for (const SensorKey<Sensor>& key : keys) {
+      RobotKey named = key.key;
+      const std::string name = fmt::format("{}.{}", list, named.name),
+                        usual = fmt::format("sensors.{}_{}", list, named.name);
+      names.push_back(name);
+      named.name = name;
+      if (const toml::node* found = entry.get(key.key.name))
+        read_number(named, *found);
+      else if (named.needed || (find_robot_key(usual) != nullptr && this->node(usual) == nullptr))
+        add(entry.source().begin, fmt::format("missing key '{}': {}", name, range_of(named)));
+    }
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    for (const auto& [key, value] : entry)
+      if (const std::string name = fmt::format("{}.{}", list, key.str());
+          std::find(known.begin(), known.end(), name) == known.end())
+        add(key.source().begin, unknown_key(name, known));
   }
 
   static std::string words_of(const RobotKey& key) {
@@ -124,6 +199,7 @@ class RobotReader {
 
   void check_name(std::string_view section, const toml::key& key, const toml::node& value) {
     const std::string name = section.empty() ? std::string(key.str()) : fmt::format("{}.{}", section, key.str());
+    if (name == infrared_list || name == ranger_list) return;
     if (section.empty() && is_section(name)) {
       if (!value.is_table()) return add(key.source().begin, fmt::format("'{0}' must be a table: [{0}]", name));
       for (const auto& [inner, inner_value] : *value.as_table()) check_name(name, inner, inner_value);
@@ -146,6 +222,7 @@ class RobotReader {
       names.push_back(key.name);
       if (const auto section = split(key.name).first; !section.empty()) names.push_back(section);
     }
+    names.insert(names.end(), {infrared_list, ranger_list});
     return unknown_key(name, names);
   }
 
@@ -176,16 +253,19 @@ void set_layouts(Robot& robot, const RobotReader& reader) {
 }
 
 Hardware hardware_of(const RobotReader& reader) {
-  Hardware hardware;
-  for (const HardwareKey& key : hardware_keys()) key.number(hardware) = reader.number(key.key.name) / key.unit;
-  // Files give the left beams; the right ones mirror them.
-  auto& beams = hardware.sensors.infrared.beams;
-  const auto mirror = [&](BeamPlace left, BeamPlace right) {
-    const Beam& from = beams[static_cast<std::size_t>(left)];
-    beams[static_cast<std::size_t>(right)] = {from.ahead, -from.aside, -from.angle};
-  };
-  mirror(BeamPlace::left, BeamPlace::right);
-  mirror(BeamPlace::left_ahead, BeamPlace::right_ahead);
+  using Sensor = RobotKey::Sensor;
+  HardwareNumbers numbers;
+  // The noise of a sensor that it lacks is none.
+  for (const HardwareKey& key : hardware_keys())
+    if (reader.has_number(key.key.name) && reader.has(key.key.sensor))
+      key.number(numbers) = reader.number(key.key.name) / key.unit;
+  const RobotForms& forms = reader.forms();
+  Hardware hardware = hardware_of(
+      numbers, {!forms.infrared_list && reader.has(Sensor::side), !forms.infrared_list && reader.has(Sensor::front),
+                !forms.ranger_list && reader.has(Sensor::ranger)});
+  Sensors& sensors = hardware.sensors;
+  if (forms.infrared_list) sensors.infrared = reader.sensors(infrared_list, infrared_keys(), numbers.infrared);
+  if (forms.ranger_list) sensors.rangers = reader.sensors(ranger_list, ranger_keys(), numbers.ranger);
   return hardware;
 }
 

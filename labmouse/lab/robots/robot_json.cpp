@@ -6,6 +6,7 @@
 
 #include "labmouse/lab/robots/hardware_keys.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
+#include "labmouse/lab/robots/robot_keys.hpp"
 
 namespace labmouse {
 namespace {
@@ -63,26 +64,70 @@ void add_search(Json& json, const Robot& robot) {
   json["search.half_cell"] = milliseconds(robot.search.half_cell);
 }
 
+bool is_plain(const std::string& name, const ReadJson& value) {
+  const bool end = value.is_string() && (value == "goal" || value == "beyond");
+  return name.find_first_not_of("abcdefghijklmnopqrstuvwxyzSV0123456789._") == std::string::npos &&
+         (value.is_number() || value.is_boolean() || end);
+}
+
 /// The text of a robot file; empty, with the error in `fields`, where the JSON has other keys or values.
 std::string toml_of(const ReadJson& parameters, JsonFields& fields) {
-  std::string text;
   if (!parameters.is_object()) return fields.reject("'robot.parameters' is not an object"), "";
-  for (const auto& [name, value] : parameters.items()) {
-    const bool plain = name.find_first_not_of("abcdefghijklmnopqrstuvwxyzSV0123456789._") == std::string::npos;
-    const bool end = value.is_string() && (value == "goal" || value == "beyond");
-    if (!plain || !(value.is_number() || value.is_boolean() || end))
-      return fields.reject("'robot.parameters' has a key or a value that no robot has"), "";
+  std::string text, lists;
+  const auto line_of = [](const std::string& name, const ReadJson& value) {
     // Whole numbers must stay whole.
-    text +=
-        fmt::format("{} = {}\n", name, value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump());
+    return fmt::format("{} = {}\n", name,
+                       value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump());
+  };
+  const auto fail = [&] { return fields.reject("'robot.parameters' has a key or a value that no robot has"), ""; };
+  for (const auto& [name, value] : parameters.items()) {
+    if ((name == infrared_list || name == ranger_list) && value.is_array()) {
+      for (const ReadJson& sensor : value) {
+        lists += fmt::format("[[{}]]\n", name);
+        if (!sensor.is_object()) return fail();
+        for (const auto& [key, number] : sensor.items()) {
+          if (!is_plain(key, number)) return fail();
+          lists += line_of(key, number);
+        }
+      }
+      // A robot without any.
+      if (value.empty()) text += fmt::format("{} = []\n", name);
+      continue;
+    }
+    if (!is_plain(name, value)) return fail();
+    text += line_of(name, value);
   }
-  return text;
+  return text + lists;
+}
+
+template <class Sensor>
+Json list_json(std::vector<Sensor> sensors, std::span<const SensorKey<Sensor>> keys) {
+  Json list = Json::array();
+  for (Sensor& sensor : sensors) {
+    Json entry = Json::object();
+    for (const SensorKey<Sensor>& key : keys) {
+      const double number = key.number(sensor);
+      const bool whole = key.key.kind == RobotKey::Kind::whole;
+      entry[std::string(key.key.name)] = whole ? Json(static_cast<int>(number)) : Json(number);
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
 }
 
 void add_hardware(Json& json, const Robot& robot) {
   if (!robot.hardware) return;
-  Hardware hardware = *robot.hardware;
-  for (const HardwareKey& key : hardware_keys()) json[std::string(key.key.name)] = key.number(hardware) * key.unit;
+  const Sensors& sensors = robot.hardware->sensors;
+  HardwareTerms terms = terms_of(*robot.hardware);
+  for (const HardwareKey& key : hardware_keys()) {
+    const double number = key.number(terms.numbers) * key.unit;
+    // Left out, so that older records stay unchanged.
+    const bool usual = key.key.name == "sensors.count_bits" && number == Sensors().count_bits;
+    if (terms.has(key.key) && !usual) json[std::string(key.key.name)] = number;
+  }
+  if (!terms.lists) return;
+  json[std::string(infrared_list)] = list_json(sensors.infrared, infrared_keys());
+  json[std::string(ranger_list)] = list_json(sensors.rangers, ranger_keys());
 }
 
 }  // namespace

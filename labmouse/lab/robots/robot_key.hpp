@@ -11,6 +11,8 @@ namespace labmouse {
 struct RobotKey {
   enum class With : unsigned char { always, curves, turns, search_speed, search_times, body };
   enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no, end };
+  /// A sensor that a robot may lack; then it needs none of its keys. `infrared`: any infrared sensor.
+  enum class Sensor : unsigned char { none, gyro, accelerometer, side, front, infrared, ranger };
 
   std::string_view name;     ///< section and name: "straight.speed"
   std::string_view meaning;  ///< as in docs/reference/files.md
@@ -22,6 +24,7 @@ struct RobotKey {
   Kind kind = Kind::number;
   bool of_diagonals = false;
   std::string_view former = {};  ///< its name in earlier versions, which is read, too
+  Sensor sensor = Sensor::none;
 };
 
 }  // namespace labmouse

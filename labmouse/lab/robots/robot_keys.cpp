@@ -151,7 +151,7 @@ const RobotKey* find_former_key(std::string_view name) {
 
 bool is_body_section(std::string_view section) {
   return section == "body" || section == "motors" || section == "sensors" || section == "noise" ||
-         section == "variation";
+         section == "variation" || section == infrared_list || section == ranger_list;
 }
 
 std::string_view key_in(std::string_view sentence) {
@@ -189,8 +189,21 @@ std::string range_of(const RobotKey& key) {
                      key.unit, key.kind == Kind::number_or_false ? ", or false" : "");
 }
 
+namespace {
+
+/// Whether a key describes a sensor that the file has in a list.
+bool is_listed(const RobotKey& key, const RobotForms& forms) {
+  using Sensor = RobotKey::Sensor;
+  const bool pair = key.sensor == Sensor::side || key.sensor == Sensor::front;
+  return (forms.infrared_list && pair) ||
+         (forms.ranger_list && key.sensor == Sensor::ranger && key.name.starts_with("sensors."));
+}
+
+}  // namespace
+
 bool RobotForms::has(const RobotKey& key) const {
   if (key.of_diagonals && !diagonals) return false;
+  if (is_listed(key, *this)) return false;
   switch (key.with) {
     case With::curves:
       return !turns;
@@ -209,6 +222,9 @@ bool RobotForms::has(const RobotKey& key) const {
 
 std::string_view why_not(const RobotKey& key, const RobotForms& forms) {
   if (key.of_diagonals && !forms.diagonals) return "has no effect on a robot without diagonals";
+  if (is_listed(key, forms))
+    return key.sensor == RobotKey::Sensor::ranger ? "has no effect together with [[ranger]], which lists ToF sensors"
+                                                  : "has no effect together with [[infrared]], which lists sensors";
   if (key.with == With::curves) return "has no effect together with [turns], which gives the times of all turns";
   return forms.search_times ? "has no effect together with 'search.cell', which begins a table of times"
                             : "belongs to a table of times, which also needs 'search.cell'";

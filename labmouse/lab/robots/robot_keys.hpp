@@ -17,6 +17,8 @@ const RobotKey* find_robot_key(std::string_view name);
 const RobotKey* find_former_key(std::string_view name);
 /// Whether a section describes the hardware. A file has all of these sections or none.
 bool is_body_section(std::string_view section);
+/// The lists of sensors in robot files.
+inline constexpr std::string_view infrared_list = "infrared", ranger_list = "ranger";
 
 /// The first key that a sentence names, by its name or in words ("search speed"); empty for none.
 std::string_view key_in(std::string_view sentence);
@@ -26,11 +28,14 @@ std::string range_of(const RobotKey& key);
 
 /// The form of a robot file. `turns`: it gives the times of turns, not the limits of curves. `search_times`: it gives
 /// the times of a search, not its speed. `diagonals`: the robot drives diagonals. `body`: it describes the hardware.
+/// `infrared_list`, `ranger_list`: its sensors are listed one by one.
 struct RobotForms {
   bool turns = false;
   bool search_times = false;
   bool diagonals = true;
   bool body = false;
+  bool infrared_list = false;
+  bool ranger_list = false;
 
   bool has(const RobotKey& key) const;
 };

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
+
+#include "labmouse/hardware/beam.hpp"
 
 namespace labmouse {
 namespace {
@@ -39,6 +42,42 @@ std::string too_near(std::string_view key, double length) {
                      length * 1e3);
 }
 
+/// From here on in a cell, as a share of it, sensors see walls and not the post.
+constexpr double behind_post = 0.14;
+
+/// What the controller cannot do with these sensors.
+std::vector<std::string> sensor_remarks(const Sensors& sensors, double cell) {
+  const auto any = [](const auto& list, auto looks) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& one) { return looks(side_of(one.beam)); });
+  };
+  const auto aside = [](BeamSide side) { return side != BeamSide::ahead; };
+  const auto ahead = [](BeamSide side) { return side == BeamSide::ahead; };
+  const bool range_ahead = any(sensors.rangers, ahead), infrared_aside = any(sensors.infrared, aside);
+  std::vector<std::string> remarks;
+  const auto remark_if = [&](bool lacks, const char* text) {
+    if (lacks) remarks.emplace_back(text);
+  };
+  remark_if(!sensors.has_gyro(), "no gyro: the built-in controller measures turns by the wheels");
+  remark_if(!sensors.has_accelerometer(),
+            "no accelerometer: the built-in controller takes the slip in turns from the tyres' numbers");
+  remark_if(!range_ahead && !any(sensors.infrared, ahead),
+            "no sensor looks ahead: the built-in controller drives into walls that it does not know");
+  remark_if(!range_ahead, "no ToF sensor looks ahead: no correction by walls ahead");
+  remark_if(!infrared_aside, "no infrared sensor looks aside: no correction by the edges of walls and by posts");
+  const bool looks_aside = infrared_aside || any(sensors.rangers, aside);
+  remark_if(!looks_aside, "no sensor looks aside: no correction by side walls");
+  const auto foresees = [&](const auto& one) {
+    const Beam& beam = one.beam;
+    const double along = beam.ahead + calibrated_distance(beam, cell) * direction_of(beam.angle).cosine;
+    return side_of(beam) != BeamSide::ahead && along > behind_post * cell;
+  };
+  remark_if(
+      looks_aside && std::none_of(sensors.infrared.begin(), sensors.infrared.end(), foresees) &&
+          std::none_of(sensors.rangers.begin(), sensors.rangers.end(), foresees),
+      "at the edge of a cell, no sensor sees its side walls; there the built-in controller decides where to drive");
+  return remarks;
+}
+
 /// The highest yaw rate in a curve, rad/s.
 double quickest_curve(const DriveModel& model) {
   double quickest = 0.0;
@@ -64,6 +103,10 @@ std::vector<std::string> robot_remarks(const Robot& robot, const DriveModel& mod
     remarks.push_back(too_soon("search.pivot_acceleration", robot.pivot_acceleration, "/s²", robot.pivot_speed,
                                likely_acceleration, "turns at full speed"));
     remarks.push_back(too_quick("search.pivot_speed", robot.pivot_speed));
+  }
+  if (robot.hardware) {
+    std::vector<std::string> of_sensors = sensor_remarks(robot.hardware->sensors, robot.cell);
+    std::move(of_sensors.begin(), of_sensors.end(), std::back_inserter(remarks));
   }
   std::erase_if(remarks, [](const std::string& remark) { return remark.empty(); });
   return remarks;

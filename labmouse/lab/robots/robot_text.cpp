@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "labmouse/lab/robots/hardware_keys.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/text/toml_text.hpp"
 
@@ -33,6 +34,37 @@ Json value_in(const toml::node& node) {
   return nullptr;
 }
 
+template <class Sensor>
+std::string list_text(const ReadJson& values, std::string_view list, std::span<const SensorKey<Sensor>> keys) {
+  std::string text;
+  const auto found = values.find(std::string(list));
+  if (found == values.end() || !found->is_array()) return text;
+  for (const ReadJson& sensor : *found) {
+    text += fmt::format("\n[[{}]]\n", list);
+    for (const SensorKey<Sensor>& key : keys)
+      if (const auto value = sensor.find(std::string(key.key.name)); value != sensor.end())
+        text += file_line(fmt::format("{} = {}", key.key.name, text_of_value(*value)), key.key.unit, "");
+  }
+  return text;
+}
+
+/// The sensors of a list; null where there is none.
+template <class Sensor>
+Json list_values(const toml::table& file, std::string_view list, std::span<const SensorKey<Sensor>> keys) {
+  const toml::array* entries = file[list].as_array();
+  if (entries == nullptr) return nullptr;
+  Json values = Json::array();
+  for (const toml::node& entry : *entries) {
+    Json sensor = Json::object();
+    const toml::table* table = entry.as_table();
+    for (const SensorKey<Sensor>& key : keys)
+      if (const toml::node* node = table == nullptr ? nullptr : table->get(key.key.name))
+        if (Json value = value_in(*node); !value.is_null()) sensor[std::string(key.key.name)] = std::move(value);
+    values.push_back(std::move(sensor));
+  }
+  return values;
+}
+
 }  // namespace
 
 std::string robot_text(const ReadJson& values, const std::function<std::string(std::string_view key)>& remark) {
@@ -44,7 +76,7 @@ std::string robot_text(const ReadJson& values, const std::function<std::string(s
     if (group != section) text += fmt::format("\n[{}]\n", section = group);
     text += file_line(fmt::format("{} = {}", name, text_of_value(*value)), key.unit, remark(key.name));
   }
-  return text;
+  return text + list_text(values, infrared_list, infrared_keys()) + list_text(values, ranger_list, ranger_keys());
 }
 
 Json robot_values(std::string_view text) {
@@ -58,6 +90,11 @@ Json robot_values(std::string_view text) {
     if (node == nullptr) continue;
     if (Json value = value_in(*node); !value.is_null()) values[std::string(key.name)] = std::move(value);
   }
+  const auto add_list = [&](std::string_view list, Json sensors) {
+    if (!sensors.is_null()) values[std::string(list)] = std::move(sensors);
+  };
+  add_list(infrared_list, list_values(toml.table, infrared_list, infrared_keys()));
+  add_list(ranger_list, list_values(toml.table, ranger_list, ranger_keys()));
   return values;
 }
 

@@ -41,9 +41,10 @@ struct Line {
     for (std::int32_t& count : sense.counts) count = whole();
     sense.gyro = static_cast<std::int16_t>(whole());
     for (std::int16_t& acceleration : sense.acceleration) acceleration = static_cast<std::int16_t>(whole());
-    for (std::int16_t& level : sense.infrared) level = static_cast<std::int16_t>(whole());
-    sense.range = static_cast<std::uint16_t>(whole());
-    sense.range_new = whole() != 0;
+    // Of four infrared sensors and a ToF sensor.
+    for (std::size_t i = 0; i < 4; ++i) sense.infrared[i] = static_cast<std::int16_t>(whole());
+    sense.ranges[0].distance = static_cast<std::uint16_t>(whole());
+    sense.ranges[0].is_new = whole() != 0;
     sense.millivolts = static_cast<std::uint16_t>(whole());
     return sense;
   }

@@ -220,8 +220,7 @@ Sense sense_of(const labmouse_sense& read) {
   sense.gyro = read.gyro;
   std::copy_n(read.acceleration, 2, sense.acceleration.begin());
   std::copy_n(read.infrared, 4, sense.infrared.begin());
-  sense.range = read.range;
-  sense.range_new = read.range_new != 0;
+  sense.ranges[0] = {read.ranges[0], read.ranges_new[0] != 0};
   sense.millivolts = read.millivolts;
   return sense;
 }

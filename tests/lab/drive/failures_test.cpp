@@ -150,7 +150,7 @@ TEST(Failures, ReadsAWallByItsOwnBrightness) {
       for (const bool left : {true, false}) {
         const Heading side = left ? left_of(look.pose.heading) : right_of(look.pose.heading);
         if (on_border(wall_at(look.pose.cell, side), maze.size()) || maze.is_open(look.pose.cell, side)) continue;
-        const double gain = mouse.infrared[static_cast<std::size_t>(left ? BeamPlace::left : BeamPlace::right)];
+        const double gain = mouse.infrared[left ? 2 : 0];
         const bool is_dark = gain * mouse.reflectance(look.pose.cell, side) < brightness_limits[dark_classes - 1];
         EXPECT_EQ((left ? look.evidence.left : look.evidence.right) < 0, is_dark) << seed;
         ++(is_dark ? dark : bright);
@@ -249,10 +249,10 @@ TEST(Failures, HasClassesOfBrightness) {
 TEST(Failures, TakesTheSensorsThatLookAtAWall) {
   const auto model = test::drive_model("kerise");
   RobotSample mouse(*model->robot.hardware, no_errors, {2, 2}, 1);
-  mouse.infrared[static_cast<std::size_t>(BeamPlace::left)] = 0.3;
-  mouse.infrared[static_cast<std::size_t>(BeamPlace::right)] = 3.0;
-  mouse.infrared[static_cast<std::size_t>(BeamPlace::left_ahead)] = 1.0;
-  mouse.infrared[static_cast<std::size_t>(BeamPlace::right_ahead)] = 0.1;
+  mouse.infrared[2] = 0.3;
+  mouse.infrared[0] = 3.0;
+  mouse.infrared[3] = 1.0;
+  mouse.infrared[1] = 0.1;
   const Pose pose = {{0, 0}, Heading::east};
   EXPECT_EQ(brightness_class(mouse, pose, Heading::north, true), brightness_class(0.3));
   EXPECT_EQ(brightness_class(mouse, pose, Heading::south, true), brightness_class(3.0));

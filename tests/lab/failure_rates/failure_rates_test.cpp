@@ -180,7 +180,7 @@ TEST(FailureRates, KnowThePositionErrorOfAMouse) {
   record.drive.runs.push_back(run);
   record.ends.push_back(RunEnd::done);
   const auto point = [](MazeTime time, double by) {
-    return TracePoint{time, {{45.0 + by, 45.0}, 0.0}, BodyPose{{45.0, 45.0}, 0.0}};
+    return TracePoint{time, {{45.0 + by, 45.0}, 0.0}, BodyPose{{45.0, 45.0}, 0.0}, {}};
   };
   record.trace = {point(0, 0.0), point(295'000, 10.0), point(600'000, 0.0)};
   const FailureCounts tally = counted(record, 90.0, nominal());

@@ -51,7 +51,7 @@ TEST(PageBodies, HaveBeamsThatEndAtTheWall) {
   const json bodies = played(recorded(0.0, 20))["drive"]["bodies"];
   const auto model = test::drive_model("kerise");
   const Hardware& hardware = *model->robot.hardware;
-  const Beam& right = hardware.sensors.infrared.beams[0];
+  const Beam& right = hardware.sensors.infrared[0].beam;
   EXPECT_NEAR(bodies["beams"][0]["left"].get<double>(), right.aside / 90.0, 1e-4);
   EXPECT_GT(bodies["beams"][0]["angle"].get<double>(), 1.0) << "clockwise";
   // In the start, between two walls.

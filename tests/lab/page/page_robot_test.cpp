@@ -2,12 +2,16 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/robots/builtin_robots.hpp"
+#include "labmouse/lab/robots/hardware_keys.hpp"
 #include "labmouse/lab/robots/robot_family.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
@@ -254,7 +258,15 @@ TEST(RobotKeys, MeanWhatTheDocumentationSays) {
   std::stringstream text;
   text << file.rdbuf();
   const std::string documentation = text.str();
-  for (const RobotKey& key : robot_keys()) {
+  std::vector<RobotKey> keys(robot_keys().begin(), robot_keys().end());
+  std::deque<std::string> names;
+  const auto add = [&](std::string_view list, RobotKey key) {
+    key.name = names.emplace_back(fmt::format("{}.{}", list, key.name));
+    keys.push_back(key);
+  };
+  for (const auto& each : infrared_keys()) add(infrared_list, each.key);
+  for (const auto& each : ranger_keys()) add(ranger_list, each.key);
+  for (const RobotKey& key : keys) {
     const auto dot = key.name.find('.');
     const std::string name = dot == std::string_view::npos ? std::string(key.name) : std::string(key.name.substr(dot));
     bool found = false;

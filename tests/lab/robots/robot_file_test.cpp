@@ -313,9 +313,10 @@ TEST(RobotFiles, ReadsAFile) {
 
 TEST(RobotFile, SideSensorsOfAnyAngleLookAsideAndFrontSensorsAhead) {
   const RobotKey &side = *find_robot_key("sensors.side_angle"), &front = *find_robot_key("sensors.front_angle");
-  for (const double angle : {side.low, side.high}) EXPECT_TRUE(looks_aside(Beam{0.0, 0.0, angle})) << angle;
-  for (const double angle : {front.low, front.high}) EXPECT_FALSE(looks_aside(Beam{0.0, 0.0, angle})) << angle;
-  EXPECT_NEAR(side.low, 3.141592653589793 / 4.0, 1e-4) << "45 degrees";
+  for (const double angle : {side.low, side.high}) EXPECT_EQ(side_of(Beam{0.0, 0.0, angle}), BeamSide::left) << angle;
+  for (const double angle : {front.low, front.high})
+    EXPECT_EQ(side_of(Beam{0.0, 0.0, angle}), BeamSide::ahead) << angle;
+  EXPECT_LE(side.low, 0.785) << "45 degrees, cut to three digits";
 }
 
 }  // namespace

@@ -73,8 +73,7 @@ TEST(RobotTable, RemarksOnDegrees) {
   EXPECT_THAT(remarks([](Robot& robot) { robot.yaw_speed = 60.0; }), Says("remark", "curve.yaw_speed", "write 1.047"));
   EXPECT_THAT(remarks([](Robot& robot) { robot.yaw_jerk = 1e6; }), Says("remark", "curve.yaw_jerk", "degrees/s³"));
   EXPECT_THAT(remarks([](Robot& robot) { robot.pivot_speed = 90.0; }), Says("remark", "search.pivot_speed", "1.571"));
-  for (const char* name : {"beginner", "half", "kerise", "mm2021"})
-    EXPECT_THAT(table_of(name), Not(HasSubstr("remark"))) << name;
+  for (const char* name : {"half", "kerise", "mm2021"}) EXPECT_THAT(table_of(name), Not(HasSubstr("remark"))) << name;
 }
 
 TEST(RobotTable, RemarksOnMetres) {

@@ -452,7 +452,8 @@ export interface RobotKey {
   of_diagonals: boolean;
 }
 
-export type RobotValue = number | boolean | string;
+/** A number, or the sensors of a list with their numbers by name. */
+export type RobotValue = number | boolean | string | Record<string, number>[];
 
 /** A kind of turn: its path and what it takes. Lengths in mm, null where only times are known; places in cells. */
 export interface RobotTurn {

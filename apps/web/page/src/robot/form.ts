@@ -85,6 +85,7 @@ function createRow(key: RobotKey, value: RobotValue | undefined, changed: () => 
 export function createRobotForm(keys: RobotKey[], changed: () => void) {
   const element = h('div.robot-form');
   const rows = new Map<string, Row>();
+  let lists: Values = {};
   let shown = '';
 
   function rowOf(key: RobotKey, value: RobotValue | undefined): HTMLElement {
@@ -111,13 +112,15 @@ export function createRobotForm(keys: RobotKey[], changed: () => void) {
       if (now === shown) return;
       shown = now;
       rows.clear();
+      // Lists of sensors have no fields; they stay as they are.
+      lists = Object.fromEntries(Object.entries(values).filter(([, value]) => Array.isArray(value)));
       const of = keys.filter(({ name }) => wanted.includes(name));
       const sections = [...new Set(of.map(({ name }) => sectionOf(name)))];
       const within = (section: string) => of.filter(({ name }) => sectionOf(name) === section);
       element.replaceChildren(...sections.map((section) => sectionElement(section, within(section), values)));
     },
     values() {
-      const values: Values = {};
+      const values: Values = { ...lists };
       for (const [name, { read }] of rows) {
         const value = read();
         if (value !== undefined) values[name] = value;
