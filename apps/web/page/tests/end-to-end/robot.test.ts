@@ -59,6 +59,19 @@ test('what follows from a robot is what the command line says, also after an edi
   await expect.poll(() => times(page, '90')).toEqual(before);
 });
 
+test('the sensors of a list stay as they are where a number is edited', async () => {
+  const page = await opened();
+  await view(page).getByRole('combobox', { name: 'Start from' }).selectOption('beginner');
+  await input(page, 'straight.speed').fill('900');
+  await expect.poll(async () => (await savedFile(page)).content).toContain('speed = 900');
+  const file = temporary('listed.toml');
+  writeFileSync(file, (await savedFile(page)).content);
+  const sensors = (robot: string) =>
+    JSON.parse(native('robot', 'show', robot, '--format', 'json')).robot.parameters.infrared;
+  expect(sensors(file)).toHaveLength(3);
+  expect(sensors(file)).toEqual(sensors('beginner'));
+});
+
 const regions = (page: Page) => view(page).getByRole('region', { name: 'Which route wins', exact: true });
 const winners = (page: Page) =>
   regions(page)
