@@ -13,9 +13,9 @@ double needed(const MotorAxis& axis, double rate, double change) {
 }
 
 /// Adds a proportional and an integral term. The integral term is limited to half of full duty (anti-windup).
-double corrected(const AxisGains& gains, double error, double& sum) {
+double corrected(const AxisGains& gains, double error, double seconds, double& sum) {
   constexpr double most = 0.5;
-  sum += error * tick_seconds;
+  sum += error * seconds;
   if (gains.integral > 0.0) sum = std::clamp(sum, -most / gains.integral, most / gains.integral);
   return gains.proportional * error + gains.integral * sum;
 }
@@ -25,9 +25,9 @@ double corrected(const AxisGains& gains, double error, double& sum) {
 Drive AxisControl::control(const Command& command, double speed, double turning, double volts) {
   const double onwards = needed(gains_.drive_model, command.speed, command.speeding) +
                          motors_.turning * std::abs(command.turning) * std::clamp(command.speed, -1.0, 1.0) +
-                         corrected(gains_.drive, command.speed - speed, drive_sum_);
+                         corrected(gains_.drive, command.speed - speed, gains_.seconds, drive_sum_);
   const double around = needed(gains_.turn_model, command.turning, command.twisting) +
-                        corrected(gains_.turn, command.turning - turning, turn_sum_);
+                        corrected(gains_.turn, command.turning - turning, gains_.seconds, turn_sum_);
   const double full = volts > 0.0 ? motors_.volts / volts : 1.0;
   const double left = full * (onwards - around / 2.0), right = full * (onwards + around / 2.0);
   return {static_cast<float>(std::clamp(left, -1.0, 1.0)), static_cast<float>(std::clamp(right, -1.0, 1.0))};

@@ -38,7 +38,8 @@ Controller::Controller(const DriveModel& model, const Hardware& hardware, Size s
       estimator_(hardware, cell_, size, choice.corrections, gains.speed_filter),
       reader_(hardware, cell_),
       tracker_(gains, hardware.motors),
-      pace_(choice.pace) {}
+      pace_(choice.pace),
+      period_(static_cast<unsigned>(hardware.motors.period)) {}
 
 Position Controller::middle_of(Cell cell) const { return {(cell.x + 0.5) * cell_, (cell.y + 0.5) * cell_}; }
 
@@ -46,6 +47,7 @@ void Controller::put(const Pose& pose) {
   place_ = {pose, true};
   route_ = nullptr;
   next_ = count_ = 0;
+  duties_ = {};
   estimate_ = {};
   estimate_.position = middle_of(pose.cell);
   estimate_.ahead = direction_in(pose.heading);
@@ -195,9 +197,19 @@ bool Controller::begin_segment(double late) {
   return true;
 }
 
+/// A ToF reading between two periods is as new in the next of them.
+void Controller::read(const Sense& sense) {
+  Sense since = sense;
+  for (std::size_t i = 0; i < range_is_new_.size(); ++i)
+    since.ranges[i].is_new |= std::exchange(range_is_new_[i], false);
+  believe(estimator().estimate(since, target_, known_));
+  reader().read(since, estimate_);
+}
+
 Drive Controller::tick(const Sense& sense) {
-  believe(estimator().estimate(sense, target_, known_));
-  reader().read(sense, estimate_);
+  const bool due = sense.tick % period_ == 0;
+  if (due) read(sense);
+  for (std::size_t i = 0; !due && i < range_is_new_.size(); ++i) range_is_new_[i] |= sense.ranges[i].is_new;
   double seconds = pace_ * tick_seconds;
   while (moving_ && walk_.left() < seconds) {
     seconds -= walk_.left();
@@ -207,8 +219,10 @@ Drive Controller::tick(const Sense& sense) {
   walk_.step(seconds);
   aim();
   late_ = moving_ ? 0.0 : seconds;
-  const Drive duties = tracker().follow(sense, target_, estimate_);
-  return parts_.tracker == nullptr ? duties : Drive{duty_of(duties.left), duty_of(duties.right)};
+  if (!due) return duties_;
+  duties_ = tracker().follow(sense, target_, estimate_);
+  if (parts_.tracker != nullptr) duties_ = {duty_of(duties_.left), duty_of(duties_.right)};
+  return duties_;
 }
 
 /// Ignores an invalid estimate, which only an external part can return.

@@ -42,7 +42,8 @@ class Controller {
   /// Backs up from rest by the robot's run-up, drives a route, and stops. The route must outlive the run.
   void run(const DriveRoute& route);
 
-  /// Processes one tick. Returns the duties of the motors until the next one.
+  /// Processes one tick. Returns the duties of the motors until the next one. Where its period is longer than a tick,
+  /// the duties stay, and the sensors are not read, in the ticks between.
   Drive tick(const Sense& sense);
 
   /// Whether the last move is complete, so that the next one has to begin.
@@ -68,6 +69,7 @@ class Controller {
   void add(const Piece& piece);
   void add_pivot(const Position& at, Direction& ahead, int quarters);
   void add_stop(const Pose& pose);
+  void read(const Sense& sense);
   void begin_next(double late);
   void aim();
   bool begin_segment(double late);
@@ -92,7 +94,10 @@ class Controller {
   double pace_;
   Target target_;  ///< target of `walk_`, scaled by `pace_`
   bool moving_ = false;
-  double late_ = 0.0;  ///< unused time of the last tick, s at pace 1; the next move uses it
+  unsigned period_;  ///< ticks
+  Drive duties_;
+  std::array<bool, most_rangers> range_is_new_{};  ///< since the sensors were last read
+  double late_ = 0.0;                              ///< unused time of the last tick, s at pace 1; the next move uses it
 };
 
 }  // namespace labmouse

@@ -9,9 +9,9 @@
 namespace labmouse {
 namespace {
 
-/// A beam corrects every eighth tick. Its errors (reflectance of the wall, gain) are the same along a wall, so more
-/// readings add no information.
-constexpr unsigned ticks_between = 8;
+/// A sensor corrects at every eighth call. Its errors (reflectance of the wall, gain) are the same along a wall, so
+/// more readings add no information.
+constexpr unsigned calls_between = 8;
 /// Factor on the variance: the gain error is the same at the next walls, too.
 constexpr double alike = 1.5;
 /// Lower bound of the speed, mm/s.
@@ -98,9 +98,10 @@ void Corrections::see_side(std::size_t sensor, const Sense& sense, const Corrido
       see_edge(*edge, view, slopes(), cell_along(corridor, (line + 0.5) * cell_), side, corridor.axis, known,
                estimator);
   }
+  const auto turn = sense.tick / static_cast<unsigned>(hardware_.motors.period) + sensor;
   // Away from posts.
-  if (choice_.sides && (sense.tick + sensor) % ticks_between == 0 && std::abs(behind) > cell_ / 4.0 &&
-      size_.contains(cell) && state_of(known, cell, side, size_) != WallState::open)
+  if (choice_.sides && turn % calls_between == 0 && std::abs(behind) > cell_ / 4.0 && size_.contains(cell) &&
+      state_of(known, cell, side, size_) != WallState::open)
     see_wall(sensor, level, view, slopes(), estimator);
 }
 
@@ -111,7 +112,8 @@ void Corrections::see_wall(std::size_t sensor, double level, const View& view, c
   if (level < least * infrared.gain || level > most * infrared.most) return;
   const Noise& noise = hardware_.noise;
   // The errors of the readings of one wall are correlated, so their variance is multiplied by the number of readings.
-  const double between = std::max(slow, std::abs(estimator.speed())) * ticks_between * tick_seconds;
+  const double between =
+      std::max(slow, std::abs(estimator.speed())) * calls_between * hardware_.motors.period * tick_seconds;
   const double many = std::max(1.0, alike * cell_ / 2.0 / between);
   const double share = (reading_variance(hardware_.variation, level) + square(noise.infrared)) / square(level);
   estimator.correct({views_.distance_of(sensor, level, view) - view.distance, slopes.distance[0], slopes.distance[1],

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "labmouse/hardware/sense.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -20,6 +22,7 @@ Gains gains_for(const Hardware& hardware, double cell) {
   gains.turn_model = hardware.motors.turn;
   gains.drive = axis_gains(hardware.motors.drive, 40.0);
   gains.turn = axis_gains(hardware.motors.turn, 50.0);
+  gains.seconds = gains.tracker.seconds = hardware.motors.period * tick_seconds;
   gains.tracker.slow_speed = cell;
   gains.tracker.slow_stiffness = 8.0 / (cell * cell);
   return gains;

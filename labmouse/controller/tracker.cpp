@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "labmouse/hardware/sense.hpp"
-
 namespace labmouse {
 
 Command Tracker::follow(const Target& target, const Course& course) {
@@ -25,7 +23,7 @@ Command Tracker::follow(const Target& target, const Course& course) {
       target.speeding * off.cosine - bend * off.sine + spring * error.x +
           loss * (target.speed * off.cosine - course.speed),
       target.speeding * off.sine + bend * off.cosine + spring * error.y + loss * target.speed * off.sine};
-  speed_ += wanted.x * tick_seconds;
+  speed_ += wanted.x * gains_.seconds;
   // Kept near the target's speed, so that a delayed mouse does not overspeed to catch up.
   speed_ = std::clamp(speed_, 0.5 * target.speed, 1.5 * target.speed);
   const double speed = std::max(course.speed, gains_.slow_speed);

@@ -118,6 +118,28 @@ TEST(Controller, LooksAboutBeforeItDrives) {
   EXPECT_LT(evidence.ahead, -4 * evidence_a_nat);
 }
 
+/// With a period of 3 ms the duties change in each third tick alone, and no ToF reading is lost.
+TEST(Controller, HoldsItsDutiesForItsPeriod) {
+  DriveModel slow = test::kerise();
+  slow.robot.hardware->motors.period = 3.0;
+  const Hardware& hardware = *slow.robot.hardware;
+  Controller controller(slow, hardware, ring().size(), gains_for(hardware, slow.tables.cell));
+  Body body(ring(), slow.tables.cell, hardware, {}, 1);
+  body.put({45.0, 45.0}, 3.14159265358979 / 2.0);
+  controller.put({{0, 0}, Heading::north});
+  Drive last;
+  int changed = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Drive duties = controller.tick(body.sense());
+    if (body.sense().tick % 3 != 0) {
+      EXPECT_EQ(duties, last) << body.sense().tick;
+    }
+    changed += duties == last ? 0 : 1;
+    body.step(last = duties);
+  }
+  EXPECT_GT(changed, 50);
+}
+
 TEST(Controller, ReadsTheWallsAboutEachCell) {
   for (const DriveModel* model : all_models()) {
     SCOPED_TRACE(model->robot.name);

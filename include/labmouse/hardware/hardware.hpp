@@ -47,6 +47,7 @@ struct Motors {
   double sag = 0.0;        ///< share of the voltage that is lost at full duty of both
   double discharge = 0.0;  ///< share of the voltage that is lost for good in a second at full duty of both
   double volts = 0.0;      ///< V, of the full battery at rest
+  double period = 1.0;     ///< ms, whole, from one duty of the controller to the next
 
   friend bool operator==(const Motors&, const Motors&) = default;
 };

@@ -63,7 +63,7 @@ struct labmouse_drive {
       body, slip_stiffness) number(body, grip) number(body, downforce) number(body, yaw_moment)                        \
       number(motors, drive_gain) number(motors, drive_time) number(motors, drive_dead_zone) number(                    \
           motors, turn_gain) number(motors, turn_time) number(motors, turn_dead_zone) number(motors, turning)          \
-          number(motors, rotating) number(motors, sag) number(motors, discharge) number(motors, volts) number(         \
+          number(motors, rotating) number(motors, sag) number(motors, discharge) number(motors, volts) number(motors, period) number(         \
               sensors, count) number(sensors, count_bits) number(sensors, gyro_step) number(sensors, gyro_most)        \
               number(sensors, acceleration_step) number(sensors, side_ahead) number(sensors, side_aside) number(       \
                   sensors, side_angle) number(sensors, front_ahead) number(sensors, front_aside)                       \

@@ -25,7 +25,8 @@ constexpr Sensor sensor_of(std::string_view name) {
 constexpr HardwareKey of(std::string_view name, std::string_view meaning, std::string_view unit, double low,
                          double high, double& (*number)(HardwareNumbers&), double factor = 1.0) {
   RobotKey key{name, meaning, unit, low, high, RobotKey::With::body};
-  if (name == "sensors.ranger_period" || name == "sensors.count_bits") key.kind = RobotKey::Kind::whole;
+  if (name == "sensors.ranger_period" || name == "sensors.count_bits" || name == "motors.period")
+    key.kind = RobotKey::Kind::whole;
   key.sensor = sensor_of(name);
   return {key, number, factor};
 }
@@ -89,6 +90,9 @@ constexpr std::array keys = {
                 "", 0.0, 0.1, [](HardwareNumbers& n) -> double& { return n.hardware.motors.discharge; })),
     of("motors.volts", "of the full battery at rest", "V", 0.5, 60.0,
        [](HardwareNumbers& n) -> double& { return n.hardware.motors.volts; }),
+    may_lack(of("motors.period",
+                "from one duty of the built-in controller to the next: 2 is a loop of 500 Hz; default 1", "ms", 1.0,
+                10.0, [](HardwareNumbers& n) -> double& { return n.hardware.motors.period; })),
     of("sensors.count", "travel of a wheel for a count of its encoder", "mm", 1e-06, 10.0,
        [](HardwareNumbers& n) -> double& { return n.hardware.sensors.count; }),
     may_lack(of("sensors.count_bits", "width of the counters of the encoders, which wrap; default 32", "bits", 8.0,

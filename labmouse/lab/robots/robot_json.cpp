@@ -122,7 +122,8 @@ void add_hardware(Json& json, const Robot& robot) {
   for (const HardwareKey& key : hardware_keys()) {
     const double number = key.number(terms.numbers) * key.unit;
     // Left out, so that older records stay unchanged.
-    const bool usual = key.key.name == "sensors.count_bits" && number == Sensors().count_bits;
+    const bool usual = (key.key.name == "sensors.count_bits" && number == Sensors().count_bits) ||
+                       (key.key.name == "motors.period" && number == Motors().period);
     if (terms.has(key.key) && !usual) json[std::string(key.key.name)] = number;
   }
   if (!terms.lists) return;

@@ -1,4 +1,4 @@
-// Contests of robots with other sensors than pairs and one straight ahead.
+// Contests of robots with other sensors than pairs and one straight ahead, and with a slower loop.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,13 +29,13 @@ Infrared infrared(double ahead, double aside, double angle) {
 
 struct Build {
   std::string name;
-  std::function<void(Sensors&)> make;
+  std::function<void(Hardware&)> make;
 };
 void PrintTo(const Build& build, std::ostream* out) { *out << build.name; }
 
 class ARobot : public ::testing::TestWithParam<Build> {
  protected:
-  ARobot() { GetParam().make(model_.robot.hardware->sensors); }
+  ARobot() { GetParam().make(*model_.robot.hardware); }
 
   PhysicalRecord driven(const PhysicalConditions& conditions, std::uint64_t seed = 1) const {
     Briefing briefing = brief(test::ring(), rules_, model_, seed);
@@ -79,17 +79,21 @@ TEST_P(ARobot, IsReadFromItsRecordAsItWasWritten) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ARobot,
-    ::testing::Values(Build{"no_gyro", [](Sensors& sensors) { sensors.gyro_step = sensors.gyro_most = 0.0; }},
-                      Build{"no_accelerometer", [](Sensors& sensors) { sensors.acceleration_step = 0.0; }},
-                      Build{"narrow_counters", [](Sensors& sensors) { sensors.count_bits = 16.0; }},
+    ::testing::Values(Build{"no_gyro",
+                            [](Hardware& hardware) { hardware.sensors.gyro_step = hardware.sensors.gyro_most = 0.0; }},
+                      Build{"no_accelerometer", [](Hardware& hardware) { hardware.sensors.acceleration_step = 0.0; }},
+                      Build{"loop_of_500_Hz", [](Hardware& hardware) { hardware.motors.period = 2.0; }},
+                      Build{"narrow_counters", [](Hardware& hardware) { hardware.sensors.count_bits = 16.0; }},
                       Build{"ToF_sensors_alone",
-                            [](Sensors& sensors) {
+                            [](Hardware& hardware) {
+                              Sensors& sensors = hardware.sensors;
                               sensors.infrared.clear();
                               for (const double side : {-1.0, 1.0})
                                 sensors.rangers.push_back({{12.0, side * 12.0, side * 1.2}, 255.0, 11.0});
                             }},
                       Build{"six_infrared_sensors",
-                            [](Sensors& sensors) {
+                            [](Hardware& hardware) {
+                              Sensors& sensors = hardware.sensors;
                               sensors.infrared.clear();
                               for (const double side : {-1.0, 1.0}) {
                                 sensors.infrared.push_back(infrared(12.0, side * 12.0, side * quarter));
@@ -102,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
                               }
                             }},
                       Build{"one_infrared_sensor_ahead",
-                            [](Sensors& sensors) {
+                            [](Hardware& hardware) {
+                              Sensors& sensors = hardware.sensors;
                               sensors.rangers.clear();
                               sensors.infrared = {sensors.infrared[0], infrared(20.0, 0.0, 0.0), sensors.infrared[2]};
                               sensors.infrared[1].gain = 2500.0;
