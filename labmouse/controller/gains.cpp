@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "labmouse/hardware/sense.hpp"
-
 namespace labmouse {
 namespace {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "labmouse/hardware/hardware.hpp"
+#include "labmouse/hardware/sense.hpp"
 
 namespace labmouse {
 
@@ -18,7 +19,7 @@ struct TrackerGains {
   double slow_speed = 0.0;      ///< mm/s; below it the law for slow mice is used
   double slow_stiffness = 0.0;  ///< 1/mm²
   double slow_damping = 0.8;
-  double seconds = 0.0;  ///< from one call to the next
+  double seconds = tick_seconds;  ///< from one call to the next
 };
 
 struct Gains {
@@ -26,8 +27,8 @@ struct Gains {
   /// Motor models for the feedforward.
   MotorAxis drive_model, turn_model;
   TrackerGains tracker;
-  double seconds = 0.0;       ///< from one call to the next
-  double speed_filter = 0.2;  ///< weight of a tick's encoder speed in the estimate, 0 to 1
+  double seconds = tick_seconds;  ///< from one call to the next
+  double speed_filter = 0.2;      ///< weight of a tick's encoder speed in the estimate, 0 to 1
 };
 
 /// The built-in gains for a robot's hardware and cells of `cell` mm.
