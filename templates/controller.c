@@ -6,6 +6,7 @@
 #include "labmouse_controller.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -261,6 +262,12 @@ static void put_at_start(void *memory, int crashed) {
 }
 
 static void *begin(const struct labmouse_briefing *told) {
+  const struct labmouse_robot *robot = &told->robot;
+  if (robot->infrared_sensors != 4 || robot->sensors_side_angle == 0 || robot->range_sensors != 1 ||
+      robot->sensors_ranger_reach == 0 || robot->sensors_gyro_step == 0) {
+    fputs("controller.c needs a robot with pairs of side and front sensors, a ToF sensor and a gyro\n", stderr);
+    exit(1);
+  }
   struct controller *p = (struct controller *)calloc(1, sizeof *p);
   const double face = told->cell / 2 - told->cell / 30, angle = told->robot.sensors_side_angle;
   if (p == NULL) exit(1);

@@ -232,6 +232,8 @@ for line in sys.stdin:
     elif word == "goal":
         told["goals"].append((int(rest[0]), int(rest[1])))
     elif word == "begin":
+        if not {"sensors.side_angle", "sensors.front_angle", "sensors.ranger_ahead", "sensors.gyro_step"} <= set(told):
+            sys.exit("controller.py needs a robot with side and front sensors, a ToF sensor and a gyro, such as kerise")
         controller = Controller(told)
         print("labmouse pilot 1", flush=True)
     elif len(rest) == 1 and rest[0][0] in "-0123456789":

@@ -20,8 +20,10 @@ std::int16_t in_register(double number) {
   return static_cast<std::int16_t>(whole_below(std::min(std::max(number, -most), most) + 0.5));
 }
 
-/// The count of a counter with so many bits.
-std::int32_t wrapped(std::int32_t count, double bits) {
+/// What a counter with so many bits shows of a number of counts.
+std::int32_t wrapped(double counts, double bits) {
+  auto count = static_cast<std::int64_t>(counts);
+  if (static_cast<double>(count) > counts) --count;
   const int unused = 32 - static_cast<int>(bits);
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(count) << unused) >> unused;
 }
@@ -51,6 +53,7 @@ Senses::Senses(const Field& field, const Hardware& hardware, const RobotSample& 
 }
 
 void Senses::calibrate() {
+  begins_ = true;
   bias_ = robot_sample_.noise_of(ErrorCause::gyro) * hardware_.noise.gyro_bias * normal(bias_rng_);
 }
 
@@ -75,7 +78,7 @@ void Senses::count(const BodyMotion& motion) {
       const double turns = travel_[wheel] / noise.ripple_length + robot_sample_.ripple[wheel];
       shown += level * (noise.ripple * sine_of_turns(turns) + noise.encoder * normal(encoder_rng_[wheel]));
     }
-    sense_.counts[wheel] = wrapped(whole_below(shown / hardware_.sensors.count), hardware_.sensors.count_bits);
+    sense_.counts[wheel] = wrapped(shown / hardware_.sensors.count, hardware_.sensors.count_bits);
   }
 }
 
@@ -116,14 +119,17 @@ void Senses::shine(const BodyMotion& motion) {
     if (drift > 0.0) light.ambient = std::max(0.0, light.ambient + drift * normal(light.ambient_rng));
     if (factor > 0.0) light.noise = noise.infrared_memory * light.noise + fresh_ * normal(light.noise_rng);
     std::int16_t read = light.last;
-    if (sense_.tick % groups_ == static_cast<unsigned>(sensor.group)) {
+    if (begins_ || sense_.tick % groups_ == static_cast<unsigned>(sensor.group)) {
       double level = beams_.level(i, motion.position, motion.ahead) + light.ambient;
       level += factor * (noise.infrared + noise.infrared_share * level) * light.noise;
       read = light.last = in_register(std::min(std::max(level, 0.0), sensor.most));
     }
+    // A mouse that was put down has stood there for a while.
+    if (begins_) std::fill(light.delayed.begin(), light.delayed.end(), read);
     if (!light.delayed.empty()) std::swap(read, light.delayed[sense_.tick % light.delayed.size()]);
     sense_.infrared[i] = read;
   }
+  begins_ = false;
 }
 
 void Senses::range(const BodyMotion& motion) {

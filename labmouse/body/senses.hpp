@@ -48,6 +48,7 @@ class Senses {
   };
   std::vector<Light> lights_;
   unsigned groups_ = 1;  ///< of infrared sensors
+  bool begins_ = true;   ///< whether the mouse was put down since the last tick
   /// A ToF sensor.
   struct Range {
     Rng rng;

@@ -47,6 +47,9 @@ std::string why_not_physical(const DriveModel& model) {
   if (!model.robot.hardware)
     return "it has no [body], [motors], [sensors], [noise] and [variation], which describe its parts; "
            "robots/classic.toml is an example";
+  const Sensors& sensors = model.robot.hardware->sensors;
+  if (sensors.infrared.size() > most_infrared || sensors.rangers.size() > most_rangers)
+    return "it has too many sensors: at most 16 infrared and 8 ToF sensors are simulated";
   if (model.robot.fixed) return "its turns are times, without the curves behind them";
   return "";
 }

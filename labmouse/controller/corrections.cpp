@@ -116,8 +116,10 @@ void Corrections::see_wall(std::size_t sensor, double level, const View& view, c
       std::max(slow, std::abs(estimator.speed())) * calls_between * hardware_.motors.period * tick_seconds;
   const double many = std::max(1.0, alike * cell_ / 2.0 / between);
   const double share = (reading_variance(hardware_.variation, level) + square(noise.infrared)) / square(level);
+  // So have those of the other sensors that look there.
+  const int sensors = views_.count_of(views_.side(sensor));
   estimator.correct({views_.distance_of(sensor, level, view) - view.distance, slopes.distance[0], slopes.distance[1],
-                     slopes.distance[2], many * square(views_.fall_of(sensor, view)) * share + 0.25});
+                     slopes.distance[2], sensors * many * square(views_.fall_of(sensor, view)) * share + 0.25});
 }
 
 /// `behind` is the cell of the corridor behind the line.
@@ -151,7 +153,8 @@ void Corrections::see_range(const RangerMount& mount, double distance, const Cor
   const int line = whole_below((face + half_wall_of(cell_)) / cell_ + 0.5);
   const double error = line * cell_ - half_wall_of(cell_) - face;
   const bool ahead = mount.side == BeamSide::ahead;
-  const Cell before = ahead ? cell_along(corridor, (line - 0.5) * cell_) : corridor.cell;
+  const double along = dot(estimator.position(), way_in(corridor.axis)) + mount.along + distance * mount.along_cosine;
+  const Cell before = cell_along(corridor, ahead ? (line - 0.5) * cell_ : along);
   // Beside it, only the wall of the corridor counts.
   if (!ahead && std::abs(line * cell_ - cell_ / 2.0 -
                          dot({(corridor.cell.x + 0.5) * cell_, (corridor.cell.y + 0.5) * cell_}, on)) > 0.5 * cell_)

@@ -41,18 +41,21 @@ void Estimator::put(const Position& position, const Direction& ahead) {
   const Variation& variation = hardware_.variation;
   position_ = position;
   ahead_ = ahead;
-  bias_ = nominal_slip_ = felt_slip_ = slip_variance_ = speed_ = speeding_ = turning_ = 0.0;
+  const bool has_gyro = hardware_.sensors.has_gyro();
+  // Wheels stay as they are, and the gyro is calibrated again.
+  if (has_gyro) bias_ = 0.0;
+  nominal_slip_ = felt_slip_ = slip_variance_ = speed_ = speeding_ = turning_ = 0.0;
   rejected_ = 0;
   const auto own = [&](State state, double deviation) { return any_ ? covariance_[state][state] : square(deviation); };
-  const double scale = own(at_scale, variation.encoder_scale), gyro = own(at_gyro, variation.gyro_scale);
+  constexpr double root_of_half = 0.70710678118654752;
+  const double scale = own(at_scale, variation.encoder_scale), gyro = own(at_gyro, variation.gyro_scale),
+               mismatch = own(at_bias, root_of_half * variation.encoder_scale / hardware_.chassis.half_track);
   covariance_ = {};
   // Twice the standard deviation of placement by hand, so that the first wall observations are not rejected.
   covariance_[at_x][at_x] = covariance_[at_y][at_y] = 4.0 * square(variation.placement);
   covariance_[at_angle][at_angle] = 4.0 * square(variation.placement_turn);
   // Without a gyro, wheels of different diameters turn the mouse as it drives.
-  covariance_[at_bias][at_bias] = hardware_.sensors.has_gyro()
-                                      ? square(hardware_.noise.gyro_bias)
-                                      : square(variation.encoder_scale / hardware_.chassis.half_track) / 2.0;
+  covariance_[at_bias][at_bias] = has_gyro ? square(hardware_.noise.gyro_bias) : mismatch;
   covariance_[at_scale][at_scale] = scale;
   covariance_[at_gyro][at_gyro] = gyro;
 }

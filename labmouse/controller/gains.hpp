@@ -28,7 +28,7 @@ struct Gains {
   MotorAxis drive_model, turn_model;
   TrackerGains tracker;
   double seconds = tick_seconds;  ///< from one call to the next
-  double speed_filter = 0.2;      ///< weight of a tick's encoder speed in the estimate, 0 to 1
+  double speed_filter = 0.2;      ///< weight of a call's encoder speed in the estimate, 0 to 1
 };
 
 /// The built-in gains for a robot's hardware and cells of `cell` mm.

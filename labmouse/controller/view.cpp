@@ -36,6 +36,18 @@ Position Views::way_of(std::size_t sensor, const Direction& ahead) const {
   return {ahead.cosine * own.cosine - ahead.sine * own.sine, ahead.sine * own.cosine + ahead.cosine * own.sine};
 }
 
+double Views::cosine_in_line(std::size_t sensor) const {
+  const auto& [sine, cosine] = sensors_[sensor].direction;
+  return sensors_[sensor].side == BeamSide::ahead ? cosine : std::abs(sine);
+}
+
+int Views::count_of(BeamSide side) const {
+  return static_cast<int>(
+      std::count_if(sensors_.begin(), sensors_.end(), [&](const Mounted& one) { return one.side == side; }));
+}
+
+double Views::share_of(std::size_t sensor) const { return std::min(1.0, 2.0 / count_of(sensors_[sensor].side)); }
+
 bool Views::see(std::size_t sensor, const Position& position, const Direction& ahead, const WallLine& line,
                 View& view) const {
   constexpr double least = 0.2;

@@ -44,6 +44,13 @@ class Views {
            View& view) const;
   ViewSlopes slopes(std::size_t sensor, const Direction& ahead, const WallLine& line, const View& view) const;
   BeamSide side(std::size_t sensor) const { return sensors_[sensor].side; }
+  /// The cosine of a beam's angle of incidence where the mouse is in line with the walls.
+  double cosine_in_line(std::size_t sensor) const;
+  /// How much the evidence of a sensor counts: all sensors of a side see how bright its wall is, so more than two
+  /// count as two.
+  double share_of(std::size_t sensor) const;
+  /// How many sensors look to that side.
+  int count_of(BeamSide side) const;
   /// Expected reading of a whole wall, in counts, and the inverse: the distance (mm) of a wall with that reading.
   double level_of(std::size_t sensor, const View& view) const;
   double distance_of(std::size_t sensor, double level, const View& view) const;

@@ -75,7 +75,8 @@ void WallReader::read_infrared(std::size_t sensor, const Sense& sense, const Pos
   if (!views_.see(sensor, estimate.position, estimate.ahead, sight.line, view)) return;
   const double along = view.along - sight.begin;
   // Between the two posts; ahead, not farther than the front wall of a cell that the mouse enters.
-  constexpr double first = 0.14, last = 0.86, far = 1.1, steep = 0.7;
+  constexpr double first = 0.14, last = 0.86, far = 1.1, usual_steep = 0.7, share = 0.78;
+  const double steep = std::min(usual_steep, share * views_.cosine_in_line(sensor));
   if (along < first * cell_ || along > last * cell_ || view.distance > far * cell_ || view.cosine < steep) return;
   Stretch& stretch = stretches_[sensor];
   ++stretch.count;
@@ -154,7 +155,8 @@ double WallReader::nats_of(std::size_t sensor, const PoseEstimate& estimate) con
     const double posts = std::min(1.0, post_share(place, spot));
     for (const Trial& aside : trials) {
       const double weight = aside.weight * on.weight;
-      const double whole = expected * exp_of(-aside.deviations * off / fall);
+      constexpr double most = 100.0;
+      const double whole = expected * exp_of(std::clamp(-aside.deviations * off / fall, -most, most));
       with += weight * likelihood(level, std::min(infrared.most, wall * whole));
       without += weight * likelihood(level, std::min(infrared.most, posts * whole));
     }
@@ -167,7 +169,7 @@ WallEvidence WallReader::evidence(const PoseEstimate& estimate) const {
   std::array<double, 3> nats{};
   for (std::size_t i = 0; i < ranged_.size(); ++i) nats[static_cast<std::size_t>(mounts_[i].side)] += ranged_[i];
   for (std::size_t i = 0; i < sights_.size(); ++i)
-    nats[static_cast<std::size_t>(views_.side(i))] += nats_of(i, estimate);
+    nats[static_cast<std::size_t>(views_.side(i))] += views_.share_of(i) * nats_of(i, estimate);
   const auto of = [&](BeamSide side) { return evidence_of(nats[static_cast<std::size_t>(side)]); };
   return {of(BeamSide::left), of(BeamSide::ahead), of(BeamSide::right)};
 }

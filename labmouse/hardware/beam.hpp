@@ -26,14 +26,17 @@ inline BeamSide side_of(const Beam& beam) {
   return direction.sine > 0.0 ? BeamSide::left : BeamSide::right;
 }
 
+/// How far a sensor sits from the middle of the axle towards the side at which it looks, in mm; for one that looks
+/// aside.
+inline double out_of(const Beam& beam) { return side_of(beam) == BeamSide::left ? beam.aside : -beam.aside; }
+
 /// The distance in mm that a beam goes to a wall from the middle of a cell: to the side wall, or to the front wall if
 /// it looks ahead.
 inline double calibrated_distance(const Beam& beam, double cell) {
   const double face = cell / 2.0 - half_wall_of(cell);
   const Direction direction = direction_of(beam.angle);
   if (side_of(beam) == BeamSide::ahead) return (face - beam.ahead) / direction.cosine;
-  const double out = side_of(beam) == BeamSide::left ? beam.aside : -beam.aside;
-  return (face - out) / std::abs(direction.sine);
+  return (face - out_of(beam)) / std::abs(direction.sine);
 }
 
 /// How a ToF sensor is mounted in the direction of the side at which it looks, for a mouse that is in line with the
@@ -42,14 +45,17 @@ struct RangerMount {
   BeamSide side = BeamSide::ahead;
   double depth = 0.0;   ///< mm from the middle of the axle towards that side
   double cosine = 1.0;  ///< of the angle between the beam and that direction
+  double along = 0.0;   ///< mm ahead, and the cosine of the angle between the beam and ahead
+  double along_cosine = 1.0;
 };
 
 inline RangerMount mount_of(const Ranger& ranger) {
   const Beam& beam = ranger.beam;
   const Direction direction = direction_of(beam.angle);
   const BeamSide side = side_of(beam);
-  if (side == BeamSide::ahead) return {side, beam.ahead, direction.cosine};
-  return {side, side == BeamSide::left ? beam.aside : -beam.aside, std::abs(direction.sine)};
+  const bool ahead = side == BeamSide::ahead;
+  return {side, ahead ? beam.ahead : out_of(beam), ahead ? direction.cosine : std::abs(direction.sine), beam.ahead,
+          direction.cosine};
 }
 
 /// How the reading of an infrared sensor falls with the distance to a wall at a right angle, without its limit.
@@ -58,7 +64,8 @@ class InfraredCurve {
   InfraredCurve() = default;
   InfraredCurve(const Infrared& sensor, double cell) : fall_(sensor.fall < 1.0 ? 0.0 : sensor.fall) {
     const double calibrated = calibrated_distance(sensor.beam, cell);
-    gain_ = sensor.gain * (is_exponential() ? exp_of(calibrated / fall_) : square(calibrated));
+    constexpr double most = 100.0;
+    gain_ = sensor.gain * (is_exponential() ? exp_of(std::clamp(calibrated / fall_, -most, most)) : square(calibrated));
   }
 
   /// Counts at that distance, in mm, of a wall that returns such a share of the light.

@@ -380,6 +380,22 @@ TEST(Infrared, IsReadAsLateAsItsLatency) {
   EXPECT_NE(readings.front(), readings.back());
 }
 
+/// Where a mouse was put down, its sensors have read for a while: late ones do not show where it was before.
+TEST(Infrared, IsOfWhereTheMouseWasPutDown) {
+  Hardware late = test::plain_mouse();
+  for (Infrared& sensor : late.sensors.infrared) sensor.latency = 60.0;
+  for (const std::size_t left : {2U, 3U}) late.sensors.infrared[left].group = 1.0;
+  Sensed now(test::plain_mouse()), then(late);
+  for (const double x : {350.0, 40.0}) {
+    now.motion.position = then.motion.position = {x, 350.0};
+    now.motion.ahead = then.motion.ahead = {1.0, 0.0};
+    now.calibrate();
+    then.calibrate();
+    EXPECT_EQ(then.read().infrared, now.read().infrared) << x;
+  }
+  EXPECT_GT(now.read().infrared[2], 100);
+}
+
 TEST(Battery, IsReadInMillivolts) {
   const Maze maze = test::hall(4);
   const Hardware hardware = test::plain_mouse();

@@ -121,6 +121,22 @@ TEST(Estimator, LearnsTheMismatchOfItsWheelsWithoutAGyro) {
   EXPECT_LT(std::abs(mouse.angle_error()), 0.01);
 }
 
+/// A hand carries the mouse: its wheels stay as they are.
+TEST(Estimator, KeepsTheMismatchOfItsWheelsWhereItIsPutDown) {
+  Hardware blind = hardware();
+  blind.sensors.gyro_step = 0.0;
+  ErrorScale unequal = no_errors;
+  unequal.variation = 1.0;
+  OnAFloor mouse(blind, blind, unequal, 3);
+  for (int i = 0; i < 30; ++i) {
+    mouse.drive(50, 0.1, 0.1);
+    mouse.estimator().correct({-mouse.angle_error(), 0.0, 0.0, 1.0, 1e-6});
+  }
+  mouse.estimator().put(mouse.body().motion().position, mouse.body().motion().ahead);
+  mouse.drive(300, 0.1, 0.1);
+  EXPECT_LT(std::abs(mouse.angle_error()), 0.015);
+}
+
 TEST(Estimator, KnowsHowFastItIsWithoutAnAccelerometer) {
   Hardware blind = hardware();
   blind.sensors.acceleration_step = 0.0;

@@ -123,6 +123,16 @@ def test_a_drive_of_the_physical_world_gives_its_robot_back(driven, tmp_path):
     assert read["body.grip"] == base["body.grip"]
 
 
+def test_a_robot_whose_sensors_are_listed_keeps_them(driven, tmp_path):
+    base = fit.base_numbers("beginner")
+    fitted = fit.fit_log(fit.read_log(driven, DRIVEN), base)
+    assert fitted.drive.gain.known
+    assert fitted.infrared.refusal
+    file = tmp_path / "mine.toml"
+    file.write_text(fit.robot_of_logs([fitted], "beginner").text, encoding="utf-8")
+    assert fit.robot_numbers(str(file))[1]["infrared"] == base["infrared"]
+
+
 def test_a_mouse_of_another_making_is_recovered(robot):
     held = known = 0
     for seed in (1, 2):

@@ -87,7 +87,7 @@ std::optional<double> wall_of(const Field& field, const Infrared& infrared, cons
   if (!way) return std::nullopt;
   const Direction own = direction_of(beam.angle);
   const bool aside = side_of(beam) != BeamSide::ahead;
-  return aside ? std::abs(beam.aside) + *way * std::abs(own.sine) : beam.ahead + *way * own.cosine;
+  return aside ? out_of(beam) + *way * std::abs(own.sine) : beam.ahead + *way * own.cosine;
 }
 
 /// The mean of that over the sensors which look there; nullopt unless each meets a wall.

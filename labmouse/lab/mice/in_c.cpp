@@ -18,7 +18,7 @@ labmouse_robot robot_in_c(const Hardware& hardware) {
   HardwareTerms terms = terms_of(hardware);
   const auto keys = hardware_keys();
   for (std::size_t i = 0; i < std::min(keys.size(), robot_members.size()); ++i)
-    robot.*robot_members[i] = keys[i].number(terms.numbers) * keys[i].unit;
+    if (terms.has(keys[i].key)) robot.*robot_members[i] = keys[i].number(terms.numbers) * keys[i].unit;
   for (const Infrared& one : hardware.sensors.infrared)
     robot.infrared[robot.infrared_sensors++] = {one.beam.ahead, one.beam.aside, one.beam.angle, one.gain,   one.fall,
                                                 one.most,       one.footprint,  one.group,      one.latency};

@@ -163,7 +163,7 @@ Json page_robot_keys_json() {
                     {"low", key.low},
                     {"high", key.high},
                     {"with", with[static_cast<std::size_t>(key.with)]},
-                    {"needed", key.needed},
+                    {"needed", key.needed && key.sensor == RobotKey::Sensor::none},
                     {"kind", kinds[static_cast<std::size_t>(key.kind)]},
                     {"of_diagonals", key.of_diagonals}});
   return list;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "labmouse/lab/robots/builtin_robots.hpp"
+#include "labmouse/lab/robots/hardware_keys.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/robots/robot_text.hpp"
 
@@ -21,9 +22,17 @@ std::string built_in_text(PageRequest& request) {
 
 /// Whether it is a list of sensors, with numbers by name.
 bool is_list(const std::string& name, const ReadJson& value) {
-  const auto is_sensor = [](const ReadJson& sensor) {
-    return sensor.is_object() &&
-           std::all_of(sensor.begin(), sensor.end(), [](const ReadJson& number) { return number.is_number(); });
+  const auto is_key = [&](const std::string& key) {
+    const auto has = [&](const auto& keys) {
+      return std::any_of(keys.begin(), keys.end(), [&](const auto& one) { return one.key.name == key; });
+    };
+    return name == infrared_list ? has(infrared_keys()) : has(ranger_keys());
+  };
+  const auto is_sensor = [&](const ReadJson& sensor) {
+    if (!sensor.is_object()) return false;
+    for (const auto& [key, number] : sensor.items())
+      if (!is_key(key) || !number.is_number()) return false;
+    return true;
   };
   return (name == infrared_list || name == ranger_list) && value.is_array() &&
          std::all_of(value.begin(), value.end(), is_sensor);

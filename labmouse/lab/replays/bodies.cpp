@@ -73,8 +73,8 @@ Json bodies_json(const DriveRecordFile& contest) {
     }
     const DriveRun& run = contest.record.runs[i];
     for (const TracePoint& point : trace_of(contest, run))
-      for (std::size_t i = 0; i < curves.size(); ++i)
-        distances.push_back(distance_of(point.infrared[i], curves[i], cell));
+      for (std::size_t sensor = 0; sensor < curves.size(); ++sensor)
+        distances.push_back(distance_of(point.infrared[sensor], curves[sensor], cell));
   }
   const Chassis& chassis = hardware.chassis;
   return {{"front", rounded(chassis.front / cell)},

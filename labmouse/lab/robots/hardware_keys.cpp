@@ -1,5 +1,6 @@
 #include "labmouse/lab/robots/hardware_keys.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -292,6 +293,15 @@ Hardware hardware_of(const HardwareNumbers& numbers, PlainSensors which) {
   return hardware;
 }
 
+namespace {
+
+/// Whether it is an infrared or a ToF sensor.
+bool is_of_walls(Sensor sensor) {
+  return sensor == Sensor::side || sensor == Sensor::front || sensor == Sensor::infrared || sensor == Sensor::ranger;
+}
+
+}  // namespace
+
 HardwareTerms terms_of(const Hardware& hardware) {
   HardwareTerms terms;
   auto& [numbers, plain, lists] = terms;
@@ -306,10 +316,16 @@ HardwareTerms terms_of(const Hardware& hardware) {
     (ahead ? numbers.front : numbers.side) = sensor.beam;
     (ahead ? plain.front : plain.side) = true;
   }
+  // No key of a pair has these.
+  numbers.infrared.group = numbers.infrared.latency = 0.0;
   plain.ranger = !sensors.rangers.empty();
   if (plain.ranger) numbers.ranger = sensors.rangers.front();
   numbers.ranger.beam.aside = numbers.ranger.beam.angle = 0.0;
-  lists = hardware_of(numbers, plain) != hardware;
+  const auto out_of_range = [&](const HardwareKey& key) {
+    const double number = key.number(numbers) * key.unit;
+    return is_of_walls(key.key.sensor) && terms.has(key.key) && (number < key.key.low || number > key.key.high);
+  };
+  lists = hardware_of(numbers, plain) != hardware || std::any_of(keys.begin(), keys.end(), out_of_range);
   if (lists) terms = {{.hardware = hardware, .side = {}, .front = {}, .infrared = {}, .ranger = {}}, {}, true};
   return terms;
 }

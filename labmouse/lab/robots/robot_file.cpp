@@ -136,6 +136,9 @@ class RobotReader {
     if (!found.is_number()) return add(found.source().begin, fmt::format("'{}' must be {}", key.name, words_of(key)));
     // A whole number too large for a double is out of any range.
     const double value = found.value<double>().value_or(std::numeric_limits<double>::infinity());
+    if (key.name.ends_with("fall") && value > 0.0 && value < 1.0)
+      return add(found.source().begin,
+                 fmt::format("'{}' is {}; it must be 0, or 1 to {} mm", key.name, written(found), key.high));
     if (!(value >= key.low && value <= key.high) || (key.kind == RobotKey::Kind::whole && !found.is_integer()))
       add(found.source().begin, fmt::format("'{}' is {}; it must be {}{}", key.name, written(found), range_of(key),
                                             unit_hint(value, key.low, key.high, key.unit)));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -44,6 +45,8 @@ std::string too_near(std::string_view key, double length) {
 
 /// From here on in a cell, as a share of it, sensors see walls and not the post.
 constexpr double behind_post = 0.14;
+/// Readings later than so many cells are remarked.
+constexpr double late_cells = 0.05;
 
 /// What the controller cannot do with these sensors.
 std::vector<std::string> sensor_remarks(const Sensors& sensors, double cell) {
@@ -78,6 +81,29 @@ std::vector<std::string> sensor_remarks(const Sensors& sensors, double cell) {
   return remarks;
 }
 
+/// What goes too fast for the counters or the infrared sensors.
+std::vector<std::string> speed_remarks(const Robot& robot) {
+  const Hardware& hardware = *robot.hardware;
+  const Sensors& sensors = hardware.sensors;
+  std::vector<std::string> remarks;
+  const double seconds = hardware.motors.period / 1e3;
+  const double counts = std::max(robot.speed, robot.speed_diagonal) * seconds / sensors.count;
+  const double most = std::exp2(sensors.count_bits - 1.0);
+  if (counts >= most)
+    remarks.push_back(
+        fmt::format("its wheels turn by up to {:.0f} counts in {:g} ms, and a counter of {:g} bits tells "
+                    "apart less than {:g}",
+                    counts, hardware.motors.period, sensors.count_bits, most));
+  double late = 0.0;
+  for (const Infrared& sensor : sensors.infrared) late = std::max(late, sensor.latency / 1e3 * robot.speed);
+  if (late > late_cells * robot.cell)
+    remarks.push_back(
+        fmt::format("infrared sensors are read up to {:.0f} mm late, which the built-in controller does "
+                    "not allow for",
+                    late));
+  return remarks;
+}
+
 /// The highest yaw rate in a curve, rad/s.
 double quickest_curve(const DriveModel& model) {
   double quickest = 0.0;
@@ -107,6 +133,8 @@ std::vector<std::string> robot_remarks(const Robot& robot, const DriveModel& mod
   if (robot.hardware) {
     std::vector<std::string> of_sensors = sensor_remarks(robot.hardware->sensors, robot.cell);
     std::move(of_sensors.begin(), of_sensors.end(), std::back_inserter(remarks));
+    std::vector<std::string> of_speed = speed_remarks(robot);
+    std::move(of_speed.begin(), of_speed.end(), std::back_inserter(remarks));
   }
   std::erase_if(remarks, [](const std::string& remark) { return remark.empty(); });
   return remarks;

@@ -31,12 +31,12 @@ std::string why_no_robots(const WorldEntry& world) {
   return fmt::format("the world {} {}; choose {}", world.name, world.why_one_robot, worlds_of_robots());
 }
 
-/// Whether contests of this world depend on that key of the hardware: its conditions list all that they depend on.
-bool depends_on(const World& world, std::string_view key) {
+/// Whether contests of this world depend on the hardware: its conditions list all that they depend on.
+bool depends_on_hardware(const World& world) {
   for (const Condition& condition : world.conditions()) {
     if (condition.key != "robot") continue;
     const ReadJson robot = read_json(text_of(condition.value));
-    if (robot.is_object() && robot.contains("parameters")) return robot["parameters"].contains(key);
+    if (robot.is_object() && robot.contains("parameters")) return robot["parameters"].contains("body.front");
   }
   return false;
 }
@@ -45,7 +45,7 @@ bool depends_on(const World& world, std::string_view key) {
 std::string why_not(const Entry& entry, std::string_view key) {
   if (std::string why = why_no_robots(*find_world(entry.world->name())); !why.empty()) return why;
   if (std::string why = why_no_key(key); !why.empty()) return why;
-  if (find_robot_key(key)->with != RobotKey::With::body || depends_on(*entry.world, key)) return "";
+  if (find_robot_key(key)->with != RobotKey::With::body || depends_on_hardware(*entry.world)) return "";
   return fmt::format("'{}' changes nothing in the world {}, which does not simulate the hardware", key,
                      entry.world->name());
 }

@@ -1,4 +1,5 @@
 // Sensors in robot files: pairs, lists, and those that a robot lacks.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -128,6 +129,33 @@ TEST(RobotSensors, AreTheSameAgainFromJsonAndFromText) {
   }
 }
 
+/// Pairs in another order, toed in, crossed, or with a latency have no keys of their own: they stand in lists.
+TEST(RobotSensors, AreListedWhereNoKeysDescribeThem) {
+  const auto list_of = [](const std::vector<Beam>& beams, int latency = 0) {
+    std::string text;
+    for (const Beam& beam : beams)
+      text += fmt::format("[[infrared]]\nahead = {}\naside = {}\nangle = {}\nlatency = {}\n", beam.ahead, beam.aside,
+                          beam.angle, latency);
+    return without(pairs, text);
+  };
+  const auto mirrored = [](double aside, double angle) {
+    return std::vector<Beam>{{12.0, -aside, -angle}, {12.0, aside, angle}};
+  };
+  for (const std::string& text :
+       {list_of({{12.0, 12.0, 1.1}, {12.0, -12.0, -1.1}}), list_of(mirrored(8.0, -0.1)), list_of(mirrored(-8.0, 1.1)),
+        list_of(mirrored(8.0, 0.7845)), list_of(mirrored(12.0, 1.1), 2)}) {
+    const RobotResult read = read_robot(text, "it");
+    ASSERT_TRUE(read.robot) << reasons(text).front();
+    const Json json = robot_json(*read.robot, RobotParts::with_body);
+    EXPECT_TRUE(json["parameters"].contains("infrared")) << text;
+    JsonFields fields(ReadJson::object(), "record");
+    EXPECT_EQ(read_robot_json(fields, ReadJson(json)).robot.hardware, read.robot->hardware);
+    EXPECT_EQ(fields.error(), "");
+  }
+  const Json pair = robot_json(*read_robot(list_of(mirrored(12.0, 1.1)), "it").robot, RobotParts::with_body);
+  EXPECT_TRUE(pair["parameters"].contains("sensors.side_angle"));
+}
+
 TEST(RobotSensors, MayBeLacking) {
   EXPECT_FALSE(hardware_in(without({"sensors.gyro", "noise.gyro", "variation.gyro"})).sensors.has_gyro());
   EXPECT_FALSE(hardware_in(without({"sensors.acceleration", "noise.acceleration"})).sensors.has_accelerometer());
@@ -160,6 +188,7 @@ TEST(RobotSensors, InListsThatAreWrongAreNamed) {
   EXPECT_THAT(of("[[infrared]]\nahead = 1\naside = 2\nangle = 90\n"), ElementsAre(Says("infrared.angle", "1.6")));
   EXPECT_THAT(of("[[infrared]]\nahead = 1\naside = 2\nangle = \"left\"\n"), ElementsAre(Says("infrared.angle")));
   EXPECT_THAT(of("[[infrared]]\nahead = 1\naside = 2\nangle = 0\ngroup = 0.5\n"), ElementsAre(Says("infrared.group")));
+  EXPECT_THAT(of("[[infrared]]\nahead = 1\naside = 2\nangle = 0\nfall = 0.9\n"), ElementsAre(Says("infrared.fall")));
   std::string many;
   for (int i = 0; i < 17; ++i) many += "[[infrared]]\nahead = 1\naside = 2\nangle = 0\n";
   EXPECT_THAT(of(many), ElementsAre(Says("17", "16")));
@@ -175,6 +204,11 @@ TEST(RobotSensors, ThatAreLackingAreRemarked) {
               ElementsAre(Says("no sensor looks ahead"), Says("no ToF sensor looks ahead")));
   EXPECT_THAT(remarks(without({"sensors.acceleration", "noise.acceleration"})), ElementsAre(Says("no accelerometer")));
   EXPECT_THAT(remarks(without({"sensors.gyro", "noise.gyro", "variation.gyro"})), ElementsAre(Says("no gyro")));
+  std::string narrow = kerise();
+  narrow.replace(narrow.find("count = "), 0, "count_bits = 11\n");
+  EXPECT_THAT(remarks(narrow), ElementsAre(Says("11 bits")));
+  EXPECT_THAT(remarks(without(pairs, "[[infrared]]\nahead = 12\naside = 9\nangle = 1.1\nlatency = 9\n")),
+              Contains(Says("mm late")));
   EXPECT_THAT(remarks(without({"sensors.side_"})), Contains(Says("no sensor looks aside")));
   EXPECT_THAT(remarks(without(pairs, "[[infrared]]\nahead = 12\naside = 10\nangle = 1.57\n")),
               ElementsAre(Says("no sensor sees its side walls")));

@@ -38,6 +38,10 @@ class InfraredFit:
     refusal: str = ""  #: why there is no fit
 
 
+#: What the fit needs to know of the base robot.
+_NEEDED = ("sensors.side_angle", "sensors.front_angle", "sensors.infrared_most", "noise.infrared")
+
+
 def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
     """Fits the law to the readings of a log.
 
@@ -48,6 +52,9 @@ def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
     the fit better, the errors include the changes that it would make.
     """
     result = InfraredFit()
+    if not all(key in robot for key in _NEEDED):
+        result.refusal = "the base robot has no pairs of side and front sensors; take one that does, such as kerise"
+        return result
     readings = _readings(log, robot)
     if readings is None:
         result.refusal = "the log has no readings of a wall at a known distance"

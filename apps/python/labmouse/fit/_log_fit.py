@@ -62,7 +62,7 @@ def fit_log(log: Log, robot: Numbers, *, way: float = 0.0, way_error: float = 1.
     fit.infrared = fit_infrared(log, robot)
     fit.saturated = saturated(log, robot)
     counted_scale = count.count.error / count.count.value if count.count.known else robot["variation.encoder_scale"] / math.sqrt(2.0)  # mean of two wheels
-    fit.scales = {"drive": counted_scale, "turn": robot["variation.gyro_scale"] if fit.motion.by_gyro else counted_scale}
+    fit.scales = {"drive": counted_scale, "turn": robot.get("variation.gyro_scale", counted_scale) if fit.motion.by_gyro else counted_scale}
     _add_axes(fit, robot)
     _fit_motors(fit)
     return fit

@@ -227,7 +227,7 @@ def _listed(notes: Sequence[str]) -> str:
 
 
 def _is_hardware(key: str) -> bool:
-    return key.split(".")[0] in ("body", "motors", "sensors", "noise", "variation")
+    return key.split(".")[0] in ("body", "motors", "sensors", "noise", "variation", "infrared", "ranger")
 
 
 def _robot_of(header: Header, name: str, robot: Numbers, remarks: dict[str, str], cell: float) -> FittedRobot:
