@@ -321,8 +321,8 @@ HardwareTerms terms_of(const Hardware& hardware) {
   plain.ranger = !sensors.rangers.empty();
   if (plain.ranger) numbers.ranger = sensors.rangers.front();
   numbers.ranger.beam.aside = numbers.ranger.beam.angle = 0.0;
-  const auto out_of_range = [&](const HardwareKey& key) {
-    const double number = key.number(numbers) * key.unit;
+  const auto out_of_range = [&terms](const HardwareKey& key) {
+    const double number = key.number(terms.numbers) * key.unit;
     return is_of_walls(key.key.sensor) && terms.has(key.key) && (number < key.key.low || number > key.key.high);
   };
   lists = hardware_of(numbers, plain) != hardware || std::any_of(keys.begin(), keys.end(), out_of_range);
