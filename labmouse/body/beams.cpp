@@ -47,8 +47,8 @@ Beams::Beams(const Field& field, const Sensors& sensors, const RobotSample& robo
     const Infrared& sensor = sensors.infrared[i];
     const InfraredCurve curve(sensor, field.cell());
     const double factor = robot_sample.infrared[i];
-    lights_.push_back({direction_of(sensor.beam.angle), curve, factor,
-                       curve.distance(std::min(least / factor, curve.level(0.0))), 1.0 / sensor.footprint});
+    emitters_.push_back({direction_of(sensor.beam.angle), curve, factor,
+                         curve.distance(std::min(least / factor, curve.level(0.0))), 1.0 / sensor.footprint});
   }
   for (const Ranger& ranger : sensors.rangers) rangers_.push_back(direction_of(ranger.beam.angle));
 }
@@ -128,14 +128,14 @@ double Beams::share_of(const Crossing& crossing, double per_footprint) const {
 }
 
 double Beams::level(std::size_t sensor, const Position& position, const Direction& ahead) const {
-  const Light& light = lights_[sensor];
+  const Emitter& emitter = emitters_[sensor];
   double level = 0.0, passing = 1.0;
-  for_each_crossing(ray_of(sensors_.infrared[sensor].beam, light.direction, position, ahead),
+  for_each_crossing(ray_of(sensors_.infrared[sensor].beam, emitter.direction, position, ahead),
                     [&](const Crossing& crossing) {
-                      if (crossing.distance > light.reach) return false;
-                      const double share = share_of(crossing, light.per_footprint);
+                      if (crossing.distance > emitter.reach) return false;
+                      const double share = share_of(crossing, emitter.per_footprint);
                       if (share > 0.0) {
-                        level += passing * share * light.factor * light.curve.level(crossing.distance) *
+                        level += passing * share * emitter.factor * emitter.curve.level(crossing.distance) *
                                  returned_at(crossing.cosine) *
                                  robot_sample_.reflectance({crossing.column, crossing.row}, crossing.side);
                         passing *= 1.0 - share;

@@ -54,14 +54,14 @@ class Beams {
   const Field& field_;
   const Sensors& sensors_;
   const RobotSample& robot_sample_;
-  struct Light {
+  struct Emitter {
     Direction direction;  ///< relative to ahead
     InfraredCurve curve;
     double factor = 1.0;         ///< of its gain
     double reach = 0.0;          ///< mm; a wall farther away returns less than half a count
     double per_footprint = 1.0;  ///< 1/mm
   };
-  std::vector<Light> lights_;       ///< of the infrared sensors
+  std::vector<Emitter> emitters_;   ///< of the infrared sensors
   std::vector<Direction> rangers_;  ///< of the ToF sensors, relative to ahead
 };
 

@@ -20,12 +20,10 @@ std::int16_t in_register(double number) {
   return static_cast<std::int16_t>(whole_below(std::min(std::max(number, -most), most) + 0.5));
 }
 
-/// What a counter with so many bits shows of a number of counts.
-std::int32_t wrapped(double counts, double bits) {
-  auto count = static_cast<std::int64_t>(counts);
-  if (static_cast<double>(count) > counts) --count;
-  const int unused = 32 - static_cast<int>(bits);
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(count) << unused) >> unused;
+/// The whole counts below a number, modulo 2^32.
+std::uint32_t counts_below(double number) {
+  const auto count = static_cast<std::int64_t>(number);
+  return static_cast<std::uint32_t>(static_cast<double>(count) > number ? count - 1 : count);
 }
 
 }  // namespace
@@ -42,18 +40,18 @@ Senses::Senses(const Field& field, const Hardware& hardware, const RobotSample& 
       fresh_(std::sqrt(1.0 - square(hardware.noise.infrared_memory))) {
   for (std::size_t i = 0; i < hardware.sensors.infrared.size(); ++i) {
     const Infrared& sensor = hardware.sensors.infrared[i];
-    lights_.push_back({Rng(seed_for(seed, "infrared", i)), Rng(seed_for(seed, "ambient", i)), robot_sample.ambient[i],
-                       0.0, 0, std::vector<std::int16_t>(static_cast<std::size_t>(sensor.latency))});
+    infrared_.push_back({Rng(seed_for(seed, "infrared", i)), Rng(seed_for(seed, "ambient", i)), robot_sample.ambient[i],
+                         0.0, 0, std::vector<std::int16_t>(static_cast<std::size_t>(sensor.latency))});
     groups_ = std::max(groups_, static_cast<unsigned>(sensor.group) + 1);
   }
-  sense_.infrared_sensors = static_cast<std::uint8_t>(lights_.size());
+  sense_.infrared_sensors = static_cast<std::uint8_t>(infrared_.size());
   sense_.range_sensors = static_cast<std::uint8_t>(hardware.sensors.rangers.size());
   for (std::size_t i = 0; i < hardware.sensors.rangers.size(); ++i)
-    ranges_.push_back({i == 0 ? Rng(seed_for(seed, "ranger")) : Rng(seed_for(seed, "ranger", i))});
+    rangers_.push_back({i == 0 ? Rng(seed_for(seed, "ranger")) : Rng(seed_for(seed, "ranger", i))});
 }
 
 void Senses::calibrate() {
-  begins_ = true;
+  was_put_down_ = true;
   bias_ = robot_sample_.noise_of(ErrorCause::gyro) * hardware_.noise.gyro_bias * normal(bias_rng_);
 }
 
@@ -78,7 +76,7 @@ void Senses::count(const BodyMotion& motion) {
       const double turns = travel_[wheel] / noise.ripple_length + robot_sample_.ripple[wheel];
       shown += level * (noise.ripple * sine_of_turns(turns) + noise.encoder * normal(encoder_rng_[wheel]));
     }
-    sense_.counts[wheel] = wrapped(shown / hardware_.sensors.count, hardware_.sensors.count_bits);
+    sense_.counts[wheel] = wrapped(counts_below(shown / hardware_.sensors.count), hardware_.sensors.count_bits);
   }
 }
 
@@ -113,38 +111,38 @@ void Senses::shine(const BodyMotion& motion) {
   const double factor = robot_sample_.noise_of(ErrorCause::infrared);
   const double drift =
       robot_sample_.variation_of(ErrorCause::ambient) * hardware_.variation.ambient_drift * root_of_tick;
-  for (std::size_t i = 0; i < lights_.size(); ++i) {
+  for (std::size_t i = 0; i < infrared_.size(); ++i) {
     const Infrared& sensor = hardware_.sensors.infrared[i];
-    Light& light = lights_[i];
-    if (drift > 0.0) light.ambient = std::max(0.0, light.ambient + drift * normal(light.ambient_rng));
-    if (factor > 0.0) light.noise = noise.infrared_memory * light.noise + fresh_ * normal(light.noise_rng);
-    std::int16_t read = light.last;
-    if (begins_ || sense_.tick % groups_ == static_cast<unsigned>(sensor.group)) {
-      double level = beams_.level(i, motion.position, motion.ahead) + light.ambient;
-      level += factor * (noise.infrared + noise.infrared_share * level) * light.noise;
-      read = light.last = in_register(std::min(std::max(level, 0.0), sensor.most));
+    InfraredState& state = infrared_[i];
+    if (drift > 0.0) state.ambient = std::max(0.0, state.ambient + drift * normal(state.ambient_rng));
+    if (factor > 0.0) state.noise = noise.infrared_memory * state.noise + fresh_ * normal(state.noise_rng);
+    std::int16_t read = state.last;
+    if (was_put_down_ || sense_.tick % groups_ == static_cast<unsigned>(sensor.group)) {
+      double level = beams_.level(i, motion.position, motion.ahead) + state.ambient;
+      level += factor * (noise.infrared + noise.infrared_share * level) * state.noise;
+      read = state.last = in_register(std::min(std::max(level, 0.0), sensor.most));
     }
     // A mouse that was put down has stood there for a while.
-    if (begins_) std::fill(light.delayed.begin(), light.delayed.end(), read);
-    if (!light.delayed.empty()) std::swap(read, light.delayed[sense_.tick % light.delayed.size()]);
+    if (was_put_down_) std::fill(state.delayed.begin(), state.delayed.end(), read);
+    if (!state.delayed.empty()) std::swap(read, state.delayed[sense_.tick % state.delayed.size()]);
     sense_.infrared[i] = read;
   }
-  begins_ = false;
+  was_put_down_ = false;
 }
 
 void Senses::range(const BodyMotion& motion) {
-  for (std::size_t i = 0; i < ranges_.size(); ++i) {
+  for (std::size_t i = 0; i < rangers_.size(); ++i) {
     const Ranger& ranger = hardware_.sensors.rangers[i];
     RangeSense& seen = sense_.ranges[i];
-    seen.is_new = --ranges_[i].until_new <= 0;
+    seen.is_new = --rangers_[i].until_new <= 0;
     if (!seen.is_new) continue;
-    ranges_[i].until_new = static_cast<int>(ranger.period);
+    rangers_[i].until_new = static_cast<int>(ranger.period);
     double distance = beams_.range(i, motion.position, motion.ahead);
     if (distance > 0.0) {
       constexpr double at_rest = 10.0;  // mm/s
       const bool moves = std::abs(motion.speed) > at_rest;
       const double deviation = moves ? hardware_.noise.ranger : hardware_.noise.ranger_rest;
-      distance += robot_sample_.noise_of(ErrorCause::ranger) * deviation * normal(ranges_[i].rng);
+      distance += robot_sample_.noise_of(ErrorCause::ranger) * deviation * normal(rangers_[i].rng);
     }
     seen.distance = static_cast<std::uint16_t>(std::clamp(distance + 0.5, 0.0, ranger.reach));
   }

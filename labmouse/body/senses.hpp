@@ -39,22 +39,22 @@ class Senses {
   Rng gyro_rng_, bias_rng_, walk_rng_;
   std::array<Rng, 2> acceleration_rng_;
   /// An infrared sensor.
-  struct Light {
+  struct InfraredState {
     Rng noise_rng, ambient_rng;
-    double ambient = 0.0;  ///< counts
-    double noise = 0.0;    ///< in standard deviations, an AR(1) process
-    std::int16_t last = 0;
+    double ambient = 0.0;               ///< counts
+    double noise = 0.0;                 ///< in standard deviations, an AR(1) process
+    std::int16_t last = 0;              ///< reading
     std::vector<std::int16_t> delayed;  ///< readings of the last ticks, as many as its latency, in a ring
   };
-  std::vector<Light> lights_;
-  unsigned groups_ = 1;  ///< of infrared sensors
-  bool begins_ = true;   ///< whether the mouse was put down since the last tick
+  std::vector<InfraredState> infrared_;
+  unsigned groups_ = 1;       ///< of infrared sensors
+  bool was_put_down_ = true;  ///< whether the mouse was put down since the last tick
   /// A ToF sensor.
-  struct Range {
+  struct RangerState {
     Rng rng;
     int until_new = 0;  ///< ticks to the next reading
   };
-  std::vector<Range> ranges_;
+  std::vector<RangerState> rangers_;
   double fresh_;                    ///< factor of the new noise in that of an infrared sensor
   std::array<double, 2> travel_{};  ///< mm, of each wheel as its encoder measures it
   double bias_ = 0.0;               ///< rad/s

@@ -22,13 +22,6 @@ constexpr double gravity = 9810.0;
 /// Slip is measured above this turn rate (rad/s) and this speed (mm/s), and limited to `most_slip` (rad).
 constexpr double least_turning = 2.0, least_speed = 100.0, most_slip = 0.5;
 
-/// What an encoder has counted since a tick; its counter may have wrapped.
-std::int32_t counted(std::int32_t now, std::int32_t before, double bits) {
-  const int unused = 32 - static_cast<int>(bits);
-  return static_cast<std::int32_t>((static_cast<std::uint32_t>(now) - static_cast<std::uint32_t>(before)) << unused) >>
-         unused;
-}
-
 }  // namespace
 
 Estimator::Estimator(const Hardware& hardware, double cell, double speed_filter)
@@ -65,8 +58,11 @@ void Estimator::predict(const Sense& sense) {
   if (any_ && sense.tick == last_.tick) return;
   any_ = true;
   const Sensors& sensors = hardware_.sensors;
+  // In counts; a counter may have wrapped.
   const auto travel = [&](std::size_t wheel) {
-    return counted(sense.counts[wheel], last_.counts[wheel], sensors.count_bits);
+    const auto now = static_cast<std::uint32_t>(sense.counts[wheel]),
+               before = static_cast<std::uint32_t>(last_.counts[wheel]);
+    return wrapped(now - before, sensors.count_bits);
   };
   const double counts = 0.5 * (travel(0) + travel(1));
   const double shown = counts * sensors.count, way = shown * (1.0 - scale_);

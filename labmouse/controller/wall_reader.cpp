@@ -111,10 +111,10 @@ void WallReader::read_range(std::size_t sensor, const RangeSense& seen, const Po
 
 /// Whether a ToF sensor that looks aside meets the wall between its two posts.
 bool WallReader::passes_middle(std::size_t sensor, double distance, const PoseEstimate& estimate) const {
-  const Beam& beam = hardware_.sensors.rangers[sensor].beam;
+  const RangerMount& mount = mounts_[sensor];
   const Position axis = way_in(pose_->heading);
   const Position middle = {(pose_->cell.x + 0.5) * cell_, (pose_->cell.y + 0.5) * cell_};
-  const double along = dot(estimate.position, axis) + beam.ahead + distance * direction_of(beam.angle).cosine;
+  const double along = dot(estimate.position, axis) + mount.along + distance * mount.along_cosine;
   constexpr double most = 0.36;
   return std::abs(along - dot(middle, axis)) < most * cell_;
 }

@@ -140,6 +140,36 @@ TEST(Controller, HoldsItsDutiesForItsPeriod) {
   EXPECT_GT(changed, 50);
 }
 
+/// A wall detector that counts new ToF readings.
+class RangeCounter final : public ReaderPart {
+ public:
+  void begin(const Pose&) override {}
+  void read(const Sense& sense, const PoseEstimate&) override { news += sense.ranges[0].is_new ? 1 : 0; }
+  WallEvidence evidence(const PoseEstimate&) const override { return {}; }
+
+  int news = 0;
+};
+
+TEST(Controller, MissesNoToFReadingBetweenItsPeriods) {
+  DriveModel slow = test::kerise();
+  slow.robot.hardware->motors.period = 3.0;
+  const Hardware& hardware = *slow.robot.hardware;
+  RangeCounter reader;
+  ControllerParts parts;
+  parts.reader = &reader;
+  Controller controller(slow, hardware, ring().size(), gains_for(hardware, slow.tables.cell), {}, parts);
+  Body body(ring(), slow.tables.cell, hardware, {}, 1);
+  body.put({45.0, 45.0}, 3.14159265358979 / 2.0);
+  controller.put({{0, 0}, Heading::north});
+  int read = 0;
+  for (int i = 0; i < 330; ++i) {
+    read += body.sense().ranges[0].is_new ? 1 : 0;
+    body.step(controller.tick(body.sense()));
+  }
+  EXPECT_GT(read, 25);
+  EXPECT_NEAR(reader.news, read, 1);
+}
+
 TEST(Controller, ReadsTheWallsAboutEachCell) {
   for (const DriveModel* model : all_models()) {
     SCOPED_TRACE(model->robot.name);

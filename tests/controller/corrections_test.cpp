@@ -134,6 +134,17 @@ TEST(Corrections, ByAWallAheadBringAMouseBackAlong) {
   }
 }
 
+TEST(Corrections, ByToFSensorsBringAMouseBackAside) {
+  DriveModel model = test::kerise();
+  Sensors& sensors = model.robot.hardware->sensors;
+  sensors.infrared.clear();
+  sensors.rangers = {{{12.0, 12.0, 1.5708}, 255.0, 11.0}, {{12.0, -12.0, -1.2}, 255.0, 11.0}};
+  for (const double aside : {-0.05, 0.05}) {
+    EXPECT_NEAR(after(corridor(), model, 4, {0.0, aside, 0.0}).aside, 0.0, 0.012) << aside;
+    EXPECT_NEAR(after(corridor(), model, 4, {0.0, aside, 0.0}, {false, true, true}).aside, aside, 0.002) << aside;
+  }
+}
+
 TEST(Corrections, AreNotMadeWhereTheyAreNotChosen) {
   const Off first = {0.02, 0.02, 0.01};
   const Off off = after(gaps(), test::kerise(), 4, first, {false, false, false});

@@ -102,38 +102,25 @@ TEST(Estimator, KnowsWhereItIsWithoutAGyro) {
   EXPECT_NEAR(mouse.estimator().turning(), mouse.body().motion().yaw, 0.3);
 }
 
-/// Wheels of different diameters seem to turn it: observations of its angle tell.
-TEST(Estimator, LearnsTheMismatchOfItsWheelsWithoutAGyro) {
+/// Wheels of different diameters seem to turn it: observations of its angle tell, and it keeps that where a hand
+/// carries it elsewhere.
+TEST(Estimator, LearnsTheMismatchOfItsWheelsWithoutAGyroAndKeepsIt) {
   Hardware blind = hardware();
   blind.sensors.gyro_step = 0.0;
   ErrorScale unequal = no_errors;
   unequal.variation = 1.0;
-  unequal.causes[static_cast<std::size_t>(ErrorCause::encoders)] = 1.0;
   OnAFloor mouse(blind, blind, unequal, 3), unseen(blind, blind, unequal, 3);
   for (int i = 0; i < 30; ++i) {
     mouse.drive(50, 0.1, 0.1);
     unseen.drive(50, 0.1, 0.1);
     mouse.estimator().correct({-mouse.angle_error(), 0.0, 0.0, 1.0, 1e-6});
   }
-  mouse.drive(300, 0.1, 0.1);
-  unseen.drive(300, 0.1, 0.1);
-  EXPECT_GT(std::abs(unseen.angle_error()), 0.05);
+  const double before = unseen.angle_error();
+  for (OnAFloor* each : {&mouse, &unseen}) each->drive(1500, 0.1, 0.1);
+  EXPECT_GT(std::abs(unseen.angle_error() - before), 0.03);
   EXPECT_LT(std::abs(mouse.angle_error()), 0.01);
-}
-
-/// A hand carries the mouse: its wheels stay as they are.
-TEST(Estimator, KeepsTheMismatchOfItsWheelsWhereItIsPutDown) {
-  Hardware blind = hardware();
-  blind.sensors.gyro_step = 0.0;
-  ErrorScale unequal = no_errors;
-  unequal.variation = 1.0;
-  OnAFloor mouse(blind, blind, unequal, 3);
-  for (int i = 0; i < 30; ++i) {
-    mouse.drive(50, 0.1, 0.1);
-    mouse.estimator().correct({-mouse.angle_error(), 0.0, 0.0, 1.0, 1e-6});
-  }
   mouse.estimator().put(mouse.body().motion().position, mouse.body().motion().ahead);
-  mouse.drive(300, 0.1, 0.1);
+  mouse.drive(1500, 0.1, 0.1);
   EXPECT_LT(std::abs(mouse.angle_error()), 0.015);
 }
 
@@ -147,6 +134,9 @@ TEST(Estimator, KnowsHowFastItIsWithoutAnAccelerometer) {
     const double speed = mouse.body().motion().speed;
     EXPECT_NEAR(mouse.estimator().speed(), speed, 0.05 * speed + 3.0);
   }
+  // It does not lag behind while it accelerates.
+  mouse.drive(30, 0.5, 0.5);
+  EXPECT_NEAR(mouse.estimator().speed(), mouse.body().motion().speed, 12.0);
   // In turns, the slip is that of the nominal tyres.
   mouse.drive(100, 0.1, 0.25);
   EXPECT_EQ(mouse.estimator().slip(), mouse.estimator().estimate().slip);

@@ -36,11 +36,12 @@ const Maze& half_open() {
 
 /// The evidence of a mouse that passes the middle cell northwards, really so far aside and ahead of where it believes
 /// to be, and as sure of its place as so many mm and a share of its angle.
-WallEvidence passing(double aside, double ahead, double sure) {
+/// `turned`: by how much it really points to the left of where it believes to point.
+WallEvidence passing(double aside, double ahead, double sure, Hardware book = hardware(), double turned = 0.0) {
   const Field field(half_open(), cell);
-  const RobotSample robot_sample(hardware(), no_errors, half_open().size(), 1);
-  const Beams beams(field, hardware().sensors, robot_sample);
-  Hardware book = hardware();
+  const RobotSample robot_sample(book, no_errors, half_open().size(), 1);
+  const Beams beams(field, book.sensors, robot_sample);
+  const Direction points = direction_of(3.14159265358979 / 2.0 + turned);
   book.variation.placement = sure / 2.0;
   book.variation.placement_turn = 1e-6;
   WallReader reader(book, cell);
@@ -51,10 +52,43 @@ WallEvidence passing(double aside, double ahead, double sure) {
     estimator.put(believed, {1.0, 0.0});
     Sense sense;
     for (std::size_t beam = 0; beam < book.sensors.infrared.size(); ++beam)
-      sense.infrared[beam] = static_cast<std::int16_t>(beams.level(beam, truth, {1.0, 0.0}) + 0.5);
+      sense.infrared[beam] = static_cast<std::int16_t>(beams.level(beam, truth, points) + 0.5);
+    for (std::size_t i = 0; i < book.sensors.rangers.size(); ++i)
+      sense.ranges[i] = {static_cast<std::uint16_t>(beams.range(i, truth, points) + 0.5), true};
     reader.read(sense, estimator.estimate());
   }
   return reader.evidence(estimator.estimate());
+}
+
+TEST(WallReader, SeesWallsBesideItByToFSensors) {
+  Hardware book = hardware();
+  book.sensors.infrared.clear();
+  book.sensors.rangers = {{{12.0, 12.0, 1.2}, 255.0, 11.0}, {{12.0, -12.0, -1.2}, 255.0, 11.0}};
+  const WallEvidence evidence = passing(0.0, 0.0, 1.0, book);
+  EXPECT_GT(evidence.left, 4 * evidence_a_nat);
+  EXPECT_LT(evidence.right, -4 * evidence_a_nat);
+}
+
+/// Sensors at 45 degrees see walls where the mouse points a little aside of where it believes to.
+TEST(WallReader, SeesWallsByDiagonalSensors) {
+  Hardware book = hardware();
+  book.sensors.rangers.clear();
+  book.sensors.infrared = {{{12.0, -12.0, -0.785}, 700.0, 12.9, 3650.0, 5.0},
+                           {{12.0, 12.0, 0.785}, 700.0, 12.9, 3650.0, 5.0}};
+  for (const double turned : {-0.05, 0.0, 0.05}) {
+    Estimator unused(book, cell, 0.2);
+    const WallEvidence evidence = passing(0.0, 0.0, 1.0, book, turned);
+    EXPECT_GT(evidence.left, 2 * evidence_a_nat) << turned;
+    EXPECT_LT(evidence.right, -2 * evidence_a_nat) << turned;
+  }
+}
+
+TEST(Views, CountManySensorsOfASideAsTwo) {
+  const Infrared left = {{12.0, 12.0, 1.1}, 700.0, 12.9, 3650.0, 5.0},
+                 ahead = {{20.0, 0.0, 0.0}, 700.0, 12.9, 3650.0, 5.0};
+  const Views views({left, left, ahead, left, left}, cell);
+  EXPECT_EQ(views.share_of(0), 0.5);
+  EXPECT_EQ(views.share_of(2), 1.0);
 }
 
 TEST(WallReader, IsSureWhereItIsInTheMiddle) {

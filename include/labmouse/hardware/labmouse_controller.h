@@ -64,7 +64,8 @@ struct labmouse_drive {
   number(motors, drive_gain) number(motors, drive_time) number(motors, drive_dead_zone) number(motors, turn_gain)     \
   number(motors, turn_time) number(motors, turn_dead_zone) number(motors, turning) number(motors, rotating)           \
   number(motors, sag) number(motors, discharge) number(motors, volts) number(motors, period)                          \
-  number(sensors, count) number(sensors, count_bits) number(sensors, gyro_step) number(sensors, gyro_most) number(sensors, acceleration_step)                            \
+  number(sensors, count) number(sensors, count_bits) number(sensors, gyro_step) number(sensors, gyro_most)            \
+  number(sensors, acceleration_step)                                                                                  \
   number(sensors, side_ahead) number(sensors, side_aside) number(sensors, side_angle) number(sensors, front_ahead)    \
   number(sensors, front_aside) number(sensors, front_angle) number(sensors, infrared_gain)                            \
   number(sensors, infrared_fall) number(sensors, infrared_most) number(sensors, infrared_footprint)                   \
@@ -150,7 +151,8 @@ struct labmouse_controller {
 extern const struct labmouse_controller labmouse_controller;
 
 /* To replace parts of labmouse's own controller: that controller drives the moves, and calls your parts in place of its
-   own, at each tick, or at each tick of its period (labmouse_robot.motors_period). They are linked with labmouse; main() below is for whole controllers. */
+   own, at each tick, or at each tick of its period (labmouse_robot.motors_period). They are linked with labmouse;
+   main() below is for whole controllers. */
 
 /* A direction: the cosine and sine of its angle to the left of east. */
 struct labmouse_direction {

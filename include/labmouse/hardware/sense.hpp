@@ -13,6 +13,12 @@ namespace labmouse {
 /// One step of body and controller, in seconds.
 inline constexpr double tick_seconds = 0.001;
 
+/// What a counter of an encoder with so many bits, 8 to 32, shows of a number: it wraps.
+constexpr std::int32_t wrapped(std::uint32_t count, double bits) {
+  const int unused = 32 - static_cast<int>(bits);
+  return static_cast<std::int32_t>(count << unused) >> unused;
+}
+
 /// What a ToF sensor reads.
 struct RangeSense {
   std::uint16_t distance = 0;  ///< mm to what it looks at; 0 where nothing is seen

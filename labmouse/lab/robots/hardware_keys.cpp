@@ -226,17 +226,23 @@ constexpr SensorKey<Which> in_list(RobotKey key, double& (*number)(Which&)) {
 
 constexpr RobotKey::With body = RobotKey::With::body;
 constexpr auto whole = RobotKey::Kind::whole;
-constexpr std::string_view ahead_meaning = "how far before the axle it sits",
-                           aside_meaning = "how far to the left of the middle; to the right below 0",
-                           angle_meaning = "the direction in which it looks, to the left of ahead";
+// How a sensor is mounted.
+template <class Which>
+constexpr SensorKey<Which> ahead_key = {{"ahead", "how far before the axle it sits", "mm", -500.0, 500.0, body},
+                                        [](Which& one) -> double& { return one.beam.ahead; }};
+template <class Which>
+constexpr SensorKey<Which> aside_key = {
+    {"aside", "how far to the left of the middle; to the right below 0", "mm", -500.0, 500.0, body},
+    [](Which& one) -> double& { return one.beam.aside; }};
+template <class Which>
+constexpr SensorKey<Which> angle_key = {
+    {"angle", "the direction in which it looks, to the left of ahead", "rad", -1.6, 1.6, body},
+    [](Which& one) -> double& { return one.beam.angle; }};
 
 constexpr std::array infrared_table = {
-    in_list<Infrared>({"ahead", ahead_meaning, "mm", -500.0, 500.0, body},
-                      [](Infrared& one) -> double& { return one.beam.ahead; }),
-    in_list<Infrared>({"aside", aside_meaning, "mm", -500.0, 500.0, body},
-                      [](Infrared& one) -> double& { return one.beam.aside; }),
-    in_list<Infrared>({"angle", angle_meaning, "rad", -1.6, 1.6, body},
-                      [](Infrared& one) -> double& { return one.beam.angle; }),
+    ahead_key<Infrared>,
+    aside_key<Infrared>,
+    angle_key<Infrared>,
     in_list<Infrared>({"gain", "what it reads of a wall in the middle of a cell; default: sensors.infrared_gain",
                        "counts", 10.0, 30000.0, body, false},
                       [](Infrared& one) -> double& { return one.gain; }),
@@ -256,12 +262,9 @@ constexpr std::array infrared_table = {
 };
 
 constexpr std::array ranger_table = {
-    in_list<Ranger>({"ahead", ahead_meaning, "mm", -500.0, 500.0, body},
-                    [](Ranger& one) -> double& { return one.beam.ahead; }),
-    in_list<Ranger>({"aside", aside_meaning, "mm", -500.0, 500.0, body},
-                    [](Ranger& one) -> double& { return one.beam.aside; }),
-    in_list<Ranger>({"angle", angle_meaning, "rad", -1.6, 1.6, body},
-                    [](Ranger& one) -> double& { return one.beam.angle; }),
+    ahead_key<Ranger>,
+    aside_key<Ranger>,
+    angle_key<Ranger>,
     in_list<Ranger>({"reach", "the largest distance that it sees", "mm", 1.0, 10000.0, body},
                     [](Ranger& one) -> double& { return one.reach; }),
     in_list<Ranger>({"period", "from one of its readings to the next", "ms", 1.0, 1000.0, body, true, whole},

@@ -4,7 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "labmouse/contest/code_contest.hpp"
+#include "labmouse/contest/logged_tick.hpp"
 #include "labmouse/external/external_controller.hpp"
 #include "labmouse/lab/mice/controller_lines.hpp"
 #include "labmouse/lab/robots/hardware_keys.hpp"
@@ -12,6 +18,9 @@
 
 namespace labmouse {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 using Table = struct labmouse_controller;
 
@@ -108,7 +117,56 @@ TEST(ControllerInC, FinishesContestsWithTheTemplate) {
   }
 }
 
+/// Three infrared sensors, two ToF sensors.
+Event with_lists() {
+  Event event;
+  DriveModel model = *event.model;
+  Sensors& sensors = model.robot.hardware->sensors;
+  sensors.infrared = {sensors.infrared[0], {{20.0, 0.0, 0.0}, 2500.0, 0.0, 3650.0, 5.0, 1.0, 2.0}, sensors.infrared[2]};
+  sensors.rangers = {{{5.0, 12.0, 1.571}, 150.0, 33.0}, {{20.0, 0.0, 0.0}, 255.0, 11.0}};
+  event.model = std::make_shared<const DriveModel>(model);
+  return event;
+}
+
+TEST(ControllerInC, KnowsTheSensorsOfAList) {
+  const labmouse_robot robot = briefing_in_c(with_lists().briefing()).robot;
+  EXPECT_EQ(robot.infrared_sensors, 3);
+  EXPECT_EQ(robot.infrared[1].gain, 2500.0);
+  EXPECT_EQ(robot.infrared[1].latency, 2.0);
+  EXPECT_EQ(robot.range_sensors, 2);
+  EXPECT_EQ(robot.ranger[0].period, 33.0);
+  EXPECT_EQ(robot.sensors_side_angle, 0.0);
+  EXPECT_EQ(robot.sensors_ranger_period, 0.0);
+  EXPECT_GT(robot.noise_infrared, 0.0);
+}
+
+TEST(ControllerProtocol, TellsEachSensorOfALine) {
+  const std::string told = controller_lines(with_lists().briefing());
+  EXPECT_THAT(told, HasSubstr("\ninfrared 20 0 0 2500 0 3650 5 1 2\n"));
+  EXPECT_THAT(told, HasSubstr("\nranger 5 12 1.571 150 33\nranger 20 0 0 255 11\n"));
+  EXPECT_THAT(told, Not(HasSubstr("sensors.side_angle")));
+}
+
 #ifdef LABMOUSE_CONTROLLER_TEMPLATE
+/// The last sensor of each kind, as a program of C reads it, is the last one that there is.
+TEST(ControllerInC, IsAskedWithAllSensorsOfALine) {
+  Event event = with_lists();
+  event.rules.time_limit = 1'000'000;
+  std::vector<LoggedTick> log;
+  event.conditions.log = &log;
+  Launch launch;
+  launch.words = {LABMOUSE_LAST_SENSORS, "1"};
+  launch.limits.silence = launch.limits.contest = std::chrono::minutes(5);
+  ExternalController program(launch, controller_lines(event.briefing(7)));
+  const PhysicalRecord record = event.hold(program, 7);
+  ASSERT_GT(record.tape.size(), 100U) << program.last_words();
+  ASSERT_GE(log.size(), record.tape.size());
+  for (std::size_t i = 0; i < record.tape.size(); ++i) {
+    EXPECT_EQ(record.tape[i].left, log[i].sense.infrared[2]) << i;
+    EXPECT_EQ(record.tape[i].right, log[i].sense.ranges[1].distance) << i;
+  }
+}
+
 TEST(ControllerInC, IsTheSameAsAProgramThatIsAskedTickByTick) {
   const Event event;
   Launch launch;
