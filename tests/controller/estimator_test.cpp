@@ -109,6 +109,8 @@ TEST(Estimator, LearnsTheMismatchOfItsWheelsWithoutAGyroAndKeepsIt) {
   blind.sensors.gyro_step = 0.0;
   ErrorScale unequal = no_errors;
   unequal.variation = 1.0;
+  unequal.causes.fill(0.0);
+  unequal.causes[static_cast<std::size_t>(ErrorCause::encoders)] = 1.0;
   OnAFloor mouse(blind, blind, unequal, 3), unseen(blind, blind, unequal, 3);
   for (int i = 0; i < 30; ++i) {
     mouse.drive(50, 0.1, 0.1);
