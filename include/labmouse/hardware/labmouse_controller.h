@@ -294,7 +294,7 @@ static void labmouse_be_told(const char *line, struct labmouse_briefing *told) {
 
 /* Takes a tick from the front of the text; 0 where there is none. */
 static int labmouse_take_sense(const struct labmouse_robot *robot, char **text, struct labmouse_sense *sense) {
-  long numbers[7 + LABMOUSE_MOST_INFRARED + 2 * LABMOUSE_MOST_RANGERS];
+  long numbers[7 + LABMOUSE_MOST_INFRARED + 2 * LABMOUSE_MOST_RANGERS] = {0};
   const int infrared = robot->infrared_sensors, ranges = robot->range_sensors, all = 7 + infrared + 2 * ranges;
   char *at = *text;
   int i;

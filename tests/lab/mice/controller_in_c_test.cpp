@@ -13,6 +13,7 @@
 #include "labmouse/contest/logged_tick.hpp"
 #include "labmouse/external/external_controller.hpp"
 #include "labmouse/lab/mice/controller_lines.hpp"
+#include "labmouse/lab/mice/in_c.hpp"
 #include "labmouse/lab/robots/hardware_keys.hpp"
 #include "tests/lab/drive/physical_fixture.hpp"
 
