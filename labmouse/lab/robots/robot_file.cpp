@@ -68,8 +68,9 @@ class RobotReader {
   bool has(RobotKey::Sensor sensor) const {
     using Sensor = RobotKey::Sensor;
     if (sensor == Sensor::none) return true;
-    if (sensor == Sensor::infrared) return forms_.infrared_list || has(Sensor::side) || has(Sensor::front);
-    if (sensor == Sensor::ranger && forms_.ranger_list) return true;
+    if (sensor == Sensor::infrared && !forms_.infrared_list) return has(Sensor::side) || has(Sensor::front);
+    if (sensor == Sensor::infrared) return is_any_in(infrared_list);
+    if (sensor == Sensor::ranger && forms_.ranger_list) return is_any_in(ranger_list);
     return std::any_of(robot_keys().begin(), robot_keys().end(), [&](const RobotKey& key) {
       return key.sensor == sensor && key.name.starts_with("sensors.") && node(key.name) != nullptr;
     });
@@ -92,6 +93,11 @@ class RobotReader {
   std::vector<Problem> problems() const { return in_order(problems_); }
 
  private:
+  bool is_any_in(std::string_view list) const {
+    const toml::array* sensors = root_.get(list)->as_array();
+    return sensors != nullptr && !sensors->empty();
+  }
+
   const toml::node* node(std::string_view name) const {
     const RobotKey* key = find_robot_key(name);
     const toml::node* found = at(name);

@@ -90,8 +90,6 @@ std::string toml_of(const ReadJson& parameters, JsonFields& fields) {
           lists += line_of(key, number);
         }
       }
-      // A robot without any.
-      if (value.empty()) text += fmt::format("{} = []\n", name);
       continue;
     }
     if (!is_plain(name, value)) return fail();

@@ -72,12 +72,6 @@ std::string robot_text(const ReadJson& values, const std::function<std::string(s
   for (const RobotKey& key : robot_keys()) {
     const auto value = values.find(std::string(key.name));
     if (value == values.end()) continue;
-    // Before the first table: a robot without any sensor of a list.
-    if (section.empty() && key.name.find('.') != std::string_view::npos)
-      for (const std::string_view list : {infrared_list, ranger_list})
-        if (const auto found = values.find(std::string(list));
-            found != values.end() && found->is_array() && found->empty())
-          text += fmt::format("{} = []\n", list);
     const auto [group, name] = parts_of(key.name);
     if (group != section) text += fmt::format("\n[{}]\n", section = group);
     text += file_line(fmt::format("{} = {}", name, text_of_value(*value)), key.unit, remark(key.name));

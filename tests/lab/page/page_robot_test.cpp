@@ -223,6 +223,12 @@ TEST(PageRobot, TakesNoOtherRequests) {
   EXPECT_THAT(error_of("robot", {{"name", "it"}, {"values", {{"wheels", 4}}}}), HasSubstr("'wheels'"));
   EXPECT_THAT(error_of("robot", {{"name", "it"}, {"values", {{"cell", json::array()}}}}), HasSubstr("'cell'"));
   EXPECT_THAT(error_of("robot", {{"name", "it"}, {"values", 1}}), HasSubstr("'values'"));
+  // Names in the sensors of a list would be lines of the file.
+  for (const json& sensors :
+       {json::array({{{"gain = 1\n[body]\nmass", 2}}}), json::array({{{"gain", "1\nfall = 2"}}}),
+        json::array({{{"period", 2}}}), json::array({1}), json::array({json::array()}), json(1), json::object()})
+    EXPECT_THAT(error_of("robot", {{"name", "it"}, {"values", {{"infrared", sensors}}}}), HasSubstr("'infrared'"))
+        << sensors;
   EXPECT_EQ(answer("robot", {{"name", "it"}}, "cell = [")["values"], json::object());
 }
 

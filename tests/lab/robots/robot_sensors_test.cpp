@@ -117,7 +117,10 @@ TEST(RobotSensors, AreTheSameAgainFromJsonAndFromText) {
         without({"sensors.side_", "sensors.front_"}, "[[infrared]]\nahead = 1\naside = 2\nangle = 0.5\n"),
         without({"sensors.gyro", "noise.gyro", "variation.gyro"}),
         without({"sensors.acceleration", "noise.acceleration"}), without({"sensors.front_"}),
-        without({"sensors.side_", "sensors.front_", "sensors.infrared", "noise.infrared", "variation.infrared"})}) {
+        without({"sensors.side_", "sensors.front_", "sensors.infrared", "noise.infrared", "variation.infrared"}),
+        "infrared = []\n" + without(pairs),
+        "ranger = []\n" + without({"sensors.side_", "sensors.front_", "sensors.ranger_"},
+                                  "[[infrared]]\nahead = 1\naside = 2\nangle = 0.5\n")}) {
     const RobotResult read = read_robot(text, "it");
     ASSERT_TRUE(read.robot) << reasons(text).front();
     JsonFields fields(ReadJson::object(), "record");
@@ -154,6 +157,30 @@ TEST(RobotSensors, AreListedWhereNoKeysDescribeThem) {
   }
   const Json pair = robot_json(*read_robot(list_of(mirrored(12.0, 1.1)), "it").robot, RobotParts::with_body);
   EXPECT_TRUE(pair["parameters"].contains("sensors.side_angle"));
+}
+
+/// Names in JSON would be lines of a file.
+TEST(RobotSensors, InJsonThatIsHostileAreRefused) {
+  const Json whole = robot_json(*read_robot(listed(), "it").robot, RobotParts::with_body);
+  const std::vector<ReadJson> sensors = {{{"gain = 1\n[body]\nmass", 2}},
+                                         {{"gain", "1\nfall = 2"}},
+                                         {{"gain", nullptr}},
+                                         {{"gain", -1.0}},
+                                         1,
+                                         ReadJson::array()};
+  for (const ReadJson& sensor : sensors)
+    for (const std::string_view list : {infrared_list, ranger_list}) {
+      ReadJson json(whole);
+      json["parameters"][std::string(list)].push_back(sensor);
+      JsonFields fields(ReadJson::object(), "record");
+      read_robot_json(fields, json);
+      EXPECT_NE(fields.error(), "") << sensor;
+    }
+  ReadJson many(whole);
+  many["parameters"][std::string(infrared_list)] = std::vector<ReadJson>(100'000, many["parameters"]["infrared"][0]);
+  JsonFields fields(ReadJson::object(), "record");
+  read_robot_json(fields, many);
+  EXPECT_NE(fields.error(), "");
 }
 
 TEST(RobotSensors, MayBeLacking) {
