@@ -334,7 +334,9 @@ HardwareTerms terms_of(const Hardware& hardware) {
 }
 
 bool HardwareTerms::has(const RobotKey& key) const {
-  const bool of_lists = lists && !key.name.starts_with("sensors.");
+  // Sensors of a list have their own numbers there, and their noise in common.
+  const Sensors& listed = numbers.hardware.sensors;
+  const bool in_common = lists && !key.name.starts_with("sensors.");
   switch (key.sensor) {
     case Sensor::gyro:
       return numbers.hardware.sensors.has_gyro();
@@ -345,9 +347,9 @@ bool HardwareTerms::has(const RobotKey& key) const {
     case Sensor::front:
       return plain.front;
     case Sensor::infrared:
-      return plain.side || plain.front || of_lists;
+      return plain.side || plain.front || (in_common && !listed.infrared.empty());
     case Sensor::ranger:
-      return plain.ranger || of_lists;
+      return plain.ranger || (in_common && !listed.rangers.empty());
     case Sensor::none:
       break;
   }
