@@ -54,7 +54,7 @@ void show(const RobotOptions& options) {
   save(options.svg, draw_robot(found.robot, found.model));
 }
 
-void list() {
+void list_robots() {
   std::size_t width = 0;
   for (const BuiltinRobot& robot : builtin_robots()) width = std::max(width, robot.name.size());
   std::string text;
@@ -110,7 +110,7 @@ void add_robot(Command& app, int& exit) {
   Command* listed = command->add_subcommand("list", "List the built-in robots");
   listed->footer("Example: labmouse robot list");
   listed->callback([&exit] {
-    list();
+    list_robots();
     exit = exit_good;
   });
 }

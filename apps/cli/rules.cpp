@@ -25,7 +25,7 @@ void show(const std::string& name) {
   print(fmt::format("{}\n# {}: {}.\n", text_of_rules(name), name, formula_of(rules)));
 }
 
-void list() {
+void list_rules() {
   std::size_t width = 0;
   for (const BuiltinRules& rules : builtin_rules()) width = std::max(width, rules.name.size());
   std::string text;
@@ -61,7 +61,7 @@ void add_rules(Command& app, int& exit) {
   Command* listed = command->add_subcommand("list", "List the built-in rules");
   listed->footer("Example: labmouse rules list");
   listed->callback([&exit] {
-    list();
+    list_rules();
     exit = exit_good;
   });
 }

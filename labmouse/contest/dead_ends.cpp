@@ -25,7 +25,7 @@ bool enter_cells(const SearchMove& move, const Maze& maze, DeadEndCount& count, 
 CellSet dead_ends_in(const Maze& maze) {
   CellSet cells;
   reachable_cells(maze).for_each([&](Cell cell) {
-    if (open_sides(maze, cell) == 1 && cell != maze.start() && !maze.is_goal(cell)) cells.insert(cell);
+    if (count_open_sides(maze, cell) == 1 && cell != maze.start() && !maze.is_goal(cell)) cells.insert(cell);
   });
   return cells;
 }

@@ -22,7 +22,7 @@ namespace {
 // While the new root is built, the current root is a temporary tmpfs:
 constexpr std::string_view old_root = "/old", new_root = "/new";  // the old root, and the mount of the new one
 constexpr const char *tmp = "/tmp", *shm = "/shm", *upper = "/upper", *work = "/work";  // writable folders
-constexpr const char *lower = "/lower", *no_folder = "/none", *no_file = "/empty";
+constexpr const char *lower_folder = "/lower", *no_folder = "/none", *no_file = "/empty";
 
 struct Path {
   Path(std::string_view root, std::string_view path) { text << root << path; }
@@ -134,7 +134,7 @@ bool make_own_folder(const Rooms& rooms) {
   const Path from(old_root, rooms.folder), to(new_root, rooms.folder);
   if (rooms.use != FolderUse::copy) return bind_own_folder(from.c_str(), to.c_str(), rooms.use == FolderUse::read_only);
   // Binds it to a path without colons and commas, which overlay options cannot contain.
-  if (!bind(from.c_str(), lower)) return false;
+  if (!bind(from.c_str(), lower_folder)) return false;
   const auto mount_overlay = [&](const char* options) {
     return mount("labmouse", to.c_str(), "overlay", 0, options) == 0;
   };
@@ -175,7 +175,7 @@ bool enter_workshop(std::uint64_t room) {
   if (mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return false;
   if (!mount_tmpfs("/tmp", room) || chdir("/tmp") != 0) return false;
   if (mkdir("old", 0755) != 0 || syscall(SYS_pivot_root, ".", "old") != 0 || chdir("/") != 0) return false;
-  for (const char* folder : {new_root.data(), tmp, shm, upper, work, lower, no_folder})
+  for (const char* folder : {new_root.data(), tmp, shm, upper, work, lower_folder, no_folder})
     if (mkdir(folder, 0755) != 0) return false;
   chmod(tmp, 01777);
   chmod(shm, 01777);

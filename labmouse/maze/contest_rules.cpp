@@ -34,7 +34,7 @@ std::string wrong_size(const Maze& maze) {
 }
 
 // A Maze has no way to open its border; the rule is listed because a reader looks for it.
-std::string open_border(const Maze&) { return {}; }
+std::string gap_in_border(const Maze&) { return {}; }
 
 std::string wrong_start(const Maze& maze) {
   const auto [width, height] = maze.size();
@@ -100,7 +100,7 @@ RuleFinding finding(std::string_view name, std::string wrong) { return {name, wr
 
 std::vector<RuleFinding> check_contest_rules(const Maze& maze) {
   return {finding("size", wrong_size(maze)),
-          finding("border", open_border(maze)),
+          finding("border", gap_in_border(maze)),
           finding("start", wrong_start(maze)),
           finding("goal room", walls_in_goal_room(maze)),
           finding("entrance", wrong_entrances(maze)),

@@ -9,7 +9,7 @@ namespace {
 void count_shapes(const Maze& maze, Inspection& found) {
   int sides = 0;
   found.reachable.for_each([&](Cell cell) {
-    const int open = open_sides(maze, cell);
+    const int open = count_open_sides(maze, cell);
     found.dead_ends += open == 1 ? 1 : 0;
     found.junctions += open >= 3 ? 1 : 0;
     sides += open;
@@ -20,7 +20,7 @@ void count_shapes(const Maze& maze, Inspection& found) {
 
 }  // namespace
 
-int open_sides(const Maze& maze, Cell cell) {
+int count_open_sides(const Maze& maze, Cell cell) {
   int open = 0;
   for (const Heading side : all_headings) open += maze.is_open(cell, side) ? 1 : 0;
   return open;

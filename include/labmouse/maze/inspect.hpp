@@ -27,7 +27,7 @@ struct Inspection {
 };
 
 /// How many of the four sides of a cell are open.
-int open_sides(const Maze& maze, Cell cell);
+int count_open_sides(const Maze& maze, Cell cell);
 
 /// Inspects the maze; `longest_stride` (at least 1) is the most cells that one step may cover.
 Inspection inspect(const Maze& maze, int longest_stride = 3);

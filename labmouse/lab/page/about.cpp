@@ -14,6 +14,8 @@
 #include "labmouse/lab/page/drive_choices.hpp"
 #include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
+#include "labmouse/lab/robots/builtin_rules.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 #include "labmouse/maze/generators/generator.hpp"
@@ -52,12 +54,12 @@ Json mazes() {
 
 /// The choices of a setting: its words and the names of built-in things; null if it has none.
 Json choices_of(const WorldSetting& setting) {
-  const Json things = setting.name == "robot"   ? page_robots_json()
-                      : setting.name == "rules" ? page_rules_json()
-                                                : Json();
   Json names;
   for (const std::string_view choice : setting.choices) names.push_back(choice);
-  for (const Json& thing : things) names.push_back(thing["name"]);
+  if (setting.name == "robot")
+    for (const BuiltinRobot& robot : builtin_robots()) names.push_back(robot.name);
+  if (setting.name == "rules")
+    for (const BuiltinRules& rules : builtin_rules()) names.push_back(rules.name);
   if (setting.brought != nullptr)
     for (const std::string& name : setting.brought()) names.push_back(name);
   return names;

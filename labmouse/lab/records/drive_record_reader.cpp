@@ -16,7 +16,7 @@ constexpr std::size_t most_runs = 1000, most_moves = 1'000'000, most_segments = 
 constexpr int most_laps = 1000;
 
 /// The record read so far, and the reader's state between lines.
-class Reading {
+class DriveRecordReading {
  public:
   std::string read_header(const ReadJson& json);
   std::string read_line(const ReadJson& json);
@@ -78,7 +78,7 @@ DriveRunScore read_score(const ReadJson& json, JsonFields& fields) {
   return score;
 }
 
-void Reading::read_maze(const ReadJson& json, JsonFields& outer) {
+void DriveRecordReading::read_maze(const ReadJson& json, JsonFields& outer) {
   JsonFields fields(json, "maze");
   file_.maze_name = fields.text("name");
   file_.maze = read_record_maze(fields);
@@ -87,7 +87,7 @@ void Reading::read_maze(const ReadJson& json, JsonFields& outer) {
   outer.reject(fields.error());
 }
 
-std::string Reading::read_header(const ReadJson& json) {
+std::string DriveRecordReading::read_header(const ReadJson& json) {
   JsonFields fields(json, "");
   if (fields.text("labmouse") != "drive record") fields.fail("is not the header of a record in seconds");
   if (fields.whole("format", 0, 1'000'000) != 1)
@@ -124,7 +124,7 @@ std::string Reading::read_header(const ReadJson& json) {
   return fields.error();
 }
 
-std::string Reading::begin_run(const ReadJson& json) {
+std::string DriveRecordReading::begin_run(const ReadJson& json) {
   if (running_) return "the line begins a run before the previous one has ended";
   if (runs().size() >= most_runs) return fmt::format("the record has more than {} runs", most_runs);
   JsonFields fields(json, "");
@@ -150,7 +150,7 @@ std::string Reading::begin_run(const ReadJson& json) {
   return fields.error();
 }
 
-std::string Reading::end_run(const ReadJson& json) {
+std::string DriveRecordReading::end_run(const ReadJson& json) {
   if (!running_) return "the line ends a run that was not begun";
   JsonFields fields(json, "");
   DriveRun& run = runs().back();
@@ -170,7 +170,7 @@ std::string Reading::end_run(const ReadJson& json) {
   return fields.error();
 }
 
-std::string Reading::read_move(const ReadJson& json) {
+std::string DriveRecordReading::read_move(const ReadJson& json) {
   if (!running_ || runs().back().has_route()) return "the line has a move outside a search or a way home";
   if (++moves_ > most_moves) return fmt::format("the record has more than {} moves", most_moves);
   JsonFields fields(json, "");
@@ -188,7 +188,7 @@ std::string Reading::read_move(const ReadJson& json) {
   return fields.error();
 }
 
-std::string Reading::read_segment(const ReadJson& json) {
+std::string DriveRecordReading::read_segment(const ReadJson& json) {
   if (!running_ || !runs().back().has_route()) return "the line has a segment outside a speed run or a run of laps";
   DriveRoute& route = runs().back().route;
   if (route.segments.size() >= most_segments) return fmt::format("the run has more than {} segments", most_segments);
@@ -204,7 +204,7 @@ std::string Reading::read_segment(const ReadJson& json) {
   return fields.error();
 }
 
-std::string Reading::read_wall(const ReadJson& json) {
+std::string DriveRecordReading::read_wall(const ReadJson& json) {
   if (running_) return "the line has a wall inside a run; walls come after all runs";
   // A log-odds map can turn a wall over again and again.
   constexpr std::size_t turns_of_a_wall = 100;
@@ -222,7 +222,7 @@ std::string Reading::read_wall(const ReadJson& json) {
   return fields.error();
 }
 
-std::string Reading::read_end(const ReadJson& json) {
+std::string DriveRecordReading::read_end(const ReadJson& json) {
   if (running_) return "the line ends the record before the last run has ended";
   JsonFields fields(json, "");
   DriveRecord& record = file_.record;
@@ -253,7 +253,7 @@ std::string Reading::read_end(const ReadJson& json) {
   return fields.error();
 }
 
-std::string Reading::read_line(const ReadJson& json) {
+std::string DriveRecordReading::read_line(const ReadJson& json) {
   if (file_.ended) return "the line comes after the end of the record";
   if (!json.is_object()) return "the line is not an object";
   if (json.contains("labmouse")) return "the line is a second header; a file must hold only one record";
@@ -274,7 +274,7 @@ std::string Reading::read_line(const ReadJson& json) {
 }  // namespace
 
 ReadDriveRecordResult read_drive_record(std::string_view text) {
-  Reading reading;
+  DriveRecordReading reading;
   std::vector<Problem> problems = read_json_lines(
       text, {[&](const ReadJson& line) { return reading.read_header(line); },
              [&](const ReadJson& line) { return reading.read_line(line); }, [&] { return reading.may_break_off(); }});

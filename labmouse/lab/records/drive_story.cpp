@@ -12,7 +12,7 @@
 namespace labmouse {
 namespace {
 
-using Kind = DriveRun::Kind;
+using RunKind = DriveRun::Kind;
 
 std::string text_of(MazeTime time) { return fmt::format("{:.3f} s", in_seconds(time)); }
 
@@ -46,7 +46,7 @@ class Story {
     return file_.physical && run < file_.physical->notes.ends.size() ? file_.physical->notes.ends[run] : RunEnd::done;
   }
   /// The last run of that kind before one.
-  std::optional<std::size_t> last(Kind kind, std::size_t before) const {
+  std::optional<std::size_t> last(RunKind kind, std::size_t before) const {
     while (before-- > 0)
       if (record_.runs[before].kind == kind) return before;
     return std::nullopt;
@@ -59,11 +59,11 @@ class Story {
     const DriveRun& run = record_.runs[i];
     bool ran = false;
     for (std::size_t before = 0; before < i; ++before) {
-      const bool fast = record_.runs[before].kind == Kind::speed;
+      const bool fast = record_.runs[before].kind == RunKind::speed;
       if (fast && !did_not_end_well(before)) return false;
       ran = ran || fast;
     }
-    return ran && run.kind == Kind::search && !run.moves.empty() &&
+    return ran && run.kind == RunKind::search && !run.moves.empty() &&
            std::all_of(run.moves.begin(), run.moves.end(), [&](const auto& move) {
              for (Cell cell = move.to.cell; cell != move.from.cell; cell = neighbour(cell, opposite(move.to.heading)))
                if (!run.open.contains(wall_at(cell, opposite(move.to.heading)))) return false;
@@ -87,21 +87,21 @@ class Story {
 
   void set_out(std::size_t i) {
     const DriveRun& run = record_.runs[i];
-    const bool stayed = i > 0 && record_.runs[i - 1].kind == Kind::speed && end_of(i - 1) == RunEnd::no_route_left;
+    const bool stayed = i > 0 && record_.runs[i - 1].kind == RunKind::speed && end_of(i - 1) == RunEnd::no_route_left;
     if (i > 0 && did_not_end_well(i - 1) && run.touched && !stayed) add(run.begin, "was carried to the start");
     const std::string pace = pace_words(i);
     switch (run.kind) {
-      case Kind::search:
+      case RunKind::search:
         if (makes_sure(i))
           return add(run.begin,
                      "drives to the goal by ways that it knows, as in a search: no speed run has ended well" + pace);
-        return add(run.begin, (last(Kind::search, i) ? "searches again" : "searches") + pace);
-      case Kind::home:
+        return add(run.begin, (last(RunKind::search, i) ? "searches again" : "searches") + pace);
+      case RunKind::home:
         return add(run.begin, "goes home" + why_home(i) + pace);
-      case Kind::speed:
+      case RunKind::speed:
         return add(run.begin, "runs by the fastest route that it knows" +
                                   (run.known < no_time ? ", of " + text_of(run.known) : "") + pace);
-      case Kind::laps:
+      case RunKind::laps:
         return add(run.begin, "drives laps of the outermost ring" + pace);
     }
   }
@@ -109,7 +109,7 @@ class Story {
   /// Why the mouse went home, by the open and closed walls in its map at that time.
   std::string why_home(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
-    if (i > 0 && (record_.runs[i - 1].kind == Kind::speed || makes_sure(i - 1))) return " from its run";
+    if (i > 0 && (record_.runs[i - 1].kind == RunKind::speed || makes_sure(i - 1))) return " from its run";
     WallSet not_closed = WallSet::all(file_.maze->size());
     not_closed -= run.closed;
     // A record of the failure model lacks the times of the known and the possible route, so they are computed here.
@@ -142,7 +142,7 @@ class Story {
     add_laps(run);
     switch (end_of(i)) {
       case RunEnd::done:
-        if ((run.kind == Kind::speed || makes_sure(i)) && run.gate_in && run.gate_out)
+        if ((run.kind == RunKind::speed || makes_sure(i)) && run.gate_in && run.gate_out)
           add(*run.gate_in,
               fmt::format("is in the goal, {} after the start's gate", text_of(*run.gate_in - *run.gate_out)));
         return;

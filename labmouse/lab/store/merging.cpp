@@ -20,8 +20,18 @@ constexpr const char* their_contests =
     "score, counted, ratio, fields, contests.figures, time "
     "FROM contests LEFT JOIN timings ON timings.contest = contests.id ORDER BY contests.id";
 /// Column numbers of that query.
-constexpr int seed = 4, clock_figures = 5, first_copied = 6, outcome = 8, never_started = 10, score = 11, counted = 12,
-              ratio = 13, figures = 15, columns_count = 17;
+enum Column : int {
+  seed_column = 4,
+  clock_figures_column = 5,
+  first_copied_column = 6,
+  outcome_column = 8,
+  never_started_column = 10,
+  score_column = 11,
+  counted_column = 12,
+  ratio_column = 13,
+  figures_column = 15,
+  columns_count = 17,
+};
 
 /// Our id for a row of the other store, which is damaged if it refers to a missing row.
 std::int64_t number_of(const std::map<std::int64_t, std::int64_t>& numbers, std::int64_t theirs, Database& database) {
@@ -99,10 +109,10 @@ void Merging::add_contests(Database& theirs, const std::string& path, Merge& mer
   while (row.next()) {
     const std::array<std::int64_t, 4> place = {number_of(worlds_, row.whole(0), theirs),
                                                number_of(mice_, row.whole(1), theirs),
-                                               number_of(mazes_, row.whole(2), theirs), row.whole(seed)};
+                                               number_of(mazes_, row.whole(2), theirs), row.whole(seed_column)};
     for (int i = 0; i < 4; ++i) add_contest_.bind(i + 1, place[static_cast<unsigned>(i)]);
     add_contest_.bind(5, number_of(builds_, row.whole(3), theirs));
-    for (int column = first_copied; column < columns_count; ++column) add_contest_.bind(column, row, column);
+    for (int column = first_copied_column; column < columns_count; ++column) add_contest_.bind(column, row, column);
     add_contest_.run();
     if (!ours_.good() || !theirs.good()) return;
     if (ours_.changes() == 0) {
@@ -110,7 +120,8 @@ void Merging::add_contests(Database& theirs, const std::string& path, Merge& mer
       continue;
     }
     ++merge.added;
-    if (!row.is_null(clock_figures)) add_timing_.bind(1, ours_.last_row()).bind(2, row, clock_figures).run();
+    if (!row.is_null(clock_figures_column))
+      add_timing_.bind(1, ours_.last_row()).bind(2, row, clock_figures_column).run();
   }
   if (unnamed_ > 0) merge.conflicts.push_back(fmt::format("and {} more in {}", unnamed_, shown(path)));
 }
@@ -119,13 +130,15 @@ void Merging::add_contests(Database& theirs, const std::string& path, Merge& mer
 void Merging::compare(const Statement& row, const std::array<std::int64_t, 4>& place, const std::string& path,
                       Merge& merge) {
   for (int i = 0; i < 4; ++i) find_.bind(i + 1, place[static_cast<unsigned>(i)]);
-  constexpr std::array<int, 5> results = {never_started, score, counted, ratio, figures};
+  constexpr std::array<int, 5> results = {never_started_column, score_column, counted_column, ratio_column,
+                                          figures_column};
   for (int i = 0; i < 5; ++i) find_.bind(i + 5, row, results[static_cast<unsigned>(i)]);
   while (find_.next()) {
     // An earlier version may have written the outcome under a former name.
-    if (find_.whole(3) != 0 && today_value(find_.text(1)) == today_value(row.text(outcome))) {
+    if (find_.whole(3) != 0 && today_value(find_.text(1)) == today_value(row.text(outcome_column))) {
       ++merge.equal;
-      if (!row.is_null(clock_figures)) add_timing_.bind(1, find_.whole(0)).bind(2, row, clock_figures).run();
+      if (!row.is_null(clock_figures_column))
+        add_timing_.bind(1, find_.whole(0)).bind(2, row, clock_figures_column).run();
     } else if (merge.conflicts.size() < named_conflicts) {
       merge.conflicts.push_back(conflict(row, place, path));
     } else {
@@ -139,8 +152,8 @@ std::string Merging::conflict(const Statement& row, const std::array<std::int64_
   std::string line;
   while (name_.next())
     line = shown(fmt::format("{}: {} in {} with seed {}, world {}: {}{} there, and {}{} otherwise", path, name_.text(1),
-                             name_.text(2), place[3], name_.text(0), row.text(outcome), score_words(row.real(score)),
-                             find_.text(1), score_words(find_.real(2))));
+                             name_.text(2), place[3], name_.text(0), row.text(outcome_column),
+                             score_words(row.real(score_column)), find_.text(1), score_words(find_.real(2))));
   return line;
 }
 

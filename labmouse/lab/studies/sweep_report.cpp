@@ -8,14 +8,11 @@
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 /// The mouse, with the robot if its numbers are swept.
 std::string name_of(const Sweep& sweep) {
@@ -94,8 +91,9 @@ std::string lowest(const Sweep& sweep) {
     others = 0;
   }
   if (best == nullptr) return "";
-  return fmt::format("Lowest mean: {:.3f} at {}={}{}.", *best->mean, sweep.parameter, best->value,
-                     others == 0 ? "" : " and " + counted(others, "other value", "other values"));
+  return fmt::format(
+      "Lowest mean: {:.3f} at {}={}{}.", *best->mean, sweep.parameter, best->value,
+      others == 0 ? "" : " and " + counted(static_cast<std::int64_t>(others), "other value", "other values"));
 }
 
 std::string notes_of(const Sweep& sweep) {
@@ -113,8 +111,7 @@ std::string notes_of(const Sweep& sweep) {
         "with `labmouse study` on other mazes.\n",
         sweep.points.size());
   if (sweep.routeless > 0)
-    notes += fmt::format("Left out of all means: {} {}.\n",
-                         counted(static_cast<std::size_t>(sweep.routeless), "maze", "mazes"),
+    notes += fmt::format("Left out of all means: {} {}.\n", counted(sweep.routeless, "maze", "mazes"),
                          sweep.order.world->why_no_bound());
   if (sweep.points.size() < sweep.values)
     notes += fmt::format("Stopped early: {} of {} values done.\n", sweep.points.size(), sweep.values);
@@ -132,8 +129,7 @@ PlotPoint plot_point(const Sweep& sweep, const SweepPoint& point) {
   std::string words = fmt::format("{}={}: mean {:.3f}", sweep.parameter, point.value, *point.mean);
   if (point.interval)
     words += fmt::format(", 95 % interval {:.3f} to {:.3f}", point.interval->low, point.interval->high);
-  words += fmt::format(", {} of {} failed", point.failures,
-                       counted(static_cast<std::size_t>(point.runs), "contest", "contests"));
+  words += fmt::format(", {} of {} failed", point.failures, counted(point.runs, "contest", "contests"));
   return {point.value, *point.mean, point.interval, point.failures > 0, words};
 }
 
@@ -143,9 +139,9 @@ std::string table_of(const Sweep& sweep, bool colours) {
   std::size_t width = std::max<std::size_t>(5, sweep.parameter.size());
   for (const SweepPoint& point : sweep.points) width = std::max(width, point.value.size());
   const std::size_t mazes = sweep.mazes.size() + static_cast<std::size_t>(sweep.routeless);
-  std::string text =
-      fmt::format("labmouse {}: {}, {}, {}, seed {}\n\n", version(), name_of(sweep),
-                  counted(sweep.values, "value", "values"), counted(mazes, "maze", "mazes"), sweep.order.seed);
+  std::string text = fmt::format("labmouse {}: {}, {}, {}, seed {}\n\n", version(), name_of(sweep),
+                                 counted(static_cast<std::int64_t>(sweep.values), "value", "values"),
+                                 counted(static_cast<std::int64_t>(mazes), "maze", "mazes"), sweep.order.seed);
   text += fmt::format("{}{:>{}} {:>8} {:>16} {:>7} {:>9}{}{}{}\n", colours ? "\x1b[1m" : "", sweep.parameter, width,
                       "mean", "95 % interval", "failed", "contests",
                       has_finished_means(sweep) ? fmt::format(" {:>13}", "finished only") : "",
@@ -158,7 +154,8 @@ std::string picture_of(const Sweep& sweep) {
   plot.title = fmt::format("{} in {}: score by {}{}", name_of(sweep), place_of(sweep), sweep.parameter,
                            sweep.points.size() < sweep.values ? ", stopped early" : "");
   plot.description = fmt::format("Mean score of {} at {} of {}. {}", name_of(sweep),
-                                 counted(sweep.points.size(), "value", "values"), sweep.parameter, lowest(sweep));
+                                 counted(static_cast<std::int64_t>(sweep.points.size()), "value", "values"),
+                                 sweep.parameter, lowest(sweep));
   plot.x_label = sweep.parameter + (sweep.meaning.empty() ? "" : ": " + sweep.meaning);
   plot.y_label = fmt::format("mean score ({}; lower is better)", sweep.order.world->unit());
   for (const SweepPoint& point : sweep.points)

@@ -6,13 +6,10 @@
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/studies/tune.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/counted.hpp"
 
 namespace labmouse {
 namespace {
-
-std::string counted(std::size_t count, std::string_view one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
 
 /// A value of the objective or a difference of two: a score with three decimals, a ratio with four.
 std::string shown_value(const Tune& tune, double value, bool sign = false) {
@@ -41,19 +38,21 @@ std::string gain_text(const Tune& tune) {
   if (gain.interval)
     text += fmt::format(" [{}, {}]", shown_value(tune, gain.interval->low, true),
                         shown_value(tune, gain.interval->high, true));
-  return text + fmt::format(" over {} ({} better, {} equal, {} worse)\n", counted(tune.mazes, "maze"), gain.better,
-                            gain.equal, gain.worse);
+  return text + fmt::format(" over {} ({} better, {} equal, {} worse)\n",
+                            counted(static_cast<std::int64_t>(tune.mazes), "maze", "mazes"), gain.better, gain.equal,
+                            gain.worse);
 }
 
 std::string failures_text(int failures) {
-  return failures == 0 ? "" : fmt::format(", {} failed", counted(static_cast<std::size_t>(failures), "contest"));
+  return failures == 0 ? "" : fmt::format(", {} failed", counted(failures, "contest", "contests"));
 }
 
 std::string result_text(const Tune& tune) {
   const Evaluation &given = tune.evaluations.front(), &best = best_of(tune);
   std::string text = fmt::format("as given   {}{}\n", shown_value(tune, given.value), failures_text(given.failures));
   if (&best == &given)
-    return text + fmt::format("No better values in {}.\n", counted(tune.evaluations.size(), "evaluation"));
+    return text + fmt::format("No better values in {}.\n",
+                              counted(static_cast<std::int64_t>(tune.evaluations.size()), "evaluation", "evaluations"));
   return text +
          fmt::format("best       {}, evaluation {} of {}{}\n", shown_value(tune, best.value), &best - &given + 1,
                      tune.evaluations.size(), failures_text(best.failures)) +
@@ -65,7 +64,7 @@ std::string notes_of(const Tune& tune) {
   if (tune.order.objective == Objective::ratio) notes += "Tuned for the mean of score / bound over the mazes.\n";
   if (tune.routeless > 0)
     notes += fmt::format("Left out of all means: {} whose goal cannot be reached.\n",
-                         counted(static_cast<std::size_t>(tune.routeless), "maze"));
+                         counted(tune.routeless, "maze", "mazes"));
   if (tune.stopped)
     notes +=
         fmt::format("Stopped early: {} of {} evaluations done.\n", tune.evaluations.size(), tune.order.evaluations);
@@ -97,8 +96,9 @@ PlotPoint point_of(const Tune& tune, std::size_t begin, std::size_t end) {
 
 std::string table_of(const Tune& tune, bool colours) {
   std::string text =
-      fmt::format("labmouse {}: tune, {}, {}, seed {}\n\n", version(), counted(tune.ranges.size(), "parameter"),
-                  counted(tune.mazes + static_cast<std::size_t>(tune.routeless), "maze"), tune.order.race.seed);
+      fmt::format("labmouse {}: tune, {}, {}, seed {}\n\n", version(),
+                  counted(static_cast<std::int64_t>(tune.ranges.size()), "parameter", "parameters"),
+                  counted(static_cast<int>(tune.mazes) + tune.routeless, "maze", "mazes"), tune.order.race.seed);
   if (tune.evaluations.empty()) return text + notes_of(tune);
   return text + parameters_text(tune, colours) + "\n" + result_text(tune) + "\n" + notes_of(tune) + "\n" +
          best_of(tune).mouse + "\n";
@@ -121,11 +121,13 @@ std::string picture_of(const Tune& tune) {
   Plot plot;
   const bool ratio = tune.order.objective == Objective::ratio;
   if (!tune.evaluations.empty()) {
-    plot.title = fmt::format("Tuning of {} in {}{}", tune.evaluations.front().mouse, counted(tune.mazes, "maze"),
+    plot.title = fmt::format("Tuning of {} in {}{}", tune.evaluations.front().mouse,
+                             counted(static_cast<std::int64_t>(tune.mazes), "maze", "mazes"),
                              tune.stopped ? ", stopped early" : "");
     plot.description =
         fmt::format("{} after {}: {}.", ratio ? "Best ratio" : "Best score",
-                    counted(tune.evaluations.size(), "evaluation"), shown_value(tune, best_of(tune).value));
+                    counted(static_cast<std::int64_t>(tune.evaluations.size()), "evaluation", "evaluations"),
+                    shown_value(tune, best_of(tune).value));
   }
   plot.x_label = "evaluations";
   plot.y_label = ratio ? "score / bound (lower is better)"

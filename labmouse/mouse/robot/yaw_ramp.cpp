@@ -47,7 +47,7 @@ double angle_on_ramp(const RampPath& ramp, double distance) {
 
 /// Moves a point along the ramp between two distances within which the angle is one polynomial: Gauss-Legendre
 /// quadrature with eight points, exact to rounding for the angles of turns.
-void drive(const RampPath& ramp, double from, double to, PathPoint& point) {
+void integrate(const RampPath& ramp, double from, double to, PathPoint& point) {
   struct Sample {
     double place, weight;
   };
@@ -102,7 +102,7 @@ PathPoint RampPath::at(double distance) const {
   double from = 0.0;
   for (const double part_end : {onset, length - onset, length}) {
     const double to = std::min(distance, part_end);
-    if (to > from) drive(*this, from, to, point);
+    if (to > from) integrate(*this, from, to, point);
     from = std::max(from, to);
   }
   return point;

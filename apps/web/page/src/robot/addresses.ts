@@ -65,6 +65,8 @@ export async function reopenRobot(desk: RobotDesk, { name, text, origin = { name
   desk.begin(origin);
   desk.start.name.value = name;
   const { values, keys } = await core.call('robot', { name }, new TextEncoder().encode(text));
+  // Somebody was quicker, and began with another robot or edited this one.
+  if (desk.draft.origin !== origin || !desk.draft.fresh) return;
   desk.form.show(values, keys);
   Object.assign(desk.draft, { keys, fresh: false, given: myRobot() });
   desk.ask();
