@@ -20,7 +20,7 @@ constexpr const char* their_contests =
     "score, counted, ratio, fields, contests.figures, time "
     "FROM contests LEFT JOIN timings ON timings.contest = contests.id ORDER BY contests.id";
 /// Column numbers of that query.
-enum Column : int {
+enum StoredColumn : int {
   seed_column = 4,
   clock_figures_column = 5,
   first_copied_column = 6,
