@@ -57,8 +57,7 @@ void add_external_options(Command& command, ExternalOptions& external_mice) {
       .add_word(
           "--sandbox", [&external_mice](const std::string& word) { external_mice.sandbox = sandbox_use(word); },
           "Run each program in a copy of its folder, without access to mazes, other files and the network: where that "
-          "is "
-          "possible (auto), always (on) or never (off)")
+          "is possible (auto), always (on) or never (off)")
       ->check(one_of({"auto", "on", "off"}))
       ->default_str("auto");
   command.add_flag("--keep-folder", external_mice.keep_folder,

@@ -30,8 +30,17 @@ void BelievedWalls::know_open(MazeTime time, const WallSet& walls) {
 }
 
 void BelievedWalls::pass(MazeTime time, Cell from, const Pose& to) {
-  for (Cell cell = to.cell; cell != from; cell = neighbour(cell, opposite(to.heading)))
-    add(time, wall_at(cell, opposite(to.heading)), -surely);
+  for (Cell cell = to.cell; cell != from; cell = neighbour(cell, opposite(to.heading))) {
+    const Wall wall = wall_at(cell, opposite(to.heading));
+    passed_.insert(wall);
+    add(time, wall, -surely);
+  }
+}
+
+void BelievedWalls::blame(MazeTime time, Wall wall) {
+  if (on_border(wall, maze_.size()) || passed_.contains(wall)) return;
+  blamed_.insert(wall);
+  weigh(time, wall, 2 * LogOddsMap::most);
 }
 
 void BelievedWalls::take(MazeTime time, Cell cell, Heading side, Evidence evidence) {
@@ -39,14 +48,19 @@ void BelievedWalls::take(MazeTime time, Cell cell, Heading side, Evidence eviden
   // The border is known.
   if (on_border(wall, maze_.size())) return;
   constexpr int sure = 4 * evidence_a_nat;
+  if (blamed_.contains(wall) && evidence < 0) return;
   const LogOddsMap::News news = add(time, wall, evidence);
   const bool against = news == LogOddsMap::News::contradicted || news == LogOddsMap::News::turned;
   if (against && std::abs(evidence) >= sure) ++against_[0];
 }
 
 LogOddsMap::News BelievedWalls::add(MazeTime time, Wall wall, int evidence) {
-  const LogOddsMap::News news = log_odds_.add(wall, evidence);
   if (weighs_) last_evidence_[evidence_count_++ % last_evidence_.size()] = {wall, evidence};
+  return weigh(time, wall, evidence);
+}
+
+LogOddsMap::News BelievedWalls::weigh(MazeTime time, Wall wall, int evidence) {
+  const LogOddsMap::News news = log_odds_.add(wall, evidence);
   if (news == LogOddsMap::News::none) return news;
   if (news != LogOddsMap::News::learned) ++record_.contradictions;
   if (news != LogOddsMap::News::contradicted) note(time, wall);
@@ -67,6 +81,7 @@ void BelievedWalls::weaken_last() {
 
 void BelievedWalls::forget_all() {
   WallSet::all(size()).for_each([&](Wall wall) { log_odds_.forget(wall); });
+  blamed_ = passed_ = {};
   put_down();
 }
 

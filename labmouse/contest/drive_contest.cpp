@@ -262,7 +262,13 @@ class DriveContest {
   }
 
   After make(const Action& part, bool replanned) {
-    if (!driver_.make(part, replanned)) return broken_off();
+    const Pose from = driver_.place().pose;
+    const Heading heading = after_search(driver_.place(), part).pose.heading;
+    if (!driver_.make(part, replanned)) {
+      if (weighed_ != nullptr && driver_.crash() && part.movement > 0)
+        weighed_->blame(driver_.clock(), wall_at(from.cell, heading));
+      return broken_off();
+    }
     // It asks to be carried.
     if (weighed_ != nullptr && weighed_->doubts_its_place()) return end_run(RunEnd::no_route_left, After::crashed);
     goal_entered_ = goal_entered_ || maze_.is_goal(driver_.place().pose.cell);

@@ -205,20 +205,15 @@ constinit const BuiltinMouse festina_mouse = {
     .summary = "a log-odds map, slower search runs after crashes, faster speed runs from try to try",
     .method =
         "The parameter `strategy` chooses the strategy that explores: ariadne where the time in the maze counts, "
-        "certify "
-        "where "
-        "it does not. festina itself decides two things, the map and the pace. A log-odds map weighs contradicting "
-        "readings; if no route is left, the mouse looks again. The search run begins at the usual pace and becomes "
-        "slower "
-        "after each crash in a search run, because a mouse whose tyres slipped slips again. Speed runs begin at 0.75 "
-        "of "
-        "the usual pace if the rules give a bonus to an untouched mouse, at 0.9 if runs are few, and otherwise at the "
-        "usual pace. After a crash, the next speed run is slower by a factor. After a slow run that finished, the next "
-        "one is faster. Once there are both, the next run takes the middle of the two, as long as that is more than a "
-        "twentieth faster than the last success. If no speed run finished, the last run that the rules allow, or the "
-        "one after the third crash, is a safe run: it uses the moves of a search run over known walls. In worlds "
-        "without "
-        "failures all paces are equal, and only the exploring strategy matters.",
+        "certify where it does not. festina itself decides two things, the map and the pace. A log-odds map weighs "
+        "contradicting readings; if no route is left, the mouse looks again. The search run begins at the usual pace "
+        "and becomes slower after each crash in a search run, because a mouse whose tyres slipped slips again. Speed "
+        "runs begin at 0.75 of the usual pace if the rules give a bonus to an untouched mouse, at 0.9 if runs are "
+        "few, and otherwise at the usual pace. After a crash, the next speed run is slower by a factor. After a slow "
+        "run that finished, the next one is faster. Once there are both, the next run takes the middle of the two, as "
+        "long as that is more than a twentieth faster than the last success. If no speed run finished, the last run "
+        "that the rules allow, or the one after the third crash, is a safe run: it uses the moves of a search run "
+        "over known walls. In worlds without failures all paces are equal, and only the exploring strategy matters.",
     .source = "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.",
     .parameters = festina_parameters,
     .drive = drive_festina,

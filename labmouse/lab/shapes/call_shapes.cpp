@@ -60,10 +60,8 @@ std::vector<CallShape> call_shapes() {
        object({field("differences", list(number)), maybe("seed", number)}), named("PairedDifference")},
       {"losses",
        "Where contests in steps in one maze lose their steps; labmouse/lab/replays/lost_steps.hpp says what that "
-       "means. "
-       "Lists run over cells; those that were not finished are left out of all but `contests`. `points` is what the "
-       "mean "
-       "contest loses of its score in that cell; they add up to `mean_score` - `bound`.",
+       "means. Lists run over cells; those that were not finished are left out of all but `contests`. `points` is "
+       "what the mean contest loses of its score in that cell; they add up to `mean_score` - `bound`.",
        object({field("maze", named("MazeData")),
                field("contests", list(object({field("mouse", text), field("seed", number)}))),
                maybe("budget", number)}),

@@ -50,9 +50,8 @@ Merging::Merging(Database& ours)
       add_bound_(ours.prepare("INSERT INTO bounds (world, maze, bound) VALUES (?1, ?2, ?3) ON CONFLICT DO NOTHING")),
       add_contest_(ours.prepare(
           "INSERT INTO contests (world, mouse, maze, seed, build, run, race_seed, outcome, outcome_order, "
-          "never_started, "
-          "score, counted, ratio, fields, figures, time) "
-          "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16) ON CONFLICT DO NOTHING")),
+          "never_started, score, counted, ratio, fields, figures, time) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, "
+          "?10, ?11, ?12, ?13, ?14, ?15, ?16) ON CONFLICT DO NOTHING")),
       add_timing_(ours.prepare("INSERT INTO timings (contest, figures) VALUES (?1, ?2) ON CONFLICT DO NOTHING")),
       find_(ours.prepare(
           "SELECT id, outcome, score, never_started IS ?5 AND score IS ?6 AND counted IS ?7 AND ratio IS ?8 AND "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/lab/failure_rates/failure_file.hpp"
@@ -21,8 +22,11 @@ using test::driven_exactly;
 using test::harmless;
 using test::wall_error;
 using test::with;
+using ::testing::_;
 using ::testing::Contains;
 using ::testing::Each;
+using ::testing::IsEmpty;
+using ::testing::Pair;
 using ::testing::SizeIs;
 
 TEST(Failures, IsTheWorldInSecondsWhereNothingGoesWrong) {
@@ -102,6 +106,48 @@ TEST(Failures, SeesNoWayWhereGapsAreTakenForWallsAndLooksAgainWithAMapThatDoubts
   PhysicalConditions weighing = at_errors(1.0);
   weighing.map = MapKind::log_odds;
   EXPECT_GT(driven("flood", failure_rates, 1, weighing).drive.walls.size(), first.drive.walls.size());
+}
+
+/// Closed walls that a contest noted, and whether each is closed in the maze.
+std::vector<std::pair<Wall, bool>> noted_as_closed(const PhysicalRecord& record, const Maze& maze) {
+  std::vector<std::pair<Wall, bool>> walls;
+  for (const WallSeen& seen : record.drive.walls)
+    if (!seen.open) walls.emplace_back(seen.wall, !maze.is_open(seen.wall.cell, seen.wall.side));
+  return walls;
+}
+
+TEST(Failures, HitsAMissedWallOnceWithAMapThatDoubts) {
+  const auto failure_rates = with([](FailureRatesByBrightness& some) {
+    wall_error(some, Reading::wall_beside);
+    wall_error(some, Reading::wall_ahead);
+  });
+  EXPECT_THAT(noted_as_closed(driven("flood", failure_rates), test::ring()), IsEmpty());
+  PhysicalConditions weighing = at_errors(1.0);
+  weighing.map = MapKind::log_odds;
+  const PhysicalRecord record = driven("flood", failure_rates, 1, weighing);
+  const auto hit = std::count(record.ends.begin(), record.ends.end(), RunEnd::wall_error);
+  ASSERT_GT(hit, 1);
+  const auto closed = noted_as_closed(record, test::ring());
+  EXPECT_THAT(closed, SizeIs(hit));
+  EXPECT_THAT(closed, Each(Pair(_, true)));
+  for (std::size_t i = 1; i < closed.size(); ++i) EXPECT_NE(closed[i].first, closed[i - 1].first);
+}
+
+/// A crash for another reason closes a passage, too, until no other way is left.
+TEST(Failures, PassesAgainWhereItCrashedForAnotherReason) {
+  const auto failure_rates = with([](FailureRatesByBrightness& some) {
+    for (const Manoeuvre manoeuvre : all_manoeuvres) at(some, manoeuvre).crash = 0.25;
+  });
+  PhysicalConditions weighing = at_errors(1.0);
+  weighing.map = MapKind::log_odds;
+  int contests = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const PhysicalRecord record = driven("flood", failure_rates, seed, weighing);
+    const auto closed = noted_as_closed(record, test::ring());
+    const auto wrong = std::count_if(closed.begin(), closed.end(), [](const auto& wall) { return !wall.second; });
+    contests += wrong > 1 && record.drive.outcome == DriveOutcome::finished ? 1 : 0;
+  }
+  EXPECT_GT(contests, 0);
 }
 
 TEST(Failures, IsTheSameAgainByTheSameSeedAndAnotherByAnother) {
