@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "labmouse/contest/believed_walls.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/lab/failure_rates/failure_file.hpp"
 #include "tests/lab/drive/failures_fixture.hpp"
@@ -131,6 +132,20 @@ TEST(Failures, HitsAMissedWallOnceWithAMapThatDoubts) {
   EXPECT_THAT(closed, SizeIs(hit));
   EXPECT_THAT(closed, Each(Pair(_, true)));
   for (std::size_t i = 1; i < closed.size(); ++i) EXPECT_NE(closed[i].first, closed[i - 1].first);
+}
+
+TEST(BelievedWalls, AreClosedByACrashUnlessTheMouseHasPassed) {
+  PhysicalRecord record;
+  BelievedWalls walls(test::ring(), MapKind::log_odds, record);
+  const Wall passed = {{0, 0}, Heading::north}, hit = {{0, 1}, Heading::north};
+  walls.pass(0, {0, 0}, {{0, 1}, Heading::north});
+  walls.read(1, {{0, 1}, Heading::north}, {0, -8 * evidence_a_nat, 0});
+  walls.blame(2, passed);
+  walls.blame(2, hit);
+  // What was read before the crash counts half, and the crash whole.
+  walls.weaken_last();
+  EXPECT_EQ(walls.known().state(passed), WallState::open);
+  EXPECT_EQ(walls.log_odds().odds(hit), LogOddsMap::most);
 }
 
 /// A crash for another reason closes a passage, too, until no other way is left.
