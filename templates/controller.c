@@ -265,7 +265,8 @@ static void *begin(const struct labmouse_briefing *told) {
   const struct labmouse_robot *robot = &told->robot;
   if (robot->infrared_sensors != 4 || robot->sensors_side_angle == 0 || robot->range_sensors != 1 ||
       robot->sensors_ranger_reach == 0 || robot->sensors_gyro_step == 0) {
-    fputs("controller.c needs a robot with pairs of side and front sensors, a ToF sensor and a gyro\n", stderr);
+    fputs("controller.c needs a robot with pairs of side and front sensors, a ToF sensor and a gyro, such as kerise\n",
+          stderr);
     exit(1);
   }
   struct controller *p = (struct controller *)calloc(1, sizeof *p);

@@ -92,9 +92,8 @@ RaceOrder Contests::order_in(std::shared_ptr<const World> chosen) const {
 void Contests::finish_store(bool below_a_table) const {
   if (!store_) return;
   const std::string error = store_->finish();
-  std::string text =
-      fmt::format("Store {}: {} from it, {} added", shown(store_->path()),
-                  counted(static_cast<std::int64_t>(store_->recalled()), "contest", "contests"), store_->added());
+  std::string text = fmt::format("Store {}: {} from it, {} added", shown(store_->path()),
+                                 counted(store_->recalled(), "contest", "contests"), store_->added());
   if (store_->passed_by() > 0)
     text += fmt::format(", {} not kept, because nothing is known of their mice", store_->passed_by());
   if (below_a_table)

@@ -151,8 +151,8 @@ void report_curves(const RaceOptions& options, const std::vector<Race>& races) {
   if (options.format == "table") print("\n" + table_of(curves, races.back().world()));
   if (options.curves.empty()) return;
   const Race& race = races.back();
-  const std::string title = fmt::format("Contests finished: world {}, {}", race.world().name(),
-                                        counted(static_cast<std::int64_t>(race.mazes.size()), "maze", "mazes"));
+  const std::string title =
+      fmt::format("Contests finished: world {}, {}", race.world().name(), counted(race.mazes.size(), "maze", "mazes"));
   const bool stopped = std::any_of(races.begin(), races.end(), [](const Race& each) { return each.stopped; });
   (stopped ? save_partial : save)(options.curves, draw_curves(curves, title));
 }

@@ -37,10 +37,10 @@ void BelievedWalls::pass(MazeTime time, Cell from, const Pose& to) {
   }
 }
 
-void BelievedWalls::blame(MazeTime time, Wall wall) {
+void BelievedWalls::close_after_crash(MazeTime time, Wall wall) {
   if (on_border(wall, maze_.size()) || passed_.contains(wall)) return;
-  blamed_.insert(wall);
-  weigh(time, wall, 2 * LogOddsMap::most);
+  closed_by_crash_.insert(wall);
+  add_to_map(time, wall, 2 * LogOddsMap::most);
 }
 
 void BelievedWalls::take(MazeTime time, Cell cell, Heading side, Evidence evidence) {
@@ -48,7 +48,7 @@ void BelievedWalls::take(MazeTime time, Cell cell, Heading side, Evidence eviden
   // The border is known.
   if (on_border(wall, maze_.size())) return;
   constexpr int sure = 4 * evidence_a_nat;
-  if (blamed_.contains(wall) && evidence < 0) return;
+  if (closed_by_crash_.contains(wall) && evidence < 0) return;
   const LogOddsMap::News news = add(time, wall, evidence);
   const bool against = news == LogOddsMap::News::contradicted || news == LogOddsMap::News::turned;
   if (against && std::abs(evidence) >= sure) ++against_[0];
@@ -56,10 +56,10 @@ void BelievedWalls::take(MazeTime time, Cell cell, Heading side, Evidence eviden
 
 LogOddsMap::News BelievedWalls::add(MazeTime time, Wall wall, int evidence) {
   if (weighs_) last_evidence_[evidence_count_++ % last_evidence_.size()] = {wall, evidence};
-  return weigh(time, wall, evidence);
+  return add_to_map(time, wall, evidence);
 }
 
-LogOddsMap::News BelievedWalls::weigh(MazeTime time, Wall wall, int evidence) {
+LogOddsMap::News BelievedWalls::add_to_map(MazeTime time, Wall wall, int evidence) {
   const LogOddsMap::News news = log_odds_.add(wall, evidence);
   if (news == LogOddsMap::News::none) return news;
   if (news != LogOddsMap::News::learned) ++record_.contradictions;
@@ -81,7 +81,7 @@ void BelievedWalls::weaken_last() {
 
 void BelievedWalls::forget_all() {
   WallSet::all(size()).for_each([&](Wall wall) { log_odds_.forget(wall); });
-  blamed_ = passed_ = {};
+  closed_by_crash_ = passed_ = {};
   put_down();
 }
 

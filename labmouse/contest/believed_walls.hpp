@@ -23,9 +23,9 @@ class BelievedWalls {
   void pass(MazeTime time, Cell from, const Pose& to);
   /// Marks walls as surely open.
   void know_open(MazeTime time, const WallSet& walls);
-  /// The mouse crashed on its way through that wall, which it took for open: it is closed from now on, whatever
-  /// readings say, unless the mouse has passed there before or no route is left without it.
-  void blame(MazeTime time, Wall wall);
+  /// The mouse crashed on its way through that passage. From now on its wall counts as closed, whatever readings say,
+  /// until no route is left. A passage through which the mouse has driven before stays open.
+  void close_after_crash(MazeTime time, Wall wall);
   /// Halves the weight of the last readings, because they may be of other walls.
   void weaken_last();
   /// The mouse was put down elsewhere: later readings are independent of the last ones.
@@ -36,7 +36,7 @@ class BelievedWalls {
   void forget_all();
   /// See LogOddsMap::weaken_path().
   bool weaken_path(Cell from, const CellSet& to) {
-    blamed_ = {};
+    closed_by_crash_ = {};
     return log_odds_.weaken_path(from, to);
   }
 
@@ -60,16 +60,16 @@ class BelievedWalls {
   };
 
   void take(MazeTime time, Cell cell, Heading side, Evidence evidence);
-  /// Adds evidence that weaken_last() can weaken.
+  /// Adds evidence, which weaken_last() can weaken.
   LogOddsMap::News add(MazeTime time, Wall wall, int evidence);
-  LogOddsMap::News weigh(MazeTime time, Wall wall, int evidence);
+  LogOddsMap::News add_to_map(MazeTime time, Wall wall, int evidence);
   void note(MazeTime time, Wall wall);
 
   const Maze& maze_;
   PhysicalRecord& record_;
   LogOddsMap log_odds_;
   bool weighs_, asks_where_it_is_;
-  WallSet passed_, blamed_;                  ///< where it drove through, and where it crashed
+  WallSet passed_, closed_by_crash_;
   std::array<Reading, 12> last_evidence_{};  ///< ring buffer of the last readings
   std::size_t evidence_count_ = 0;
   std::array<int, 2> against_{};  ///< sure readings that contradicted the map, in the last cell and the one before

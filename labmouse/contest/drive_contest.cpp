@@ -266,7 +266,7 @@ class DriveContest {
     const Heading heading = after_search(driver_.place(), part).pose.heading;
     if (!driver_.make(part, replanned)) {
       if (weighed_ != nullptr && driver_.crash() && part.movement > 0)
-        weighed_->blame(driver_.clock(), wall_at(from.cell, heading));
+        weighed_->close_after_crash(driver_.clock(), wall_at(from.cell, heading));
       return broken_off();
     }
     // It asks to be carried.

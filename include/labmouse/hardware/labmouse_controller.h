@@ -99,8 +99,8 @@ struct labmouse_ranger {
 };
 
 #define LABMOUSE_ROBOT_FIELD(section, name) double section##_##name;
-/* Numbers of sensors that it lacks are 0. Those of pairs of infrared sensors (side, front) and of a ToF sensor that looks
-   ahead are 0, too, where its file lists sensors one by one; the lists have all sensors of any robot. */
+/* Numbers of sensors that it lacks are 0. Those of pairs of infrared sensors (side, front) and of a ToF sensor that
+   looks ahead are 0, too, where its file lists sensors one by one; the lists have all sensors of any robot. */
 struct labmouse_robot {
   LABMOUSE_ROBOT_NUMBERS(LABMOUSE_ROBOT_FIELD)
   int infrared_sensors, range_sensors; /* how many */
@@ -135,13 +135,13 @@ struct labmouse_briefing {
 struct labmouse_controller {
   /* Begins a contest. The pointer returned is passed to the others as `memory`; as long as it is in use, the briefing
    * is valid. */
-  void *(*begin)(const struct labmouse_briefing *briefing);
+  void* (*begin)(const struct labmouse_briefing* briefing);
   /* Called for each tick, in order. */
-  struct labmouse_drive (*tick)(void *memory, const struct labmouse_sense *sense);
+  struct labmouse_drive (*tick)(void* memory, const struct labmouse_sense* sense);
   /* The mouse was carried to the start, where it stands as in the beginning: after a crash, or at its request. */
-  void (*carried)(void *memory, int crashed);
+  void (*carried)(void* memory, int crashed);
   /* The contest has ended. */
-  void (*end)(void *memory);
+  void (*end)(void* memory);
   /* Number of ticks that main() handles at a time, 1 to LABMOUSE_LONGEST_BATCH. More are faster to simulate, but duties
    * take effect later, by batch - 1 ms: with 1 at once, with 8 after 7 ms. */
   int batch;
@@ -193,24 +193,24 @@ struct labmouse_duties {
 /* The parts; any function may be null. If `estimate`, `evidence` or `follow` is null, labmouse's own part is used. */
 struct labmouse_parts {
   /* As in labmouse_controller. */
-  void *(*begin)(const struct labmouse_briefing *briefing);
+  void* (*begin)(const struct labmouse_briefing* briefing);
   /* The estimator: the mouse was put at about this position, and is at rest. */
-  void (*put)(void *memory, double x, double y, struct labmouse_direction ahead);
+  void (*put)(void* memory, double x, double y, struct labmouse_direction ahead);
   /* Called for each tick, in order, with the target of that tick. Invalid numbers are ignored: the estimate stays. */
-  struct labmouse_estimate (*estimate)(void *memory, const struct labmouse_sense *sense,
-                                       const struct labmouse_target *target);
+  struct labmouse_estimate (*estimate)(void* memory, const struct labmouse_sense* sense,
+                                       const struct labmouse_target* target);
   /* The wall detector. look(): the cell to read from now on, seen in that heading. read(): called for each tick, after
      the estimate. evidence(): what was read of that cell so far. */
-  void (*look)(void *memory, struct labmouse_cell cell, enum labmouse_heading heading);
-  void (*read)(void *memory, const struct labmouse_sense *sense, const struct labmouse_estimate *estimate);
-  struct labmouse_evidence (*evidence)(void *memory, const struct labmouse_estimate *estimate);
+  void (*look)(void* memory, struct labmouse_cell cell, enum labmouse_heading heading);
+  void (*read)(void* memory, const struct labmouse_sense* sense, const struct labmouse_estimate* estimate);
+  struct labmouse_evidence (*evidence)(void* memory, const struct labmouse_estimate* estimate);
   /* The tracker: the mouse is at rest, and a new movement begins. */
-  void (*rest)(void *memory);
+  void (*rest)(void* memory);
   /* Called for each tick, last. */
-  struct labmouse_duties (*follow)(void *memory, const struct labmouse_sense *sense, const struct labmouse_target *target,
-                                   const struct labmouse_estimate *estimate);
+  struct labmouse_duties (*follow)(void* memory, const struct labmouse_sense* sense,
+                                   const struct labmouse_target* target, const struct labmouse_estimate* estimate);
   /* The contest has ended. */
-  void (*end)(void *memory);
+  void (*end)(void* memory);
 };
 
 #ifdef __cplusplus
@@ -225,13 +225,13 @@ struct labmouse_parts {
 #include <string.h>
 
 /* A line of any length without its end; null at the end of the input. */
-static char *labmouse_read_line(void) {
-  static char *line = NULL;
+static char* labmouse_read_line(void) {
+  static char* line = NULL;
   static size_t room = 0;
   size_t size = 0;
   do {
     if (room < size + 256) {
-      char *more = (char *)realloc(line, room = 2 * size + 8192);
+      char* more = (char*)realloc(line, room = 2 * size + 8192);
       if (more == NULL) exit(1);
       line = more;
     }
@@ -243,8 +243,8 @@ static char *labmouse_read_line(void) {
 }
 
 /* Stores so many numbers from the text. */
-static void labmouse_take_numbers(const char *text, double *to, int count) {
-  char *end = NULL;
+static void labmouse_take_numbers(const char* text, double* to, int count) {
+  char* end = NULL;
   int i;
   for (i = 0; i < count; ++i) {
     to[i] = strtod(text, &end);
@@ -253,10 +253,10 @@ static void labmouse_take_numbers(const char *text, double *to, int count) {
 }
 
 /* Stores a line of the briefing; unknown lines are ignored. */
-static void labmouse_be_told(const char *line, struct labmouse_briefing *told) {
+static void labmouse_be_told(const char* line, struct labmouse_briefing* told) {
 #define LABMOUSE_ROBOT_NAME(section, name) {#section "." #name, offsetof(struct labmouse_robot, section##_##name)},
   static const struct {
-    const char *name;
+    const char* name;
     size_t place;
   } numbers[] = {LABMOUSE_ROBOT_NUMBERS(LABMOUSE_ROBOT_NAME)};
 #undef LABMOUSE_ROBOT_NAME
@@ -264,7 +264,7 @@ static void labmouse_be_told(const char *line, struct labmouse_briefing *told) {
   char word[64] = "", name[16] = "";
   int x = 0, y = 0;
   size_t i;
-  const char *rest = strchr(line, ' ');
+  const char* rest = strchr(line, ' ');
   if (rest == NULL || (size_t)(rest - line) >= sizeof word) return;
   memcpy(word, line, (size_t)(rest - line));
   if (strcmp(word, "size") == 0) sscanf(rest, "%d %d", &told->width, &told->height);
@@ -289,14 +289,14 @@ static void labmouse_be_told(const char *line, struct labmouse_briefing *told) {
   if (strcmp(word, "ranger") == 0 && told->robot.range_sensors < LABMOUSE_MOST_RANGERS)
     labmouse_take_numbers(rest, &told->robot.ranger[told->robot.range_sensors++].ahead, 5);
   for (i = 0; i < sizeof numbers / sizeof numbers[0]; ++i)
-    if (strcmp(word, numbers[i].name) == 0) *(double *)((char *)&told->robot + numbers[i].place) = strtod(rest, NULL);
+    if (strcmp(word, numbers[i].name) == 0) *(double*)((char*)&told->robot + numbers[i].place) = strtod(rest, NULL);
 }
 
 /* Takes a tick from the front of the text; 0 where there is none. */
-static int labmouse_take_sense(const struct labmouse_robot *robot, char **text, struct labmouse_sense *sense) {
+static int labmouse_take_sense(const struct labmouse_robot* robot, char** text, struct labmouse_sense* sense) {
   long numbers[7 + LABMOUSE_MOST_INFRARED + 2 * LABMOUSE_MOST_RANGERS] = {0};
   const int infrared = robot->infrared_sensors, ranges = robot->range_sensors, all = 7 + infrared + 2 * ranges;
-  char *at = *text;
+  char* at = *text;
   int i;
   for (i = 0; i < all; ++i) {
     numbers[i] = strtol(at, text, 10);
@@ -318,8 +318,8 @@ static int labmouse_take_sense(const struct labmouse_robot *robot, char **text, 
 }
 
 /* Answers all ticks of a line. If these are less than a batch, the last answer is repeated to fill it. */
-static void labmouse_answer(const struct labmouse_robot *robot, void *memory, char *text, int batch) {
-  static const char *const words[] = {"drive", "fast", "goal", "carry", "forfeit"};
+static void labmouse_answer(const struct labmouse_robot* robot, void* memory, char* text, int batch) {
+  static const char* const words[] = {"drive", "fast", "goal", "carry", "forfeit"};
   struct labmouse_sense sense;
   struct labmouse_drive said[LABMOUSE_LONGEST_BATCH];
   int word = LABMOUSE_DRIVE, count = 0, i;
@@ -337,12 +337,12 @@ static void labmouse_answer(const struct labmouse_robot *robot, void *memory, ch
 }
 
 /* The first argument, if there is one, replaces the batch of labmouse_controller. */
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   static struct labmouse_briefing told;
   const int batch = argc > 1 ? atoi(argv[1]) : labmouse_controller.batch;
   int begun = 0;
-  void *memory = NULL;
-  char *line;
+  void* memory = NULL;
+  char* line;
   while ((line = labmouse_read_line()) != NULL) {
     if (strncmp(line, "sense ", 6) == 0) {
       labmouse_answer(&told.robot, memory, line + 5, batch);

@@ -21,7 +21,7 @@ std::string share_words(const CellSet& part, const CellSet& whole, std::string_v
 }  // namespace
 
 std::string route_words(const std::vector<Leg>& legs) {
-  return counted(static_cast<int>(legs.size()), "step", "steps") + ", " + counted(length_of(legs), "cell", "cells");
+  return counted(legs.size(), "step", "steps") + ", " + counted(length_of(legs), "cell", "cells");
 }
 
 std::string to_goal_words(const SearchLegs& search_run) {
@@ -54,7 +54,7 @@ std::string through_words(const Candidate& candidate, const Reasons& reasons) {
 }
 
 std::string candidates_words(const StepReasons& choice) {
-  return counted(static_cast<int>(choice.reasons.candidates.size()), "candidate", "candidates") +
+  return counted(choice.reasons.candidates.size(), "candidate", "candidates") +
          fmt::format(" of step {}, with {} in steps", choice.step, choice.reasons.way_here < 1 ? "ways ahead" : "runs");
 }
 

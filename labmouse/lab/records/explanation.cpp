@@ -171,7 +171,7 @@ std::string ground_words(const Reasons& reasons) {
   if (reasons.ground == Ground::flood) return "a flood, for lack of time to weigh candidates or in a large maze";
   if (reasons.ground == Ground::no_loops) return "the walls seen look like those of a maze without loops";
   if (reasons.candidates.empty()) return "no unseen wall is left that a better run could pass";
-  const std::string all = counted(static_cast<int>(reasons.candidates.size()), "candidate", "candidates");
+  const std::string all = counted(reasons.candidates.size(), "candidate", "candidates");
   return (reasons.chosen < 0 ? "none is worth its price, of " : "the lowest score, of ") + all;
 }
 

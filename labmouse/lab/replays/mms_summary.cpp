@@ -27,7 +27,7 @@ std::string statistics_text(const MmsStatistics& s) {
 std::string log_text(const MmsRun& run) {
   if (run.invalid_lines == 0) return "";
   std::string text =
-      counted(static_cast<int>(run.invalid_lines), "line that is not a command, which mms does not answer",
+      counted(run.invalid_lines, "line that is not a command, which mms does not answer",
               "lines that are not commands, which mms does not answer") +
       (run.invalid_lines > static_cast<std::int64_t>(run.log.size()) ? "; the first ones are:\n" : ":\n");
   for (const std::string& sentence : run.log) text += "  " + shown(sentence) + "\n";
@@ -65,7 +65,7 @@ std::string report_of(const std::string& mouse, const NamedMaze& maze, const Mms
   return statistics_text(run.statistics) + log_text(run) + errors_text(run) +
          shown(fmt::format("{}: {}{}; {}, {:.1f} s in mms", name_of(run.outcome), run.end,
                            run.outcome == MmsOutcome::waiting ? " (use --presses N to press it N times)" : "",
-                           counted(static_cast<int>(run.lines), "line", "lines"), run.clock)) +
+                           counted(run.lines, "line", "lines"), run.clock)) +
          "\n" + mms_score_line(mouse, maze, run);
 }
 

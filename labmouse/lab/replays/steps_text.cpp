@@ -123,7 +123,7 @@ std::string checked_line(const RecordFile& file) {
     return count > 0 ? ", " + counted(count, one, many) : "";
   };
   const std::string readings = checked(&GivenFields::reading, "reading", "readings");
-  std::string line = fmt::format("checked in {}: ", counted(static_cast<int>(file.given.size()), "step", "steps"));
+  std::string line = fmt::format("checked in {}: ", counted(file.given.size(), "step", "steps"));
   line += readings.empty() ? "no readings" : readings.substr(2);
   line += checked(&GivenFields::cell, "cell", "cells") + checked(&GivenFields::heading, "heading", "headings");
   line += checked(&GivenFields::run, "run", "runs") + checked(&GivenFields::blocked, "blocked flag", "blocked flags");

@@ -54,7 +54,7 @@ Json links_of(const ReportResults& results, const ReportRecords& records, std::v
     }
   if (!lost.empty())
     notes.push_back(shown(fmt::format("left out: {} that cannot be found again as raced, such as {}",
-                                      counted(static_cast<int>(lost.size()), "maze", "mazes"), *lost.begin())));
+                                      counted(lost.size(), "maze", "mazes"), *lost.begin())));
   return links;
 }
 

@@ -30,9 +30,8 @@ std::vector<const Column*> columns_of(const Race& race, bool all) {
 
 std::string heading_of(const Race& race) {
   return fmt::format("labmouse {}: {}{}, {}, seed {}{}", version(), race.world().title(),
-                     counted(static_cast<int>(race.mice.size()), "mouse", "mice"),
-                     counted(static_cast<int>(race.mazes.size()), "maze", "mazes"), race.order.seed,
-                     race.world().heading());
+                     counted(race.mice.size(), "mouse", "mice"), counted(race.mazes.size(), "maze", "mazes"),
+                     race.order.seed, race.world().heading());
 }
 
 std::vector<std::vector<std::string>> cells_of(const Race& race, bool all) {

@@ -68,8 +68,7 @@ std::string steps_notes(const Race& race, const Rules& rules) {
   });
   if (dear > 0)
     notes += fmt::format("{} a score above {:g}, more than a failed one.\n",
-                         counted(static_cast<int>(dear), "finished contest has", "finished contests have"),
-                         rules.failure_score);
+                         counted(dear, "finished contest has", "finished contests have"), rules.failure_score);
   return notes;
 }
 

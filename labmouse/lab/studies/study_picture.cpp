@@ -206,9 +206,9 @@ std::string picture_of(const Study& study) {
   const std::vector<Comparison> comparisons =
       study.race.mazes.empty() ? std::vector<Comparison>() : comparisons_of(study);
   const int right = comparisons.empty() ? one_plot : two_plots;
-  const std::string title = fmt::format(
-      "Study of {}{}: {} in {}", fmt::join(study.mice, ", "), study.race.stopped ? ", stopped early" : "",
-      counted(static_cast<int>(study.race.mazes.size()), "maze", "mazes"), counted(study.folds_done, "fold", "folds"));
+  const std::string title =
+      fmt::format("Study of {}{}: {} in {}", fmt::join(study.mice, ", "), study.race.stopped ? ", stopped early" : "",
+                  counted(study.race.mazes.size(), "maze", "mazes"), counted(study.folds_done, "fold", "folds"));
   std::string svg = heading_svg({label_room, 32}, right, title), words = "Scores against the bound, maze by maze.";
   int bottom = first_row;
   const auto add = [&](const Row& row) {

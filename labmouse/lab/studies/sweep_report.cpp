@@ -91,9 +91,8 @@ std::string lowest(const Sweep& sweep) {
     others = 0;
   }
   if (best == nullptr) return "";
-  return fmt::format(
-      "Lowest mean: {:.3f} at {}={}{}.", *best->mean, sweep.parameter, best->value,
-      others == 0 ? "" : " and " + counted(static_cast<std::int64_t>(others), "other value", "other values"));
+  return fmt::format("Lowest mean: {:.3f} at {}={}{}.", *best->mean, sweep.parameter, best->value,
+                     others == 0 ? "" : " and " + counted(others, "other value", "other values"));
 }
 
 std::string notes_of(const Sweep& sweep) {
@@ -139,9 +138,9 @@ std::string table_of(const Sweep& sweep, bool colours) {
   std::size_t width = std::max<std::size_t>(5, sweep.parameter.size());
   for (const SweepPoint& point : sweep.points) width = std::max(width, point.value.size());
   const std::size_t mazes = sweep.mazes.size() + static_cast<std::size_t>(sweep.routeless);
-  std::string text = fmt::format("labmouse {}: {}, {}, {}, seed {}\n\n", version(), name_of(sweep),
-                                 counted(static_cast<std::int64_t>(sweep.values), "value", "values"),
-                                 counted(static_cast<std::int64_t>(mazes), "maze", "mazes"), sweep.order.seed);
+  std::string text =
+      fmt::format("labmouse {}: {}, {}, {}, seed {}\n\n", version(), name_of(sweep),
+                  counted(sweep.values, "value", "values"), counted(mazes, "maze", "mazes"), sweep.order.seed);
   text += fmt::format("{}{:>{}} {:>8} {:>16} {:>7} {:>9}{}{}{}\n", colours ? "\x1b[1m" : "", sweep.parameter, width,
                       "mean", "95 % interval", "failed", "contests",
                       has_finished_means(sweep) ? fmt::format(" {:>13}", "finished only") : "",
@@ -154,8 +153,7 @@ std::string picture_of(const Sweep& sweep) {
   plot.title = fmt::format("{} in {}: score by {}{}", name_of(sweep), place_of(sweep), sweep.parameter,
                            sweep.points.size() < sweep.values ? ", stopped early" : "");
   plot.description = fmt::format("Mean score of {} at {} of {}. {}", name_of(sweep),
-                                 counted(static_cast<std::int64_t>(sweep.points.size()), "value", "values"),
-                                 sweep.parameter, lowest(sweep));
+                                 counted(sweep.points.size(), "value", "values"), sweep.parameter, lowest(sweep));
   plot.x_label = sweep.parameter + (sweep.meaning.empty() ? "" : ": " + sweep.meaning);
   plot.y_label = fmt::format("mean score ({}; lower is better)", sweep.order.world->unit());
   for (const SweepPoint& point : sweep.points)

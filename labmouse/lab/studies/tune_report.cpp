@@ -38,9 +38,8 @@ std::string gain_text(const Tune& tune) {
   if (gain.interval)
     text += fmt::format(" [{}, {}]", shown_value(tune, gain.interval->low, true),
                         shown_value(tune, gain.interval->high, true));
-  return text + fmt::format(" over {} ({} better, {} equal, {} worse)\n",
-                            counted(static_cast<std::int64_t>(tune.mazes), "maze", "mazes"), gain.better, gain.equal,
-                            gain.worse);
+  return text + fmt::format(" over {} ({} better, {} equal, {} worse)\n", counted(tune.mazes, "maze", "mazes"),
+                            gain.better, gain.equal, gain.worse);
 }
 
 std::string failures_text(int failures) {
@@ -51,8 +50,8 @@ std::string result_text(const Tune& tune) {
   const Evaluation &given = tune.evaluations.front(), &best = best_of(tune);
   std::string text = fmt::format("as given   {}{}\n", shown_value(tune, given.value), failures_text(given.failures));
   if (&best == &given)
-    return text + fmt::format("No better values in {}.\n",
-                              counted(static_cast<std::int64_t>(tune.evaluations.size()), "evaluation", "evaluations"));
+    return text +
+           fmt::format("No better values in {}.\n", counted(tune.evaluations.size(), "evaluation", "evaluations"));
   return text +
          fmt::format("best       {}, evaluation {} of {}{}\n", shown_value(tune, best.value), &best - &given + 1,
                      tune.evaluations.size(), failures_text(best.failures)) +
@@ -95,10 +94,9 @@ PlotPoint point_of(const Tune& tune, std::size_t begin, std::size_t end) {
 }  // namespace
 
 std::string table_of(const Tune& tune, bool colours) {
-  std::string text =
-      fmt::format("labmouse {}: tune, {}, {}, seed {}\n\n", version(),
-                  counted(static_cast<std::int64_t>(tune.ranges.size()), "parameter", "parameters"),
-                  counted(static_cast<int>(tune.mazes) + tune.routeless, "maze", "mazes"), tune.order.race.seed);
+  std::string text = fmt::format(
+      "labmouse {}: tune, {}, {}, seed {}\n\n", version(), counted(tune.ranges.size(), "parameter", "parameters"),
+      counted(static_cast<int>(tune.mazes) + tune.routeless, "maze", "mazes"), tune.order.race.seed);
   if (tune.evaluations.empty()) return text + notes_of(tune);
   return text + parameters_text(tune, colours) + "\n" + result_text(tune) + "\n" + notes_of(tune) + "\n" +
          best_of(tune).mouse + "\n";
@@ -122,12 +120,10 @@ std::string picture_of(const Tune& tune) {
   const bool ratio = tune.order.objective == Objective::ratio;
   if (!tune.evaluations.empty()) {
     plot.title = fmt::format("Tuning of {} in {}{}", tune.evaluations.front().mouse,
-                             counted(static_cast<std::int64_t>(tune.mazes), "maze", "mazes"),
-                             tune.stopped ? ", stopped early" : "");
-    plot.description =
-        fmt::format("{} after {}: {}.", ratio ? "Best ratio" : "Best score",
-                    counted(static_cast<std::int64_t>(tune.evaluations.size()), "evaluation", "evaluations"),
-                    shown_value(tune, best_of(tune).value));
+                             counted(tune.mazes, "maze", "mazes"), tune.stopped ? ", stopped early" : "");
+    plot.description = fmt::format("{} after {}: {}.", ratio ? "Best ratio" : "Best score",
+                                   counted(tune.evaluations.size(), "evaluation", "evaluations"),
+                                   shown_value(tune, best_of(tune).value));
   }
   plot.x_label = "evaluations";
   plot.y_label = ratio ? "score / bound (lower is better)"

@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 std::string unwritable(int error_number) { return error_number == 0 ? "" : "cannot write: " + cause_of(error_number); }
 
 /// The file to which a path leads, or why it cannot be written.
-struct Destination {
+struct WriteTarget {
   fs::path path;
   std::optional<fs::perms> permissions;  ///< of the existing file
   bool stream = false;
   std::string error;
 };
 
-Destination refused(int error) { return {{}, std::nullopt, false, unwritable(error)}; }
+WriteTarget refused(int error) { return {{}, std::nullopt, false, unwritable(error)}; }
 
 /// The end of a chain of links, which need not exist. Writing changes the target and keeps the links.
 fs::path end_of_links(fs::path path) {
@@ -36,7 +36,7 @@ fs::path end_of_links(fs::path path) {
   return path;
 }
 
-Destination target_of(const std::string& path) {
+WriteTarget target_of(const std::string& path) {
   if (path.empty()) return {{}, std::nullopt, false, "the path of the file is empty"};
   if (path.back() == '/') return refused(EISDIR);
   if (descriptor_to_write(path)) return {path, std::nullopt, true, {}};
@@ -85,7 +85,7 @@ int write_through(const std::string& path, const TextSource& content) {
 /// is short, however long the target's name is.
 class Part {
  public:
-  explicit Part(const Destination& target)
+  explicit Part(const WriteTarget& target)
       : folder_(target.path.parent_path()), file_(Descriptor::opened(make(target.permissions))) {}
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
@@ -136,7 +136,7 @@ class Part {
   Descriptor file_;
 };
 
-int replace(const Destination& target, const TextSource& content) {
+int replace(const WriteTarget& target, const TextSource& content) {
   // Blocks signals, so that no temporary file is left behind.
   const Undisturbed undisturbed;
   Part part(target);
@@ -165,13 +165,13 @@ std::string write_file(const std::string& path, std::string_view content) {
 }
 
 std::string write_file(const std::string& path, const TextSource& content) {
-  const Destination target = target_of(path);
+  const WriteTarget target = target_of(path);
   if (!target.error.empty()) return target.error;
   return unwritable(target.stream ? write_through(path, content) : replace(target, content));
 }
 
 std::string check_writable(const std::string& path) {
-  const Destination target = target_of(path);
+  const WriteTarget target = target_of(path);
   if (!target.error.empty()) return target.error;
   if (const auto descriptor = descriptor_to_write(path)) return unwritable(writable_error(*descriptor));
   if (target.stream) return "";

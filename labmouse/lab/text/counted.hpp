@@ -1,13 +1,17 @@
 // Numbers with their nouns.
 #pragma once
 
-#include <cstdint>
+#include <fmt/format.h>
+
+#include <concepts>
 #include <string>
 #include <string_view>
 
 namespace labmouse {
 
 /// A number with its noun: "1 step", "2 steps".
-std::string counted(std::int64_t count, std::string_view one, std::string_view many);
+std::string counted(std::integral auto count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
 
 }  // namespace labmouse

@@ -140,8 +140,8 @@ TEST(BelievedWalls, AreClosedByACrashUnlessTheMouseHasPassed) {
   const Wall passed = {{0, 0}, Heading::north}, hit = {{0, 1}, Heading::north};
   walls.pass(0, {0, 0}, {{0, 1}, Heading::north});
   walls.read(1, {{0, 1}, Heading::north}, {0, -8 * evidence_a_nat, 0});
-  walls.blame(2, passed);
-  walls.blame(2, hit);
+  walls.close_after_crash(2, passed);
+  walls.close_after_crash(2, hit);
   // What was read before the crash counts half, and the crash whole.
   walls.weaken_last();
   EXPECT_EQ(walls.known().state(passed), WallState::open);
