@@ -14,7 +14,7 @@ foreach(name IN ITEMS
     robots/robot_text routes/region_picture routes/region_table routes/route_data
     routes/route_regions routes/route_report routes/varied_number standings/common_fields
     standings/maze_scores standings/mouse_figures standings/mouse_pair standings/race_json standings/race_notes standings/standings system/file_names
-    system/named_text system/streams system/version text/counted text/encoding text/errors_text text/json text/json_lines text/json_problem text/json_stream text/last_lines
+    system/named_text system/streams system/version text/encoding text/errors_text text/json text/json_lines text/json_problem text/json_stream text/last_lines
     text/number_rows text/numbers
     text/printable text/toml_text)
   list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/lab/${name}.cpp)
