@@ -45,8 +45,11 @@ class Rng {
   std::uint64_t state_;
 };
 
-/// Derives the seed of one of many items (a maze, a run) from a common seed, a name and a number, so that it depends on
-/// neither the order nor the count of the items (FNV-1a over the name, then mixed).
+/// Derives the seed of one of many items (a maze, a run), so that it depends on neither their order nor their count
+/// (FNV-1a over the name, then mixed).
+/// @param seed common to all items.
+/// @param name of the item, byte by byte.
+/// @param number tells items of the same name apart, such as the runs in one maze.
 constexpr std::uint64_t seed_for(std::uint64_t seed, std::string_view name, std::uint64_t number = 0) {
   std::uint64_t hash = 0xCBF29CE484222325U;
   for (const char letter : name) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3U;

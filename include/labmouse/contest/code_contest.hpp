@@ -15,11 +15,23 @@
 
 namespace labmouse {
 
-/// The briefing of a program in such a contest; maze, rules and model must outlive it.
+/// The briefing of a program in such a contest.
+/// @param maze its size, start and goals are told, but no walls.
+/// @param rules told whole; must outlive the program.
+/// @param model told whole; must outlive the program.
+/// @param conditions its handling time is told, the amount of noise is not.
+/// @param seed for random numbers of the program; another one than that of the contest, which would tell it the noise.
 ControllerBriefing controller_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                        const PhysicalConditions& conditions, std::uint64_t seed);
 
-/// Runs the contest, as drive_physically() does for a strategy. The program must be new and briefed as above.
+/// Runs the contest, as drive_physically() does for a strategy.
+/// @param maze up to 32×32 cells.
+/// @param rules what counts, and the time limit.
+/// @param model a robot that has limits and hardware; why_not_physical() must be empty.
+/// @param conditions errors and handling time; map and controller are the program's own.
+/// @param seed all chance comes from it.
+/// @param code new, and briefed as by controller_briefing().
+/// @return the record, with the output of the program for every tick in `tape`, from which it can be re-run.
 PhysicalRecord drive_by_code(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                              const PhysicalConditions& conditions, std::uint64_t seed, ControllerCode& code);
 

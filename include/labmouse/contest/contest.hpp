@@ -17,6 +17,9 @@ struct StepResult {
   Pose pose;
   bool blocked = false;
 };
+/// Moves the mouse by one step.
+/// @param pose inside the maze.
+/// @param step a step, no reset and no forfeit; its movement is cut to the stride of the rules.
 StepResult perform(const Maze& maze, const Rules& rules, Pose pose, const Action& step);
 
 /// Begins with the mouse at the start. The caller adds the mouse's own words, counts and reasons to the record.

@@ -28,12 +28,15 @@ struct Coverage {
   friend constexpr bool operator==(const Coverage&, const Coverage&) = default;
 };
 
-/// The cells that a step entered on its way to the next pose, including those driven through; none if the mouse stayed,
-/// or for a reset. Cells outside of the size are left out.
+/// The cells that a step entered on its way, including those driven through.
+/// @param next the pose after the step.
+/// @param size cells outside of it are left out.
+/// @return in order; empty if the mouse stayed, or for a reset.
 std::vector<Cell> entered_cells(const StepRecord& step, const Pose& next, Size size);
 
-/// The cells that the search run entered, in order and with repetitions, from the start, including those driven
-/// through. Cells outside of the size are left out.
+/// The cells that the search run entered, including those driven through.
+/// @param size cells outside of it are left out.
+/// @return in order and with repetitions, from the start.
 std::vector<Cell> explored_way(const RunRecord& record, Size size);
 
 /// The cells of a search run, by all of its steps and readings, including those of the reset. The speed run adds none.

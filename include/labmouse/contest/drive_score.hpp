@@ -43,20 +43,26 @@ struct LapTime {
   int number = 0;  ///< in its run, from 1
 };
 
-/// The fastest lap of a run that ended by that time, the first of equals; nothing if there is none.
+/// The fastest lap of a run.
+/// @param until laps that ended later do not count, in microseconds since the first start.
+/// @return the first of equals; nothing if there is none.
 std::optional<LapTime> fastest_lap(const DriveRun& run, MazeTime until);
 
 /// How many runs began at the start.
 int starts_of(const DriveRecord& record);
 
-/// The part of the time in the maze before a run that counts, rounded to a microsecond.
+/// The part of the time in the maze before a run that its score gets.
+/// @param before from the first start to the beginning of the run, in microseconds.
+/// @return rounded to a microsecond; 0 where the rules do not count it.
 MazeTime maze_time_part(MazeTime before, const DriveRules& rules);
 
-/// What a search loses of full marks, in millionths of a mark: full marks count by the share of dead ends that were
-/// seen, and by the quotient of fewest steps and steps.
+/// What a search loses of full marks, which count by the share of dead ends that were seen, and by the quotient of
+/// fewest steps and steps.
+/// @return in millionths of a mark.
 std::int64_t marks_lost(const DeadEndCount& count, const DriveRules& rules);
 
-/// Scores a record.
+/// Scores a record by the rules.
+/// @return in microseconds, or in millionths of a mark if dead ends count.
 DriveScore score(const DriveRecord& record, const DriveRules& rules);
 
 }  // namespace labmouse

@@ -24,9 +24,16 @@ struct FailureRates;
 /// Increased when the same contest gets another result: records of other editions can be shown, but not re-run.
 inline constexpr int physical_edition = 3, failures_edition = 3;
 
-/// Runs the contest, in a maze up to 32×32, with a robot that has limits and hardware. The strategy must be new and
-/// briefed as by brief(), with a sight of one cell. All chance comes from the seed. External parts of the controller
-/// must be new, too. Their output is not recorded, so such a record can be shown but not re-run.
+/// Runs the contest.
+/// @param maze up to 32×32 cells.
+/// @param rules what counts, and the time limit.
+/// @param model a robot that has limits and hardware; why_not_physical() must be empty.
+/// @param conditions errors, controller and map; where its `log` points gets every tick.
+/// @param seed all chance comes from it.
+/// @param mouse new, and briefed as by brief(), with a sight of one cell.
+/// @param parts external parts of the controller, new. Their output is not recorded, so such a record can be shown but
+///   not re-run.
+/// @return the record of the contest in seconds with what was true and what the controller estimated.
 PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                 const PhysicalConditions& conditions, std::uint64_t seed, DrivingStrategy& mouse,
                                 const ControllerParts& parts = {});
@@ -34,7 +41,7 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
 /// The same in the failure model, which is fast. Localization errors, wall detection errors and crashes are drawn at
 /// `failure_rates`, measured in the physical world, and the seed gives the same robot sample as there. A localization
 /// error lasts from manoeuvre to manoeuvre, and the robot sample for the contest: a mouse with weak motors fails again.
-/// Of the conditions it uses noise, pace, map and handling.
+/// Of the conditions it uses noise, variation, pace, map and handling.
 PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                    const PhysicalConditions& conditions, const FailureRates& failure_rates,
                                    std::uint64_t seed, DrivingStrategy& mouse);

@@ -18,10 +18,13 @@ struct Score {
 };
 
 /// The formula itself: one division and one addition, so every platform rounds alike.
+/// @return in steps of the speed run.
 constexpr double score_of(int search_steps, int speed_steps, const Rules& rules) {
   return speed_steps + static_cast<double>(search_steps) / rules.search_factor;
 }
 
+/// Scores a record, of a simulated or a real robot.
+/// @return `value` in steps of the speed run; lower is better.
 Score score(const RunRecord& record, const Rules& rules);
 
 }  // namespace labmouse

@@ -11,10 +11,16 @@
 namespace labmouse {
 
 /// Information for a strategy before the contest: size, start, goals and moves, but no walls.
+/// @param maze its size, start and goals are told.
+/// @param rules its budget and stride are told.
+/// @param seed for the random numbers of the strategy; the world has none.
 Briefing brief(const Maze& maze, const Rules& rules, std::uint64_t seed);
 
-/// Runs the contest to its end. The strategy must be new, or in the state in which a new one would be. The record has
-/// its reasons if its briefing asks for them.
+/// Runs the contest to its end.
+/// @param maze up to 64×64 cells.
+/// @param rules budget in steps, stride in cells.
+/// @param mouse new, or in the state in which a new one would be, and briefed as by brief().
+/// @return every step, and the outcome; the reasons of the strategy if its briefing asks for them.
 RunRecord run(const Maze& maze, const Rules& rules, Strategy& mouse);
 
 }  // namespace labmouse

@@ -29,7 +29,8 @@ struct Inspection {
 /// How many of the four sides of a cell are open.
 int count_open_sides(const Maze& maze, Cell cell);
 
-/// Inspects the maze; `longest_stride` (at least 1) is the most cells that one step may cover.
+/// Inspects the maze: it searches it several times, which takes some milliseconds at most.
+/// @param longest_stride the most cells that one step may cover, at least 1.
 Inspection inspect(const Maze& maze, int longest_stride = 3);
 
 }  // namespace labmouse

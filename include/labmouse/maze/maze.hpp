@@ -16,12 +16,15 @@ class MazeDraft {
   MazeDraft(Size size, Inside inside);
 
   Size size() const { return size_; }
+  /// Whether one can pass from the cell to its neighbour on that side; false at the border.
   bool is_open(Cell cell, Heading side) const;
   /// Opens or closes an inner wall. The border stays closed: opening it does nothing.
   void open(Cell cell, Heading side);
   void close(Cell cell, Heading side);
 
+  /// Puts the start there; it replaces the one before.
   void set_start(Cell cell, Heading heading = Heading::north);
+  /// Marks a cell as a goal, besides those before.
   void add_goal(Cell cell);
 
   Cell start() const { return start_; }
@@ -56,7 +59,9 @@ class Maze {
   bool is_open(Cell cell, Heading side) const { return open_.contains(wall_at(cell, side)); }
   /// The inner walls that are open, i.e. passages.
   const WallSet& open_walls() const { return open_; }
-  /// Number of cells that lie open ahead of the cell in a heading, up to the next wall: what a sensor there reads.
+  /// What a sensor in the cell reads.
+  /// @param cell inside the maze.
+  /// @return the number of cells that lie open ahead in that heading, up to the next wall; 0 if a wall is next.
   int corridor(Cell cell, Heading heading) const;
 
   /// The same maze with another start, or with other goals (not empty). The cells must lie inside.

@@ -14,11 +14,12 @@ namespace labmouse {
 /// The cells that are connected to the start, including the start.
 CellSet reachable_cells(const Maze& maze);
 
-/// Length of a shortest route from the start to a goal, in cells: 0 if the start is a goal; nothing if none can be
-/// reached.
+/// Length of a shortest route from the start to a goal.
+/// @return in cells: 0 if the start is a goal; nothing if none can be reached.
 std::optional<int> shortest_in_cells(const Maze& maze);
 
-/// The cells of a shortest route, including start and goal; empty if there is none. Always the same one of several.
+/// A shortest route, always the same one of several.
+/// @return its cells, including start and goal; empty if there is none.
 std::vector<Cell> shortest_way(const Maze& maze);
 
 /// Length and number of the shortest runs in steps.
@@ -28,9 +29,10 @@ struct ShortestStrides {
   std::uint64_t count = 0;
 };
 
-/// The shortest runs in steps. One step goes 1 to `longest` (at least 1) cells straight in any of the four headings.
-/// The last one must end in a goal; passing through does not count. If the start is a goal, a run is one step that
-/// stays there. Nothing if no goal can be reached.
+/// The shortest runs in steps. The last step must end in a goal; passing through does not count. If the start is a
+/// goal, a run is one step that stays there.
+/// @param longest a step goes 1 to this many cells straight in any of the four headings; at least 1.
+/// @return nothing if no goal can be reached.
 std::optional<ShortestStrides> shortest_in_strides(const Maze& maze, int longest = 3);
 
 /// Whether at least two routes lead to the goal without visiting a cell twice. All goal cells count as one, so

@@ -60,7 +60,10 @@ struct ReadChoice {
   bool closes_unseen = false;      ///< a partial map is a maze in which the unseen walls are closed
 };
 
-/// Recognises the format of the content and reads the maze. Never throws.
+/// Reads a maze. Never throws.
+/// @param content the bytes of the file, of any size and origin.
+/// @param choice its format, if it is known, and what to do where the file does not say enough.
+/// @return the maze, or what is wrong, with lines and columns.
 ReadResult read_maze(std::string_view content, const ReadChoice& choice = {});
 
 }  // namespace labmouse
