@@ -10,15 +10,18 @@ namespace labmouse {
 
 /// Factors of the hardware's Noise and Variation: 1 as the robot's file states them, 0 for none.
 struct ErrorScale {
-  double noise = 1.0;
-  double variation = 1.0;
-  /// Further factors of both, by cause.
+  double noise = 1.0;      ///< factor of Noise, at least 0
+  double variation = 1.0;  ///< factor of Variation, at least 0
+  /// Further factors of both, by ErrorCause.
   std::array<double, error_causes> causes = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
 
+  /// The factor of the noise of a cause.
   double noise_of(ErrorCause cause) const { return noise * causes[static_cast<std::size_t>(cause)]; }
+  /// The factor of the variation of a cause.
   double variation_of(ErrorCause cause) const { return variation * causes[static_cast<std::size_t>(cause)]; }
 };
 
+/// No noise and no variation.
 inline constexpr ErrorScale no_errors = {.noise = 0.0, .variation = 0.0};
 
 /// Scales of the variation that have a name.

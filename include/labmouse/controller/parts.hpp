@@ -17,10 +17,12 @@
 
 namespace labmouse {
 
+/// A part of a controller. "Each tick" means each one in which the controller acts: all of them, or one in each
+/// Motors::period.
 class ControllerPart {
  public:
   virtual ~ControllerPart() = default;
-  /// Why the part gave up, which ends the contest; `none` while it works.
+  /// Why the part gave up, which ends the contest; `none` while it works. Called each millisecond.
   virtual ForfeitReason reason() const { return ForfeitReason::none; }
 };
 
@@ -28,19 +30,30 @@ class ControllerPart {
 class EstimatorPart : public ControllerPart {
  public:
   /// The mouse was put about there by hand, and is at rest.
+  /// @param position the middle of the cell, mm from the south-western corner of the maze.
+  /// @param ahead where the mouse points, from east.
   virtual void put(const Position& position, const Direction& ahead) = 0;
-  /// Called each tick, with the readings, the present target, and the map of walls `known` (null: no map).
+  /// Estimates the pose at this moment. Called each tick, before the other parts.
+  /// @param sense the readings. A ToF reading of a tick in which the controller did not act is still marked as new.
+  /// @param target the target of the tick before.
+  /// @param known the map of walls; null: no map.
+  /// @return the estimate. If it is not valid (PoseEstimate::is_valid), the controller keeps the one before.
   virtual PoseEstimate estimate(const Sense& sense, const Target& target, const Knowledge* known) = 0;
 };
 
 /// Detects the walls around a cell.
 class ReaderPart : public ControllerPart {
  public:
-  /// Begins to read the walls of the pose's cell, seen in its heading. Discards earlier readings.
+  /// Begins to read the walls of a cell. Discards earlier readings.
+  /// @param pose the cell, and the heading in which the mouse sees it. The mouse may not be there yet.
   virtual void begin(const Pose& pose) = 0;
-  /// Called each tick, after the estimate.
+  /// Uses the readings of a tick. Called each tick, after the estimate.
+  /// @param sense as for EstimatorPart::estimate().
+  /// @param estimate the pose at this moment.
   virtual void read(const Sense& sense, const PoseEstimate& estimate) = 0;
-  /// Evidence of the readings so far, relative to the heading given to begin().
+  /// Evidence of the readings so far.
+  /// @param estimate the pose at this moment.
+  /// @return for the walls to the left, ahead and to the right of the heading given to begin(), in eighths of a nat.
   virtual WallEvidence evidence(const PoseEstimate& estimate) const = 0;
 };
 
@@ -49,7 +62,11 @@ class TrackerPart : public ControllerPart {
  public:
   /// Called when the mouse was put down, at rest.
   virtual void reset() = 0;
-  /// Called each tick, after the other parts. Returns the duties until the next tick.
+  /// Called each tick, after the other parts.
+  /// @param sense the readings.
+  /// @param target where the mouse should be at the end of this tick.
+  /// @param estimate the pose at this moment.
+  /// @return the duties until the next tick, -1 to 1. The controller cuts larger ones, and replaces NaN by 0.
   virtual Drive follow(const Sense& sense, const Target& target, const PoseEstimate& estimate) = 0;
 };
 
@@ -60,6 +77,7 @@ struct ControllerParts {
   ReaderPart* reader = nullptr;
   TrackerPart* tracker = nullptr;
 
+  /// Whether there is one.
   bool any() const { return estimator != nullptr || reader != nullptr || tracker != nullptr; }
   /// Why one of them gave up; `none` while all work.
   ForfeitReason reason() const {
@@ -73,10 +91,11 @@ struct ControllerParts {
 class PartsOwner {
  public:
   virtual ~PartsOwner() = default;
-  /// The parts for drive_physically(); they are owned by this object.
+  /// The parts for drive_physically(); they are owned by this object, and null where the controller's own is used.
   virtual ControllerParts parts() = 0;
-  /// See Strategy.
+  /// False for an external program that did not start, or ended before its greeting.
   virtual bool started() const { return true; }
+  /// Text for the user, as StrategyReport::last_words; it belongs to this object.
   virtual std::string_view last_words() { return {}; }
 };
 

@@ -10,16 +10,17 @@
 
 namespace labmouse {
 
+/// The estimated pose and motion of a mouse at one moment.
 struct PoseEstimate {
-  Position position;
-  Direction ahead;       ///< where it points
+  Position position;     ///< of the middle of the axle, mm
+  Direction ahead;       ///< where it points, from east
   double slip = 0.0;     ///< angle from `ahead` to the direction of motion, rad to the left
   double speed = 0.0;    ///< mm/s
   double turning = 0.0;  ///< rad/s to the left
-  /// Of x, y (in mm) and the angle (in rad). Only the upper triangle is used.
+  /// Of x, y (in mm) and the angle (in rad): 3×3. Only the upper triangle is used.
   std::array<std::array<double, 3>, 3> covariance{};
 
-  /// Whether all numbers are within a million of their units, and the direction has length 1.
+  /// Whether all numbers are within a million of their units, and the direction has length 1. False for NaN.
   bool is_valid() const {
     constexpr double most = 1e6, exact = 1e-3;
     const auto within = [](double number) { return number >= -most && number <= most; };
@@ -29,9 +30,13 @@ struct PoseEstimate {
       for (const double number : row) all = all && within(number);
     return all;
   }
-  /// Direction of motion.
+  /// Direction of motion; exact for a slip up to 1/3 rad.
   Direction way() const { return turned_by(ahead, slip); }
   /// Variance of the sum of x, y and the angle with these weights.
+  /// @param x weight of x, per mm.
+  /// @param y weight of y, per mm.
+  /// @param angle weight of the angle, per rad.
+  /// @return in the square of the sum's unit; at least 0.
   double variance_of(double x, double y, double angle) const {
     const auto& p = covariance;
     return std::max(0.0, x * (x * p[0][0] + 2.0 * (y * p[0][1] + angle * p[0][2])) +

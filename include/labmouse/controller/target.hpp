@@ -6,10 +6,10 @@
 
 namespace labmouse {
 
-/// Angles and turn rates are positive to the left; `ahead` is the direction of motion.
+/// Where a mouse should be at one moment, and how it should move there. Angles and turn rates are positive to the left.
 struct Target {
-  Position position;
-  Direction ahead;
+  Position position;      ///< of the middle of the axle, mm
+  Direction ahead;        ///< direction of motion, from east
   double speed = 0.0;     ///< mm/s, below 0 backwards
   double speeding = 0.0;  ///< mm/s²
   double turning = 0.0;   ///< rad/s

@@ -13,16 +13,21 @@ namespace labmouse {
 /// mouse's start. Thread-safe.
 class HiddenFiles {
  public:
+  /// A list that does not change.
   using Paths = std::shared_ptr<const std::vector<std::string>>;
 
-  /// Adds a file or folder, relative to the current directory, which need not exist yet. The target of a link is
-  /// hidden, too. Empty paths are ignored.
+  /// Adds a file or folder. The target of a link is hidden, too.
+  /// @param path absolute, or relative to the current directory. It need not exist yet. An empty path is ignored.
   void add(const std::string& path);
   /// Adds a store and the files that SQLite keeps beside it.
+  /// @param path as of add().
   void add_store(const std::string& path);
-  /// Whether this is the first call for that folder, so that its contents still have to be searched.
+  /// Notes that a folder is searched for files to hide.
+  /// @param folder its path; other spellings count as other folders.
+  /// @return whether this is the first call for that folder, so that its contents still have to be searched.
   bool is_new_folder(const std::string& folder);
-  /// All paths, absolute, sorted, without duplicates. Returns the same list until a path is added.
+  /// All paths so far.
+  /// @return absolute, sorted, without duplicates; never null. It is the same list until a path is added.
   Paths paths() const;
 
  private:

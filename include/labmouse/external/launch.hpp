@@ -15,7 +15,7 @@ struct Surroundings;
 
 /// How to start an external mouse.
 struct Launch {
-  /// The program and its arguments; a name without a slash is searched in PATH.
+  /// The program and its arguments. A name without a slash is searched in PATH; another one is relative to `directory`.
   std::vector<std::string> words;
   /// Variables NAME=VALUE, added to the inherited environment or replacing parts of it.
   std::vector<std::string> environment;

@@ -31,7 +31,7 @@ struct ExternalLimits {
   std::size_t longest_line = 4096;
   /// Largest number of unread reply bytes.
   std::size_t most_unread = std::size_t{64} << 20U;
-  /// Number of last bytes of its standard error that are kept.
+  /// Bytes of its standard error that are kept: the last ones.
   std::size_t kept_errors = 4096;
 };
 

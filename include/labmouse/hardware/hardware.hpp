@@ -21,9 +21,9 @@ namespace labmouse {
 
 /// The rectangle that touches walls, measured from the middle of the axle, in mm.
 struct Chassis {
-  double front = 0.0;
-  double back = 0.0;
-  double half_width = 0.0;
+  double front = 0.0;       ///< distance to its foremost point
+  double back = 0.0;        ///< distance to its hindmost point
+  double half_width = 0.0;  ///< distance to its side
   double half_track = 0.0;  ///< half the distance between the wheels
 
   friend bool operator==(const Chassis&, const Chassis&) = default;
@@ -39,6 +39,7 @@ struct MotorAxis {
   friend bool operator==(const MotorAxis&, const MotorAxis&) = default;
 };
 
+/// The motors and the battery. Both motors are of one kind.
 struct Motors {
   MotorAxis drive;         ///< of the mean duty of both wheels
   MotorAxis turn;          ///< of the right wheel's duty less the left one's
@@ -52,6 +53,7 @@ struct Motors {
   friend bool operator==(const Motors&, const Motors&) = default;
 };
 
+/// The tyres, which slip and slide.
 struct Tyres {
   double stiffness = 0.0;  ///< mm/s² of lateral acceleration per rad of slip angle
   double grip = 0.0;       ///< mm/s², the most in any direction
@@ -65,24 +67,26 @@ struct Tyres {
 
 /// Where a sensor is mounted, in mm ahead and to the left, and the angle at which it looks, in rad to the left.
 struct Beam {
-  double ahead = 0.0;
-  double aside = 0.0;
-  double angle = 0.0;
+  double ahead = 0.0;  ///< mm before the axle
+  double aside = 0.0;  ///< mm to the left of the middle
+  double angle = 0.0;  ///< rad to the left of ahead
 
   friend bool operator==(const Beam&, const Beam&) = default;
 };
 
+/// The most infrared sensors and the most ToF sensors of a robot.
 inline constexpr std::size_t most_infrared = 16, most_rangers = 8;
 
-/// An infrared sensor: at a right angle to a wall it reads gain * exp(-(distance - calibrated_distance()) / fall), or
-/// gain * (calibrated_distance() / distance)² where `fall` is below 1; up to `most`.
+/// An infrared sensor. At a right angle to a wall it reads gain * exp(-(distance - calibrated) / fall), or
+/// gain * (calibrated / distance)² where `fall` is below 1; up to `most`. `calibrated` is the distance in mm that its
+/// beam goes from the middle of a cell to the side wall, or to the front wall if it looks ahead.
 struct Infrared {
   Beam beam;
-  double gain = 0.0;       ///< counts, of a wall at calibrated_distance()
+  double gain = 0.0;       ///< counts, of a wall at the calibrated distance
   double fall = 0.0;       ///< mm
   double most = 0.0;       ///< counts; of an ADC with n bits: 2^n - 1
   double footprint = 0.0;  ///< mm, standard deviation of the light spot on a wall at a right angle
-  double group = 0.0;      ///< sensors of a group are lit and read at the same tick; the groups follow each other
+  double group = 0.0;      ///< from 0, whole: sensors of a group are lit and read at the same tick, the groups in turn
   double latency = 0.0;    ///< ms between the light and the reading, whole
 
   friend bool operator==(const Infrared&, const Infrared&) = default;
@@ -97,15 +101,15 @@ struct Ranger {
   friend bool operator==(const Ranger&, const Ranger&) = default;
 };
 
-/// Steps of 0: the robot has no such sensor.
+/// The sensors of a robot. A step of 0 means that it has no such sensor.
 struct Sensors {
   double count = 0.0;            ///< mm of travel of a wheel per count of its encoder
   double count_bits = 32.0;      ///< of the counters, which wrap
   double gyro_step = 0.0;        ///< rad/s per unit
   double gyro_most = 0.0;        ///< rad/s, the measuring range
   double acceleration_step = 0;  ///< mm/s² per unit
-  std::vector<Infrared> infrared;
-  std::vector<Ranger> rangers;
+  std::vector<Infrared> infrared;  ///< at most `most_infrared`
+  std::vector<Ranger> rangers;     ///< at most `most_rangers`
 
   bool has_gyro() const { return gyro_step > 0.0; }
   bool has_accelerometer() const { return acceleration_step > 0.0; }
@@ -140,7 +144,7 @@ struct Noise {
 struct Variation {
   // Of the mouse.
   double motor_gain = 0.0;         ///< share, of each motor, at most a fifth off
-  double battery = 0.0;            ///< share of the voltage that it lacks at the start
+  double battery = 0.0;            ///< share of the voltage that it lacks at the start, not of a logarithm
   double stiffness = 0.0;          ///< share
   double grip = 0.0;               ///< share
   double encoder_scale = 0.0;      ///< share, of each wheel: its diameter
@@ -193,8 +197,10 @@ enum class ErrorCause : std::size_t {
   shaking,
   placement
 };
+/// The number of causes.
 inline constexpr std::size_t error_causes = 13;
 
+/// The name of a cause, for users: "ToF sensor".
 constexpr std::string_view name_of(ErrorCause cause) {
   constexpr std::array<std::string_view, error_causes> names = {
       "motors",   "tyres",       "floor",         "posts",      "encoders", "gyro",     "accelerometer",

@@ -32,6 +32,7 @@ enum class ForfeitReason : std::uint8_t {
   not_judged,          ///< the machine was too busy to tell whether the external mouse was slow
 };
 
+/// All reasons, in the order of the enumeration.
 inline constexpr std::array all_forfeit_reasons = {ForfeitReason::none,
                                                    ForfeitReason::contradiction,
                                                    ForfeitReason::no_route,
@@ -53,6 +54,8 @@ inline constexpr std::array all_forfeit_reasons = {ForfeitReason::none,
                                                    ForfeitReason::interrupted,
                                                    ForfeitReason::not_judged};
 
+/// The name of a reason in messages and records.
+/// @return in lower case, with spaces: "no route".
 constexpr std::string_view name_of(ForfeitReason reason) {
   switch (reason) {
     case ForfeitReason::none:
@@ -104,16 +107,23 @@ struct Action {
   enum class Kind : std::uint8_t { step, reset, forfeit };
 
   Kind kind = Kind::step;
-  /// Degrees clockwise; only -90, 0 and 90 are performed.
+  /// Degrees clockwise: -90, 0 or 90; in the worlds in seconds also 180.
   int rotation = 0;
   /// Cells to go after the turn, negative backwards; cut to the longest step of the world.
   int movement = 0;
+  /// Of a forfeit; `none` in all others.
   ForfeitReason reason = ForfeitReason::none;
 
+  /// A step: a turn on the spot, then a straight move.
+  /// @param rotation degrees clockwise, a multiple of 90. The world of steps performs -90, 0 and 90, those in seconds
+  ///   180 as well.
+  /// @param movement cells; negative: backwards, in the world of steps only.
   static constexpr Action step(int rotation, int movement) {
     return {Kind::step, rotation, movement, ForfeitReason::none};
   }
+  /// The end of the search run: back to the start, for the speed run.
   static constexpr Action reset() { return {Kind::reset, 0, 0, ForfeitReason::none}; }
+  /// Gives up; this ends the contest.
   static constexpr Action forfeit(ForfeitReason reason) { return {Kind::forfeit, 0, 0, reason}; }
 
   friend constexpr bool operator==(const Action&, const Action&) = default;

@@ -19,17 +19,22 @@ struct DriveBriefing {
   std::int64_t time_limit = 0;        ///< microseconds in the maze
   double pace = 1.0;                  ///< search pace as a share of the usual one
   int maze_time_divisor = 0;          ///< this many microseconds in the maze count as one of a run; 0: none count
-  int most_runs = 5;
-  std::int64_t untouched_bonus = 0;  ///< microseconds off the runs of a mouse that was never touched
+  int most_runs = 5;                  ///< runs that may begin at the start, search runs among them
+  std::int64_t untouched_bonus = 0;   ///< microseconds off the runs of a mouse that was never touched
   /// The fields to plan with, if the caller provides them: made for this maze and model, used by this mouse alone, and
   /// outliving it. Null: the mouse allocates its own.
   DriveFields* fields = nullptr;
 };
 
+/// What a mouse knows of its contest before it starts.
 struct Briefing {
+  /// Size of the maze; each side is at most max_side cells, or max_drive_side in the worlds in seconds.
   Size size;
+  /// Where each run begins.
   Pose start;
+  /// At least one cell; a run ends in any of them.
   CellSet goals;
+  /// The moves of the world of steps and their costs.
   Motion motion = strides();
   /// Most steps of both runs together; a reset counts as one.
   int budget = 1000;
@@ -41,6 +46,7 @@ struct Briefing {
   /// Whether the contest records the reasons of the mouse's decisions.
   bool reasons = false;
 
+  /// Whether the world is one of those in seconds.
   bool in_seconds() const { return drive.model != nullptr; }
 };
 

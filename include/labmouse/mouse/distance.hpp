@@ -35,19 +35,33 @@ class DistanceField {
   enum class Path : std::uint8_t { widest, portable };
 
   /// Takes all memory that it will need: with strides(), 0.4 KiB at 16×16, 1.8 KiB at 32×32 and 8 KiB at 64×64.
+  /// @param size of the maze, with sides of 1 to max_side cells.
+  /// @param motion the moves and their costs; must be valid.
+  /// @param path the kernel; it has no effect on the distances.
   DistanceField(Size size, const Motion& motion, Path path = Path::widest);
 
-  /// Computes the field over the given passages (all inside the size) from the given cells.
+  /// Computes the field.
+  /// @param passages the open walls, all inside the size.
+  /// @param from the cells at distance 0, all inside the size; without any, no cell is reached.
   void fill(const WallSet& passages, const CellSet& from);
 
-  /// Distance of a cell, in the motion's unit, or unreachable (also for cells outside).
+  /// Distance of a cell.
+  /// @return in the motion's unit; `unreachable` if no route leads there, and for cells outside the maze.
+  /// @pre fill() was called.
   int at(Cell cell) const;
+  /// Whether a route leads to the cell; false for cells outside the maze.
+  /// @pre fill() was called.
   bool reaches(Cell cell) const { return at(cell) < unreachable; }
-  /// All cells that can be reached.
+  /// All cells that can be reached, those at distance 0 among them.
+  /// @pre fill() was called.
   CellSet reached() const;
-  /// Writes the distance of every cell to out[size.index(cell)]; the span has size.area() elements.
+  /// Writes the distances of all cells.
+  /// @param out exactly size().area() elements; that of a cell is at size().index(cell), in the motion's unit, or
+  ///   `unreachable`.
+  /// @pre fill() was called.
   void copy_to(std::span<int> out) const;
 
+  /// The moves that it was made for.
   const Motion& motion() const { return motion_; }
   Size size() const { return size_; }
 

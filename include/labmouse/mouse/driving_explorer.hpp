@@ -19,7 +19,9 @@ class SearchClock;
 /// leave too little time for that, and has no more to do after a speed run.
 class DrivingExplorer : public DrivingStrategy {
  public:
-  /// For a briefing in seconds.
+  /// Takes all memory that it will need, and that of its fields if the briefing provides none.
+  /// @param briefing in seconds, with the start inside the maze and at least one goal. What it points to must outlive
+  ///   the mouse.
   explicit DrivingExplorer(const Briefing& briefing);
   ~DrivingExplorer() override;
 
@@ -32,24 +34,27 @@ class DrivingExplorer : public DrivingStrategy {
   std::int64_t plans() const final { return plans_; }
 
  protected:
-  /// One action of the search. Moves must lead through walls known to be open; a reset is only for a mouse that has
-  /// entered a goal.
+  /// Chooses the next action of the search.
+  /// @return a step as search_motion.hpp lists them, through walls known to be open; a reset, to go home and make speed
+  ///   runs, if goal_entered(); or a forfeit. A step that leaves too little time to go home becomes a reset.
   virtual Action explore() = 0;
 
   /// Called when known walls have changed: the next explore() must plan anew.
   virtual void renew() {}
 
-  /// The briefing; its fields to plan with are set, and shared by all parts of a strategy.
+  /// The briefing. Its `drive.fields` are set, and all parts of a strategy share them.
   const Briefing& briefing() const { return briefing_; }
+  /// The cell and heading that the mouse has between two moves.
   const Pose& pose() const { return place_.pose; }
   /// The pose, and whether the mouse is at rest.
   const SearchPlace& place() const { return place_; }
   /// Whether a step of the search has ended in a goal, so that a reset is allowed.
   bool goal_entered() const { return goal_entered_; }
-  /// What is left of the time in the maze, in microseconds.
+  /// What is left of the time in the maze.
+  /// @return microseconds; below 0 if the time limit has passed.
   std::int64_t time_left() const;
 
-  /// Notes that the present decision took a new plan.
+  /// Counts a new plan, for plans().
   void count_plan() { ++plans_; }
 
  private:

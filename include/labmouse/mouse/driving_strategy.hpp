@@ -13,26 +13,36 @@ namespace labmouse {
 /// A strategy in the worlds in seconds. It decides while it searches; speed runs and ways home are driven for it.
 class DrivingStrategy : public Strategy {
  public:
-  /// Called in place of decide() with a log-odds map, where known walls may change between two calls. Returns the next
-  /// action. `time`: microseconds since the contest began.
+  /// Decides with a log-odds map, whose known walls may change between two calls. Called in place of decide().
+  /// @param map the log-odds of all walls; map.version() has grown if a known wall has changed.
+  /// @param place where the mouse estimates to be; the walls there were just read.
+  /// @param time microseconds since the contest began.
+  /// @return as decide(); on a forfeit with `no_route` the contest makes some walls of the map unknown, and calls
+  ///   again.
   virtual Action consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t time) = 0;
 
   /// Reports a reading in a pose where it does not decide: in a cell that its last step passes, or on a way that is
   /// driven for it. Not called with a log-odds map.
+  /// @param pose where the walls were read.
+  /// @param seen in cells, from that pose.
   virtual void show(const Pose& pose, const Sighting& seen) = 0;
 
-  /// It stands at the start again: it was carried there, or could not leave because its map has no route. `time`:
-  /// microseconds since the contest began.
+  /// Reports that the mouse stands at the start again: it was carried there, or could not leave because its map has no
+  /// route.
+  /// @param time microseconds since the contest began.
   virtual void carried(std::int64_t time) = 0;
 
-  /// The share of the usual pace, up to 1, for the run that begins: a speed run if `fast`, else a search run or a way
-  /// home. Called only in worlds with errors.
+  /// Chooses the pace of the run that begins: a speed run if the argument is true, else a search run or a way home.
+  /// Called only in worlds with errors.
+  /// @return share of the usual pace; the contest cuts it to 0.2 to 1.
   virtual double pace(bool /*fast*/) { return 1.0; }
 
-  /// Sets the share of the robot's pace at which it searches from now on, in place of that of its briefing.
+  /// Sets the pace with which it plans its search from now on, in place of that of its briefing. The argument is a
+  /// share of the robot's pace, greater than 0.
   virtual void searches_at(double /*pace*/) {}
 
-  /// The kind of map that it requires; nothing: that of the contest's conditions.
+  /// The kind of map that it requires.
+  /// @return nullopt: that of the contest's conditions.
   virtual std::optional<MapKind> map_kind() const { return std::nullopt; }
 
   /// Number of times that it has planned anew.

@@ -9,6 +9,7 @@ namespace labmouse {
 /// none, 0 where nothing was seen.
 using Evidence = std::int8_t;
 
+/// One nat, in the unit of Evidence.
 inline constexpr int evidence_a_nat = 8;
 
 /// Evidence about the walls to the left, ahead and to the right of a mouse, in a cell.

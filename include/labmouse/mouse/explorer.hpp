@@ -12,20 +12,26 @@ namespace labmouse {
 /// Base class of strategies for the world of steps, which implement explore().
 class Explorer : public Strategy {
  public:
+  /// Takes all memory that it will need.
+  /// @param briefing in steps, with the start inside the maze and at least one goal.
   explicit Explorer(const Briefing& briefing);
 
   Action decide(const Sighting& seen) final;
   const Knowledge& knowledge() const final { return knowledge_; }
 
  protected:
-  /// One action of the search run. Moves must lead through walls known to be open; a reset is only for a mouse that
-  /// has entered a goal.
+  /// Chooses the next action of the search run.
+  /// @return a step whose moves lead through walls known to be open; a reset, to begin the speed run, if
+  ///   goal_entered(); or a forfeit.
   virtual Action explore() = 0;
-  /// One action of the speed run. By default the next one on the shortest known route, which is planned anew at each
-  /// step because the readings may have shown a shorter one.
+  /// Chooses the next action of the speed run. By default this is the next step on the shortest known route. The route
+  /// is planned anew at each step, because the readings may have shown a shorter one.
+  /// @return by default a forfeit with `no_route` if no known route leads to a goal.
   virtual Action race();
 
+  /// The briefing that it was made with.
   const Briefing& briefing() const { return briefing_; }
+  /// The present cell and heading.
   const Pose& pose() const { return pose_; }
   /// The reading in the present pose.
   const Sighting& seen() const { return seen_; }
@@ -36,7 +42,8 @@ class Explorer : public Strategy {
   /// Steps that the budget still allows, the present one among them.
   int steps_left() const { return briefing_.budget - steps_; }
 
-  /// labmouse::optimistic_step with what is known here.
+  /// labmouse::optimistic_step() with what is known here.
+  /// @param optimistic filled over knowledge().possible().
   Action optimistic_step(const DistanceField& optimistic) const {
     return labmouse::optimistic_step(optimistic, knowledge_, pose_);
   }

@@ -7,37 +7,46 @@
 
 namespace labmouse {
 
+/// What a mouse knows of a wall.
 enum class WallState : std::uint8_t { unknown, open, closed };
 
 /// Known walls of one maze. A known wall never changes, unless a LogOddsMap behind it forgets one. The border is known
 /// from the beginning.
 class Knowledge {
  public:
-  /// For a mouse whose readings reach `sight` cells: a reading of that many shows no wall at its end.
+  /// All inner walls unknown.
+  /// @param size of the maze, with sides of 1 to max_side cells.
+  /// @param sight range of a reading in cells, at least 1; a reading of that many shows no wall at its end.
   explicit Knowledge(Size size, int sight = max_side);
 
   Size size() const { return size_; }
+  /// The state of an inner wall; `closed` for those of the border and outside.
   WallState state(Wall wall) const;
 
   /// Learns all that a reading shows: in each of the three directions the open walls of the corridor, and the closed
-  /// one at its end where that lies in sight. False, and nothing is learned, where the reading contradicts what is
-  /// known.
+  /// one at its end where that lies in sight.
+  /// @param pose where it was read, inside the maze.
+  /// @param sighting in cells.
+  /// @return false, and nothing is learned, if the reading contradicts what is known, or is below 0 or above the sight.
   [[nodiscard]] bool learn(Pose pose, Sighting sighting);
 
-  /// Learns an inner wall that is unknown.
+  /// Learns a wall.
+  /// @param wall an inner one whose state is unknown.
+  /// @param open whether it is open or closed.
   void learn(Wall wall, bool open);
-  /// Makes an inner wall unknown. Plans that used it must be made anew.
+  /// Makes a wall unknown. Plans that used it must be made anew.
+  /// @param wall an inner one, in any state.
   void forget(Wall wall);
 
   /// Walls known to be open: passages.
   const WallSet& open() const { return open_; }
-  /// Walls not known to be closed: open and unknown ones. Contains open().
+  /// Inner walls not known to be closed: open and unknown ones. Contains open().
   const WallSet& possible() const { return possible_; }
-  /// Walls that have not been seen.
+  /// Inner walls that have not been seen.
   WallSet unknown() const;
   /// Whether all four walls of a cell are known.
   bool knows(Cell cell) const;
-  /// All such cells.
+  /// All cells of the maze whose four walls are known.
   CellSet known_cells() const;
 
   friend bool operator==(const Knowledge&, const Knowledge&) = default;

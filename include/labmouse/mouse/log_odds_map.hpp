@@ -33,19 +33,25 @@ enum class MapKind : std::uint8_t {
   learned,   ///< the same with prior odds from other mazes; too many contradictions mean a lost position
 };
 
+/// All kinds, in the order of the enumeration.
 inline constexpr std::array all_map_kinds = {MapKind::first, MapKind::log_odds, MapKind::learned};
 
+/// The name of a kind in options and records.
 constexpr std::string_view name_of(MapKind kind) {
   return kind == MapKind::first ? "first" : kind == MapKind::log_odds ? "log-odds" : "log-odds-prior";
 }
 
-/// The kind of that name, or nothing.
+/// The kind of a name.
+/// @param name "first", "log-odds" or "log-odds-prior".
+/// @return nullopt for any other name.
 constexpr std::optional<MapKind> map_kind_of(std::string_view name) {
   for (const MapKind kind : all_map_kinds)
     if (name_of(kind) == name) return kind;
   return std::nullopt;
 }
 
+/// The log-odds of all walls of one maze, and the known walls that follow from them. Log-odds and evidence are in
+/// eighths of a nat. Takes all its memory when made.
 class LogOddsMap {
  public:
   /// Limit of the odds, so that two or three contradicting readings change even the surest wall.
@@ -61,24 +67,38 @@ class LogOddsMap {
     turned,        ///< the wall has changed its state
   };
 
-  /// For a mouse that sees one cell far and knows the border.
+  /// All inner walls unknown. The mouse sees one cell far and knows the border.
+  /// @param size of the maze, with sides of 1 to max_side cells.
+  /// @param kind how contradicting readings are handled. For `learned`, mazes with a side below 8 cells have no prior.
   LogOddsMap(Size size, MapKind kind);
 
   /// Adds the evidence of a reading. An unknown wall starts at its prior odds (0 without a prior), and is open if the
-  /// sum is 0 or less.
+  /// sum is 0 or less. A map of the kind `first` leaves a known wall as it is.
+  /// @param wall any of the maze; the border is left as it is.
+  /// @param evidence log-likelihood ratio in eighths of a nat, above 0 for a wall. The sum is cut to -most to most.
+  /// @return the effect; `none` for the border.
   News add(Wall wall, int evidence);
-  /// Takes back half of a reading that was added. This never moves the odds past 0, against the wall's state.
+  /// Takes back half of a reading that was added. This never moves the odds past 0, against the wall's state. Does
+  /// nothing to the border and to unknown walls.
+  /// @param wall any of the maze.
+  /// @param evidence that of the reading, in eighths of a nat; half of it is rounded towards 0.
   void weaken(Wall wall, int evidence);
-  /// Makes an inner wall unknown.
+  /// Makes a wall unknown, with log-odds of 0. Does nothing to the border.
   void forget(Wall wall);
   /// Finds the path between the cells with the least sum of odds + `most` (at least 1) over its closed walls, and makes
-  /// these walls unknown: few walls, and uncertain ones. False if there is no path, or no closed wall on it.
+  /// these walls unknown: few walls, and uncertain ones.
+  /// @param from a cell inside the maze.
+  /// @param to cells inside the maze.
+  /// @return false, and nothing changes, if a path without closed walls leads there, or `to` is empty.
   bool weaken_path(Cell from, const CellSet& to);
 
-  /// Log-odds in eighths of a nat, above 0 if the wall is more likely closed; `most` for the border.
+  /// The log-odds of a wall.
+  /// @return in eighths of a nat, above 0 if the wall is more likely closed; 0 if it is unknown, `most` for the border.
   int odds(Wall wall) const;
+  /// The known walls that follow from the odds.
   const Knowledge& view() const { return view_; }
-  /// The walls around a pose as a reading of one cell; unknown ones count as closed.
+  /// The walls around a pose as a reading of one cell.
+  /// @return 1 for an open wall, 0 for a closed or unknown one.
   Sighting sighting(const Pose& pose) const;
   /// Grows whenever a known wall changes or is forgotten.
   int version() const { return version_; }

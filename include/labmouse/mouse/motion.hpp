@@ -23,22 +23,24 @@ struct Motion {
   static constexpr int max_longest = 8;
   static constexpr int max_cost = 63;
 
-  int longest = 1;
-  std::array<std::uint8_t, max_longest + 1> cost{};
+  int longest = 1;                                   ///< cells, 1 to max_longest
+  std::array<std::uint8_t, max_longest + 1> cost{};  ///< by number of cells; cost[0] is not used
 
   friend constexpr bool operator==(const Motion&, const Motion&) = default;
 
+  /// Whether the costs are as above.
   constexpr bool valid() const {
     if (longest < 1 || longest > max_longest) return false;
     for (unsigned k = 1; k <= static_cast<unsigned>(longest); ++k)
       if (cost[k] < 1 || cost[k] > max_cost || cost[k] < cost[k - 1]) return false;
     return true;
   }
-  /// Whether every move costs one.
+  /// Whether every move costs one. The table must be valid.
   constexpr bool uniform() const { return cost[static_cast<unsigned>(longest)] == 1; }
 };
 
-/// The moves in the world of steps: up to `longest` cells in one step of cost 1; strides(1) is one cell at a time.
+/// The moves in the world of steps: all of them cost one step.
+/// @param longest most cells in one step, 1 to Motion::max_longest; strides(1) is one cell at a time.
 constexpr Motion strides(int longest = 3) {
   Motion motion;
   motion.longest = longest;
@@ -47,7 +49,11 @@ constexpr Motion strides(int longest = 3) {
   return motion;
 }
 
-/// The action that moves `cells` cells in `direction` from a heading: forward, after a quarter turn, or backwards.
+/// The step that moves in a direction of the maze: forward, after a quarter turn, or backwards.
+/// @param heading that of the mouse before the step.
+/// @param direction where to move.
+/// @param cells how many, 0 or more.
+/// @return a step; its movement is negative where the mouse moves backwards.
 constexpr Action move_in(Heading heading, Heading direction, int cells) {
   switch (quarters_between(heading, direction)) {
     case 0:
@@ -61,12 +67,17 @@ constexpr Action move_in(Heading heading, Heading direction, int cells) {
   }
 }
 
-/// The heading after a rotation in degrees; values other than -90, 0 and 90 turn nothing.
+/// The heading after the rotation of a step in the world of steps.
+/// @param heading that before it.
+/// @param degrees clockwise; values other than -90, 0 and 90 turn nothing.
 constexpr Heading rotated(Heading heading, int degrees) {
   return degrees == 90 ? right_of(heading) : degrees == -90 ? left_of(heading) : heading;
 }
 
-/// The pose after a step whose whole movement is known to be free.
+/// The pose after a step in the world of steps.
+/// @param pose that before it.
+/// @param step one whose whole movement is known to be free: no wall stops it, and it is not cut.
+/// @return outside the maze, if the movement leads there.
 constexpr Pose after(Pose pose, const Action& step) {
   const Heading heading = rotated(pose.heading, step.rotation);
   return {neighbour(pose.cell, heading, step.movement), heading};

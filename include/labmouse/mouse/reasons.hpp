@@ -21,7 +21,7 @@ struct Candidate {
   int through = 0;    ///< cost of a run from start to goal through the wall; see Reasons::way_here
   int travel = 0;     ///< cost of the way to that cell, in the motion's unit
   bool worth = true;  ///< worth its way; after reaching the goal, some options are not
-  double score = 0;   ///< the lowest one that is worth it is chosen
+  double score = 0;   ///< rating: the option with the lowest one that is worth its way is chosen
 
   friend bool operator==(const Candidate&, const Candidate&) = default;
 };
@@ -33,8 +33,10 @@ enum class Ground : std::uint8_t {
   no_loops,    ///< the maze seems to have no loops, so the search stops at the goal
 };
 
+/// Names of the methods in records, in the order of the enumeration.
 inline constexpr std::array ground_names = {"candidates", "flood", "no loops"};
 
+/// The name of a method in records.
 constexpr std::string_view name_of(Ground ground) { return ground_names[static_cast<unsigned>(ground)]; }
 
 /// The reasons of one decision.

@@ -5,7 +5,8 @@
 
 namespace labmouse {
 
-/// One reading: the number of open cells to the left, ahead and to the right, up to the next wall.
+/// One reading: the number of open cells to the left, ahead and to the right, up to the next wall or the range of the
+/// sensors (Briefing::sight).
 struct Sighting {
   int left = 0;
   int ahead = 0;
@@ -13,7 +14,9 @@ struct Sighting {
 
   friend constexpr bool operator==(const Sighting&, const Sighting&) = default;
 
-  /// The reading in a direction given in quarter turns from ahead: -1 left, 0 ahead, 1 right.
+  /// The reading in a direction.
+  /// @param quarters quarter turns clockwise from ahead: -1 left, 0 ahead, 1 right.
+  /// @return in cells.
   constexpr int towards(int quarters) const { return quarters < 0 ? left : quarters == 0 ? ahead : right; }
 };
 

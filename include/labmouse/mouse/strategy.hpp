@@ -26,8 +26,8 @@ struct StrategyReport {
   /// Text for the user. The first line says where it gave up, or what went wrong. For an external mouse the last lines
   /// of its standard error follow.
   std::string_view last_words = {};
-  /// The time of its decisions, if it measures that itself. A mouse in another process does, without the time of
-  /// communication.
+  /// The time of its decisions in microseconds, if it measures that itself. A mouse in another process does, without
+  /// the time of communication.
   std::optional<double> microseconds = std::nullopt;
   /// False for an external mouse whose program did not start, or ended before its greeting.
   bool started = true;
@@ -38,10 +38,13 @@ class Strategy {
  public:
   virtual ~Strategy() = default;
 
-  /// The next action, given the reading in the present pose. Called until the contest ends.
+  /// Decides on the next action. Called until the contest ends.
+  /// @param seen the reading in the present pose, in cells.
+  /// @return a step, a reset, or a forfeit, which ends the contest. Which steps a world has is in motion.hpp and
+  ///   search_motion.hpp.
   virtual Action decide(const Sighting& seen) = 0;
 
-  /// What the mouse knows, for viewers and tests.
+  /// The walls that the mouse knows, for viewers and tests.
   virtual const Knowledge& knowledge() const = 0;
 
   /// Its report, called after its last decision, maybe several times.

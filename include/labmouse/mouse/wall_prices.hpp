@@ -13,19 +13,26 @@ namespace labmouse {
 /// A price for each wall of a maze, 0 to highest, or closed; the border is closed. Takes all its memory when made.
 class WallPrices {
  public:
-  static constexpr int highest = 250;
-  static constexpr int closed = 255;
+  static constexpr int highest = 250;  ///< the largest price of a wall that can be passed
+  static constexpr int closed = 255;   ///< the price of a wall that cannot
 
   /// All walls closed.
+  /// @param size of the maze, with sides of 1 to max_side cells.
   explicit WallPrices(Size size)
       : size_(size),
         north_(static_cast<std::size_t>(size.width + size.area()), closed),
         east_(static_cast<std::size_t>(1 + size.area()), closed) {}
 
   Size size() const { return size_; }
+  /// The price of a wall.
+  /// @param wall an inner one, or one of the border, which is closed.
+  /// @return 0 to `highest`, or `closed`.
   int of(Wall wall) const { return sides(wall)[size_.index(wall.cell)]; }
+  /// Whether the wall is not closed.
   bool passable(Wall wall) const { return of(wall) != closed; }
-  /// The wall must be an inner one.
+  /// Sets the price of a wall.
+  /// @param wall an inner one.
+  /// @param price 0 to `highest`, or `closed`.
   void set(Wall wall, int price) {
     assert(!on_border(wall, size_) && (price == closed || (price >= 0 && price <= highest)));
     const auto index = static_cast<std::size_t>(size_.index(wall.cell));

@@ -22,7 +22,7 @@ struct SearchLegs {
 
 /// What to draw over the walls. Texts may come from untrusted sources: both drawings escape them.
 struct DrawingLayers {
-  bool coordinates = false;
+  bool coordinates = false;  ///< numbers of columns and rows, from 0
   /// A text for each cell (a distance, a count), empty for none.
   std::function<std::string(Cell)> label;
   /// What the labels are, with their unit, for the legend of the SVG: "steps to the goal".
@@ -50,21 +50,32 @@ struct DrawingLayers {
   std::optional<StepReasons> candidates;
   /// Where the mouse stands now.
   std::optional<Pose> mouse;
-  std::string title;
+  std::string title;  ///< empty: none
 };
 
-/// One self-contained SVG picture with a legend; colours that colour-blind eyes tell apart, for light and dark ground.
+/// Draws a maze as an SVG picture with a legend and a description for screen readers. Its colours suit colour-blind
+/// eyes, and a light or a dark background.
+/// @param maze the walls, the start and the goals.
+/// @param layers what to draw over them; its cells and walls must lie in the maze.
+/// @return the content of a self-contained SVG file.
 std::string draw_svg(const Maze& maze, const DrawingLayers& layers);
 
-/// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, wrong guesses `###` and `#`, false walls
-/// `%%%` and `%`, the route as dots with the number of each step where it ends, the search run as `+` to the goal, `x`
-/// from there on and `*` where both went, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels
-/// end in `~`. Below stand the meanings of the signs for wrong guesses, false walls and the search run, and the shares
-/// of the explored cells. Only labels and title may be other than ASCII. ANSI colours only if `colours`.
+/// Draws a maze as lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, wrong guesses `###` and
+/// `#`, false walls `%%%` and `%`, the route as dots with the number of each step where it ends, the search run as `+`
+/// to the goal, `x` from there on and `*` where both went, the mouse as one of `^ > v <`. A cell is three columns wide;
+/// longer labels end in `~`. Below stand the meanings of the signs for wrong guesses, false walls and the search run,
+/// and the shares of the explored cells. Only labels and title may be other than ASCII.
+/// @param maze the walls, the start `S` and the goals `G`.
+/// @param layers what to draw over them; its cells and walls must lie in the maze.
+/// @param colours whether to add ANSI colours, for a terminal.
+/// @return lines that end in a line feed.
 std::string draw_text(const Maze& maze, const DrawingLayers& layers, bool colours);
 
-/// draw_text with the colours already chosen, for callers that do not know whether there is a terminal.
+/// draw_text() with the colours already chosen, for callers that do not know whether there is a terminal.
 using TextDrawer = std::function<std::string(const Maze&, const DrawingLayers&)>;
+/// Makes such a function.
+/// @param colours whether its drawings have ANSI colours.
+/// @return never empty.
 TextDrawer text_drawer(bool colours);
 
 }  // namespace labmouse

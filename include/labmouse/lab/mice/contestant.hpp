@@ -29,7 +29,7 @@ namespace labmouse {
 
 /// What runs an external mouse's program.
 struct Interpreter {
-  std::string path;
+  std::string path;     ///< of the executable that was found
   std::string version;  ///< of Python: "3.11.2"; empty for others
 
   friend bool operator==(const Interpreter&, const Interpreter&) = default;
@@ -37,7 +37,8 @@ struct Interpreter {
 
 /// A mouse that decides step by step when asked.
 struct Decider {
-  /// Makes its strategy for a contest in a maze, with a briefing in steps; empty if it does not race in steps.
+  /// Makes its strategy for a contest in a maze, with a briefing in steps; empty if it does not race in steps. A mouse
+  /// must not use the maze; it is for the oracle and for the simulation around a mouse.
   std::function<std::unique_ptr<Strategy>(const Maze&, const Briefing&)> make = {};
   /// The same in seconds; empty if it does not race in seconds.
   std::function<std::unique_ptr<DrivingStrategy>(const Maze&, const Briefing&)> drive = {};
@@ -47,7 +48,7 @@ struct Decider {
 struct PlayedContest {
   RunRecord record;
   bool started = true;        ///< as in StrategyReport
-  double microseconds = 0.0;  ///< total time of its decisions
+  double microseconds = 0.0;  ///< total time of its decisions, µs
 };
 
 /// A mouse whose contests in steps were run before the race, by name of the maze and seed.
@@ -80,9 +81,10 @@ struct Contestant {
   /// The path of its mice file, or empty. A mice file may contain mice of several worlds; those that cannot race in a
   /// world are left out there.
   std::string mice_file;
-  Settings settings;
-  bool uses_chance = false;
-  /// Contests in each maze. With 0 a stochastic mouse has as many as the race sets, others one.
+  Settings settings;         ///< of a built-in mouse; empty for others
+  bool uses_chance = false;  ///< whether it is stochastic with these settings, so that contests are repeated
+  /// Contests in each maze. With 0 a stochastic mouse, or any in a stochastic world, has as many as the race sets, others
+  /// one.
   int runs = 0;
   /// Whether it runs as a reference outside of the ranking (the oracle).
   bool reference = false;
@@ -111,38 +113,50 @@ struct Contestant {
 
   /// Whether it races in steps.
   bool walks() const;
-  /// Whether it races in seconds, driven by a controller.
+  /// Whether it races in seconds as a strategy. False for a program that is the controller itself.
   bool drives() const;
-  /// Its strategy for a contest in that maze, with that briefing in steps. Only for a Decider that walks.
+  /// Makes its strategy for a contest in steps. Starts the program of an external mouse.
+  /// @param maze the maze of the contest; only the oracle uses it.
+  /// @param briefing in steps; it must outlive the result.
+  /// @return new, never null.
+  /// @pre `kind` is a Decider, and walks().
   std::unique_ptr<Strategy> strategy(const Maze& maze, const Briefing& briefing) const;
-  /// The same in seconds. Only for a mouse that drives.
+  /// Makes its strategy for a contest in seconds. Starts the program of an external mouse.
+  /// @param maze the maze of the contest; only the simulation around an external mouse uses it.
+  /// @param briefing in seconds; what it points to must outlive the result.
+  /// @return new, never null.
+  /// @pre drives().
   std::unique_ptr<DrivingStrategy> driving_strategy(const Maze& maze, const Briefing& briefing) const;
 };
 
-/// The SPEC of a mouse, whether or not it has a name.
+/// The SPEC of a mouse, whether or not its user gave it a name.
+/// @return a part of the mouse.
 inline const std::string& spec_of(const Contestant& mouse) { return mouse.spec.empty() ? mouse.name : mouse.spec; }
 
-/// Warnings for the user: what external mice could do without a sandbox, and what they could remember with one. Empty
-/// if there is nothing to warn of.
+/// Warnings for the user: what external mice could do without a sandbox, and what they could remember with one.
+/// @param mice all mice of a race.
+/// @return lines that end in a line feed; empty if there is nothing to warn of.
 std::string freedom_note(const std::vector<Contestant>& mice);
 
-/// Gives a mouse another name, which its trained versions keep.
+/// Gives a mouse another name, which its trained versions keep. Its SPEC stays.
+/// @param mouse to be changed.
+/// @param name used in results, as given.
 void rename(Contestant& mouse, const std::string& name);
 
 /// Either mice, or the reason why the text is not a SPEC.
 struct SpecResult {
-  std::vector<Contestant> contestants;
-  std::string error;
+  std::vector<Contestant> contestants;  ///< empty if there is an error
+  std::string error;                    ///< one line for the user; empty on success
   /// All errors of a mice file, one line each with its place; `error` is the first of them.
   std::vector<std::string> problems = {};
 };
 
-/// Whether external mice run in sandboxes.
+/// Whether external mice run in sandboxes. With `always`, a system without sandboxes refuses them.
 enum class SandboxUse { where_possible, always, never };
 
 /// Packages installed for the Pythons of external mice. Cached for a race, because the query starts each Python.
 struct InstalledPackages {
-  std::mutex mutex;
+  std::mutex mutex;                                       ///< hold it to use `known`
   std::map<std::vector<std::string>, std::string> known;  ///< by the mouse's variables and the path of Python
 };
 

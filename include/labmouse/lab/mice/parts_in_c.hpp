@@ -9,8 +9,13 @@
 
 namespace labmouse {
 
-/// Such parts for one contest. The table must outlive the result. Its functions must be thread-safe: several contests
-/// may run at once.
+/// Makes such parts for one contest. Duties beyond `LABMOUSE_FULL` and evidence beyond 127 are cut to these.
+/// @param table the functions; any may be null. Without `estimate`, `evidence` or `follow`, the built-in part is used.
+///   It must outlive the result. The functions must be thread-safe, because several contests may run at once; they must
+///   not throw.
+/// @param briefing copied; it need not outlive the result.
+/// @return never null. Its destructor calls `end`.
+/// @pre the robot of the briefing has hardware.
 std::unique_ptr<PartsOwner> parts_in_c(const struct labmouse_parts& table, const ControllerBriefing& briefing);
 
 }  // namespace labmouse

@@ -16,17 +16,22 @@ namespace labmouse {
 /// A robot with the model computed from it, or what is wrong with its file: exactly one of the two is there.
 struct RobotResult {
   std::optional<Robot> robot;
-  DriveModel model;
-  std::vector<Problem> problems;
+  DriveModel model;               ///< of the robot; empty if there is none
+  std::vector<Problem> problems;  ///< empty if there is a robot
 };
 
 /// Where the text of a robot comes from. Records have older defaults than files: two speeds of each turn, and runs that
 /// end at any speed.
 enum class RobotText : unsigned char { file, recorded };
+/// Number of speeds of each turn of a recorded robot that does not state it.
 inline constexpr int recorded_speeds = 2;
 
-/// Reads a robot from a text of at most 64 KiB, gives it the name `name`, and makes its model. Errors of the model are
-/// problems of the file as a whole.
+/// Reads a robot, and makes its model.
+/// @param text TOML of at most 64 KiB; more is a problem.
+/// @param name the name that the robot gets.
+/// @param kind which defaults the text has.
+/// @return the robot with its model, or the problems with their lines. An error of the model is a problem of the file as
+///   a whole.
 RobotResult read_robot(std::string_view text, std::string_view name, RobotText kind = RobotText::file);
 
 }  // namespace labmouse
