@@ -31,11 +31,11 @@ class EstimatorPart : public ControllerPart {
  public:
   /// The mouse was put about there by hand, and is at rest.
   /// @param position the middle of the cell, mm from the south-western corner of the maze.
-  /// @param ahead where the mouse points, from east.
+  /// @param ahead where the mouse points: angle from east to the left.
   virtual void put(const Position& position, const Direction& ahead) = 0;
   /// Estimates the pose at this moment. Called each tick, before the other parts.
   /// @param sense the readings. A ToF reading of a tick in which the controller did not act is still marked as new.
-  /// @param target the target of the tick before.
+  /// @param target where the mouse should be at this moment.
   /// @param known the map of walls; null: no map.
   /// @return the estimate. If it is not valid (PoseEstimate::is_valid), the controller keeps the one before.
   virtual PoseEstimate estimate(const Sense& sense, const Target& target, const Knowledge* known) = 0;
@@ -64,7 +64,7 @@ class TrackerPart : public ControllerPart {
   virtual void reset() = 0;
   /// Called each tick, after the other parts.
   /// @param sense the readings.
-  /// @param target where the mouse should be at the end of this tick.
+  /// @param target where the mouse should be a millisecond later.
   /// @param estimate the pose at this moment.
   /// @return the duties until the next tick, -1 to 1. The controller cuts larger ones, and replaces NaN by 0.
   virtual Drive follow(const Sense& sense, const Target& target, const PoseEstimate& estimate) = 0;

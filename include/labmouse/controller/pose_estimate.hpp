@@ -13,7 +13,7 @@ namespace labmouse {
 /// The estimated pose and motion of a mouse at one moment.
 struct PoseEstimate {
   Position position;     ///< of the middle of the axle, mm
-  Direction ahead;       ///< where it points, from east
+  Direction ahead;       ///< where it points: angle from east to the left
   double slip = 0.0;     ///< angle from `ahead` to the direction of motion, rad to the left
   double speed = 0.0;    ///< mm/s
   double turning = 0.0;  ///< rad/s to the left

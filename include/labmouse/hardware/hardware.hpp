@@ -39,7 +39,7 @@ struct MotorAxis {
   friend bool operator==(const MotorAxis&, const MotorAxis&) = default;
 };
 
-/// The motors and the battery. Both motors are of one kind.
+/// The motors and the battery.
 struct Motors {
   MotorAxis drive;         ///< of the mean duty of both wheels
   MotorAxis turn;          ///< of the right wheel's duty less the left one's
@@ -53,7 +53,7 @@ struct Motors {
   friend bool operator==(const Motors&, const Motors&) = default;
 };
 
-/// The tyres, which slip and slide.
+/// The tyres: how they slip, and what they hold.
 struct Tyres {
   double stiffness = 0.0;  ///< mm/s² of lateral acceleration per rad of slip angle
   double grip = 0.0;       ///< mm/s², the most in any direction
@@ -78,8 +78,8 @@ struct Beam {
 inline constexpr std::size_t most_infrared = 16, most_rangers = 8;
 
 /// An infrared sensor. At a right angle to a wall it reads gain * exp(-(distance - calibrated) / fall), or
-/// gain * (calibrated / distance)² where `fall` is below 1; up to `most`. `calibrated` is the distance in mm that its
-/// beam goes from the middle of a cell to the side wall, or to the front wall if it looks ahead.
+/// gain * (calibrated / distance)² where `fall` is below 1; up to `most`. `calibrated` is the length of its beam in mm
+/// while the mouse stands in the middle of a cell: to the side wall, or to the front wall if it looks ahead.
 struct Infrared {
   Beam beam;
   double gain = 0.0;       ///< counts, of a wall at the calibrated distance
@@ -103,11 +103,11 @@ struct Ranger {
 
 /// The sensors of a robot. A step of 0 means that it has no such sensor.
 struct Sensors {
-  double count = 0.0;            ///< mm of travel of a wheel per count of its encoder
-  double count_bits = 32.0;      ///< of the counters, which wrap
-  double gyro_step = 0.0;        ///< rad/s per unit
-  double gyro_most = 0.0;        ///< rad/s, the measuring range
-  double acceleration_step = 0;  ///< mm/s² per unit
+  double count = 0.0;              ///< mm of travel of a wheel per count of its encoder
+  double count_bits = 32.0;        ///< of the counters, which wrap
+  double gyro_step = 0.0;          ///< rad/s per unit
+  double gyro_most = 0.0;          ///< rad/s, the measuring range
+  double acceleration_step = 0;    ///< mm/s² per unit
   std::vector<Infrared> infrared;  ///< at most `most_infrared`
   std::vector<Ranger> rangers;     ///< at most `most_rangers`
 

@@ -115,15 +115,14 @@ struct Action {
   ForfeitReason reason = ForfeitReason::none;
 
   /// A step: a turn on the spot, then a straight move.
-  /// @param rotation degrees clockwise, a multiple of 90. The world of steps performs -90, 0 and 90, those in seconds
-  ///   180 as well.
-  /// @param movement cells; negative: backwards, in the world of steps only.
+  /// @param rotation degrees clockwise: -90, 0 or 90; in the worlds in seconds also 180.
+  /// @param movement cells after the turn; negative: backwards, in the world of steps only.
   static constexpr Action step(int rotation, int movement) {
     return {Kind::step, rotation, movement, ForfeitReason::none};
   }
-  /// The end of the search run: back to the start, for the speed run.
+  /// Ends the search run: back to the start, for a speed run.
   static constexpr Action reset() { return {Kind::reset, 0, 0, ForfeitReason::none}; }
-  /// Gives up; this ends the contest.
+  /// Gives up.
   static constexpr Action forfeit(ForfeitReason reason) { return {Kind::forfeit, 0, 0, reason}; }
 
   friend constexpr bool operator==(const Action&, const Action&) = default;

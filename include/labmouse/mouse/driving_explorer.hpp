@@ -36,7 +36,8 @@ class DrivingExplorer : public DrivingStrategy {
  protected:
   /// Chooses the next action of the search.
   /// @return a step as search_motion.hpp lists them, through walls known to be open; a reset, to go home and make speed
-  ///   runs, if goal_entered(); or a forfeit. A step that leaves too little time to go home becomes a reset.
+  ///   runs, if goal_entered(); or a forfeit. Once a goal was entered, a step that would leave too little time to go
+  ///   home and run becomes a reset.
   virtual Action explore() = 0;
 
   /// Called when known walls have changed: the next explore() must plan anew.

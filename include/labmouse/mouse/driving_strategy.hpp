@@ -15,10 +15,10 @@ class DrivingStrategy : public Strategy {
  public:
   /// Decides with a log-odds map, whose known walls may change between two calls. Called in place of decide().
   /// @param map the log-odds of all walls; map.version() has grown if a known wall has changed.
-  /// @param place where the mouse estimates to be; the walls there were just read.
+  /// @param place where the next action begins: the estimated place of the mouse, or after a speed run the start.
   /// @param time microseconds since the contest began.
-  /// @return as decide(); on a forfeit with `no_route` the contest makes some walls of the map unknown, and calls
-  ///   again.
+  /// @return as decide(). A forfeit with `no_route` does not end the contest at once: some closed walls of the map are
+  ///   made unknown, and it is called again.
   virtual Action consider(const LogOddsMap& map, const SearchPlace& place, std::int64_t time) = 0;
 
   /// Reports a reading in a pose where it does not decide: in a cell that its last step passes, or on a way that is
@@ -37,8 +37,8 @@ class DrivingStrategy : public Strategy {
   /// @return share of the usual pace; the contest cuts it to 0.2 to 1.
   virtual double pace(bool /*fast*/) { return 1.0; }
 
-  /// Sets the pace with which it plans its search from now on, in place of that of its briefing. The argument is a
-  /// share of the robot's pace, greater than 0.
+  /// Sets the pace at which it searches from now on, in place of that of its briefing. The argument is a share of the
+  /// robot's pace, greater than 0.
   virtual void searches_at(double /*pace*/) {}
 
   /// The kind of map that it requires.

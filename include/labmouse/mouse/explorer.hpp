@@ -21,8 +21,7 @@ class Explorer : public Strategy {
 
  protected:
   /// Chooses the next action of the search run.
-  /// @return a step whose moves lead through walls known to be open; a reset, to begin the speed run, if
-  ///   goal_entered(); or a forfeit.
+  /// @return a step through walls known to be open; a reset, to begin the speed run, if goal_entered(); or a forfeit.
   virtual Action explore() = 0;
   /// Chooses the next action of the speed run. By default this is the next step on the shortest known route. The route
   /// is planned anew at each step, because the readings may have shown a shorter one.

@@ -24,7 +24,7 @@ struct Motion {
   static constexpr int max_cost = 63;
 
   int longest = 1;                                   ///< cells, 1 to max_longest
-  std::array<std::uint8_t, max_longest + 1> cost{};  ///< by number of cells; cost[0] is not used
+  std::array<std::uint8_t, max_longest + 1> cost{};  ///< by number of cells; cost[0] is 0
 
   friend constexpr bool operator==(const Motion&, const Motion&) = default;
 

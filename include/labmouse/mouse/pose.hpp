@@ -5,7 +5,7 @@
 
 namespace labmouse {
 
-/// Where a mouse is: in the middle of a cell or, in the worlds in seconds, about to enter it; and its heading.
+/// A cell, and the heading that a mouse has in it.
 struct Pose {
   Cell cell;
   Heading heading = Heading::north;

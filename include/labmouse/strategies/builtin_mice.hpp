@@ -14,16 +14,19 @@
 
 namespace labmouse {
 
+/// Makes a mouse for a briefing in steps. The settings must be those of its parameters, and outlive the mouse.
 using MouseFactory = std::unique_ptr<Strategy> (*)(const Briefing& briefing, const Settings& settings);
+/// Makes a mouse for a briefing in seconds. The settings must be those of its parameters, and outlive the mouse.
 using DriverFactory = std::unique_ptr<DrivingStrategy> (*)(const Briefing& briefing, const Settings& settings);
 
 /// One built-in mouse: name, summary, method, source of the idea, parameters, and factories. Each strategy's file
 /// defines its own.
 struct BuiltinMouse {
-  std::string_view name;
-  std::string_view summary;
-  std::string_view method;
-  std::string_view source;
+  std::string_view name;     ///< as in a SPEC
+  std::string_view summary;  ///< one line, for lists of mice
+  std::string_view method;   ///< how it works, for its own page
+  std::string_view source;   ///< where the idea comes from
+  /// Its parameters, in the order in which they are listed, in static memory.
   std::span<const Parameter> parameters = {};
   /// Makes it for a briefing in steps; null if it does not race in steps.
   MouseFactory make = nullptr;
@@ -33,10 +36,14 @@ struct BuiltinMouse {
   /// Makes it for a briefing in seconds; null if it does not race in seconds.
   DriverFactory drive = nullptr;
 
+  /// Whether it races in steps.
   bool walks() const { return make != nullptr; }
+  /// Whether it races in seconds.
   bool drives() const { return drive != nullptr; }
 
+  /// For `uses_chance`: it is never stochastic.
   static bool never(const Settings&) { return false; }
+  /// For `uses_chance`: it is always stochastic.
   static bool always(const Settings&) { return true; }
 };
 
@@ -69,7 +76,9 @@ std::span<const BuiltinMouse* const> only_drivers();
 /// All of both.
 std::vector<const BuiltinMouse*> all_mice();
 
-/// The entry of that name, or null.
+/// Finds a mouse in both tables.
+/// @param name exactly, without parameters.
+/// @return the entry, in static memory; null if there is none of that name.
 const BuiltinMouse* find_mouse(std::string_view name);
 
 }  // namespace labmouse

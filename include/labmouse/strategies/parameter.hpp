@@ -17,6 +17,7 @@ struct WallPrior;
 /// Type of a parameter. A `prior` is one of its choices or the path of a file from `labmouse learn`.
 enum class ParameterType : std::uint8_t { whole, real, flag, choice, list, prior };
 
+/// The type in words, for help texts: "whole number", "yes/no".
 std::string_view name_of(ParameterType type);
 
 /// The worlds in which a parameter has an effect; `errors`: only those in seconds with errors.
@@ -24,6 +25,7 @@ enum class ParameterScope : std::uint8_t { steps, seconds, both, errors };
 
 /// One parameter of one mouse.
 struct Parameter {
+  /// As in a SPEC.
   std::string_view name;
   ParameterType type = ParameterType::whole;
   /// As written in a SPEC: `3`, `0.5`, `yes`, `3/5/3`.
@@ -33,29 +35,42 @@ struct Parameter {
   double high = 0.0;
   /// For a choice or a prior: the choices, separated by `/`.
   std::string_view choices;
+  /// What it does, for help texts: a sentence.
   std::string_view meaning;
   ParameterScope scope = ParameterScope::steps;
 
+  /// A whole number. The texts of this and the following ones must outlive the parameter.
+  /// @param name as in a SPEC.
+  /// @param value the default, as written in a SPEC.
+  /// @param low the smallest value.
+  /// @param high the largest value.
+  /// @param meaning for help texts.
+  /// @param scope the worlds in which it has an effect.
   static constexpr Parameter whole(std::string_view name, std::string_view value, double low, double high,
                                    std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::whole, value, low, high, {}, meaning, scope};
   }
+  /// A real number; the arguments are those of whole().
   static constexpr Parameter real(std::string_view name, std::string_view value, double low, double high,
                                   std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::real, value, low, high, {}, meaning, scope};
   }
+  /// A list of numbers, for the world of steps. Its default has as many elements as each value: `3/5/3`.
   static constexpr Parameter list(std::string_view name, std::string_view value, double low, double high,
                                   std::string_view meaning) {
     return {name, ParameterType::list, value, low, high, {}, meaning, ParameterScope::steps};
   }
+  /// A flag; its default is `yes` or `no`.
   static constexpr Parameter flag(std::string_view name, std::string_view value, std::string_view meaning,
                                   ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::flag, value, 0, 0, {}, meaning, scope};
   }
+  /// A choice; `choices` are separated by `/`, and the default is one of them.
   static constexpr Parameter choice(std::string_view name, std::string_view value, std::string_view choices,
                                     std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::choice, value, 0, 0, choices, meaning, scope};
   }
+  /// A prior; the arguments are those of choice().
   static constexpr Parameter prior(std::string_view name, std::string_view value, std::string_view choices,
                                    std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::prior, value, 0, 0, choices, meaning, scope};
@@ -73,25 +88,34 @@ struct Setting {
 /// Values for all parameters of one mouse, in the order of its table.
 class Settings {
  public:
+  /// Without parameters.
   Settings() = default;
   /// The defaults of a table.
   explicit Settings(std::span<const Parameter> parameters);
 
-  /// Sets a value that has passed check_value.
+  /// Sets the value of a parameter.
+  /// @param name of a parameter of the table.
+  /// @param value one that has passed check_value.
   void set(std::string_view name, std::string_view value);
 
-  /// The value of a parameter, which must be declared with that type.
+  /// The value of a parameter of type `whole`, which must be in the table. The same holds for the other types.
   int whole(std::string_view name) const;
+  /// The value of a parameter of type `real`.
   double real(std::string_view name) const;
+  /// The value of a parameter of type `flag`.
   bool flag(std::string_view name) const;
+  /// The value of a parameter of type `choice` or `prior`, as text; valid until it is set again.
   std::string_view choice(std::string_view name) const;
+  /// The elements of a parameter of type `list`: as many as its default has.
   std::vector<double> list(std::string_view name) const;
 
+  /// All values, in the order of the table.
   std::span<const Setting> all() const { return settings_; }
 
   /// Attaches a learned prior (null removes it), which replaces the choice of a parameter of type `prior`. The settings
   /// must outlive strategies made with them.
   void attach(std::shared_ptr<const WallPrior> prior) { prior_ = std::move(prior); }
+  /// The attached prior; null if there is none.
   const WallPrior* attached() const { return prior_.get(); }
 
  private:
@@ -102,18 +126,29 @@ class Settings {
 /// The choices of a choice or a prior, in the table's order.
 std::vector<std::string_view> choices_of(const Parameter& parameter);
 
-/// Why a value is invalid for a parameter, as a message for the user; empty if it is valid. A prior may be any path,
-/// because no file is opened here.
+/// Checks a value for a parameter. A prior may be any path, because no file is opened here.
+/// @param parameter its type, range and choices.
+/// @param value as written in a SPEC; any text.
+/// @return empty if it is valid; otherwise the reason, to follow the name of the parameter: "is not a number".
 std::string check_value(const Parameter& parameter, std::string_view value);
 
-/// The canonical spelling of a value that has passed check_value: `3` for `03`, `0.5` for `.50`, `yes` for `true`.
+/// The canonical spelling of a value: `3` for `03`, `0.5` for `.50`, `yes` for `true`. Choices and priors stay as they
+/// are.
+/// @param parameter its type.
+/// @param value one that has passed check_value.
 std::string canonical_value(const Parameter& parameter, std::string_view value);
 
-/// The candidate with the most similar spelling, for "did you mean"; empty if none is similar.
+/// Finds the name that a user may have meant, for "did you mean".
+/// @param word what the user wrote.
+/// @param candidates all names.
+/// @return the first candidate with the fewest edits (letters inserted, deleted or replaced), which must be at most 2,
+///   or half the length of the word. If there is none and the word has 3 letters or more, the first candidate that
+///   contains it. Otherwise empty.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> candidates);
 
-/// Parses the whole text as a decimal number such as `-12` or `0.25`, without an exponent; nullopt if it is none or too
-/// large for a double.
+/// Parses a decimal number such as `-12` or `0.25`, without an exponent.
+/// @param text the whole of it must be the number, without spaces and without `+`.
+/// @return the nearest double; nullopt if it is no such number, or too large or too close to 0 for a double.
 std::optional<double> parse_plain_number(std::string_view text);
 
 }  // namespace labmouse

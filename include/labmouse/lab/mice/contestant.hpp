@@ -83,8 +83,8 @@ struct Contestant {
   std::string mice_file;
   Settings settings;         ///< of a built-in mouse; empty for others
   bool uses_chance = false;  ///< whether it is stochastic with these settings, so that contests are repeated
-  /// Contests in each maze. With 0 a stochastic mouse, or any in a stochastic world, has as many as the race sets, others
-  /// one.
+  /// Contests in each maze. With 0 a stochastic mouse, or any in a stochastic world, has as many as the race sets,
+  /// others one.
   int runs = 0;
   /// Whether it runs as a reference outside of the ranking (the oracle).
   bool reference = false;
@@ -117,13 +117,13 @@ struct Contestant {
   bool drives() const;
   /// Makes its strategy for a contest in steps. Starts the program of an external mouse.
   /// @param maze the maze of the contest; only the oracle uses it.
-  /// @param briefing in steps; it must outlive the result.
+  /// @param briefing in steps; copied, so it need not outlive the result.
   /// @return new, never null.
   /// @pre `kind` is a Decider, and walks().
   std::unique_ptr<Strategy> strategy(const Maze& maze, const Briefing& briefing) const;
   /// Makes its strategy for a contest in seconds. Starts the program of an external mouse.
   /// @param maze the maze of the contest; only the simulation around an external mouse uses it.
-  /// @param briefing in seconds; what it points to must outlive the result.
+  /// @param briefing in seconds; copied, but what it points to must outlive the result.
   /// @return new, never null.
   /// @pre drives().
   std::unique_ptr<DrivingStrategy> driving_strategy(const Maze& maze, const Briefing& briefing) const;
@@ -156,7 +156,7 @@ enum class SandboxUse { where_possible, always, never };
 
 /// Packages installed for the Pythons of external mice. Cached for a race, because the query starts each Python.
 struct InstalledPackages {
-  std::mutex mutex;                                       ///< hold it to use `known`
+  std::mutex mutex;                                       ///< of `known`
   std::map<std::vector<std::string>, std::string> known;  ///< by the mouse's variables and the path of Python
 };
 

@@ -41,8 +41,7 @@ const BuiltinMouse* entry_of(const Contestant& mouse);
 std::string unknown_mouse(std::string_view name);
 
 /// Reads a variant of a mouse for each value of a parameter.
-/// @param spec a single mouse. Its name is dropped; a variant of an external mouse in a mice file is named `NAME:
-///   parameter=value`.
+/// @param spec a single mouse. Its name is dropped; only an external mouse of a mice file keeps it, before the value.
 /// @param parameter the name of one of its parameters. For an external mouse, each `{parameter}` in its command is
 ///   replaced by the value; in a mice file also in its arguments and variables.
 /// @param values as text; they override the value in the SPEC.
@@ -72,7 +71,7 @@ enum class Driving : std::uint8_t { ideal, with_errors, by_controller };
 /// Why these mice cannot race in seconds, or which of their settings has no effect there.
 /// @param mice all that enter the race.
 /// @param driving what the world is like.
-/// @return a message on the first mouse that cannot, with the mice that can; empty if all can.
+/// @return a message about the first such mouse; empty if all can.
 std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving = Driving::ideal);
 
 /// Why a mouse cannot race in steps, or which of its settings has no effect there.

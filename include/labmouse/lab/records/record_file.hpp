@@ -23,14 +23,14 @@ struct GivenFields {
 /// A contest in a world of steps with everything that is needed to replay it. A record from a real robot may lack much
 /// of it.
 struct RecordFile {
-  std::string world;  ///< name of the world; empty for the default world of steps, which the rules describe fully
-  std::string maze_name;     ///< as in results; "maze" if the record does not name it
+  std::string world;      ///< name of the world; empty for the default world of steps, which the rules describe fully
+  std::string maze_name;  ///< as in results; "maze" if the record does not name it
   std::optional<Maze> maze;  ///< always set by a writer
   std::string mouse;         ///< its name in results; "robot" if the record does not name it
-  std::string spec;         ///< the mouse's SPEC where its name is another
-  Settings settings;        ///< written, not read back
-  std::string interpreter;  ///< interpreter of an external mouse and its version
-  std::uint64_t seed = 0;   ///< of the contest
+  std::string spec;          ///< the mouse's SPEC where its name is another
+  Settings settings;         ///< written, not read back
+  std::string interpreter;   ///< interpreter of an external mouse and its version
+  std::uint64_t seed = 0;    ///< of the contest
   Rules rules;
   std::string version;  ///< version of the program that wrote the record; write_record() writes the current one
   RunRecord run;
@@ -50,8 +50,8 @@ struct ReadRecordResult {
   std::optional<RecordFile> file;
   std::vector<Problem> problems;
 };
-/// Reads a record, of a simulated or a real robot. It checks each line, but not whether the contest could have happened:
-/// see replay().
+/// Reads a record, of a simulated or a real robot. It checks each line, but not whether the contest could have
+/// happened: see replay().
 /// @param text the whole file. An incomplete last line is ignored, as after a power failure.
 /// @return the record, or the first problem with its line. A record of more than 1,000,000 steps is a problem.
 ReadRecordResult read_record(std::string_view text);

@@ -30,8 +30,8 @@ inline constexpr int recorded_speeds = 2;
 /// @param text TOML of at most 64 KiB; more is a problem.
 /// @param name the name that the robot gets.
 /// @param kind which defaults the text has.
-/// @return the robot with its model, or the problems with their lines. An error of the model is a problem of the file as
-///   a whole.
+/// @return the robot with its model, or the problems with their lines. An error of the model is a problem of the whole
+///   file.
 RobotResult read_robot(std::string_view text, std::string_view name, RobotText kind = RobotText::file);
 
 }  // namespace labmouse

@@ -18,7 +18,7 @@ struct FileContent {
 /// again gives the same.
 /// @param path a file, a pipe, a device, or standard input as `-`.
 /// @param most_bytes more bytes are an error.
-/// @return the content; or the error, also for a folder, compressed bytes, and text that is not in UTF-8.
+/// @return the content; or the error, also for a folder, gzip, and text in UTF-16.
 FileContent read_file(const std::string& path, std::size_t most_bytes = 1U << 20U);
 
 /// Reads a file that was found in a folder or named in another file.

@@ -18,20 +18,31 @@ namespace labmouse {
 /// own. Nothing is allocated after their construction.
 class DriveFields {
  public:
-  /// In memory that must outlive them: bytes_for(size, model), beginning at a multiple of FastestRoutes::alignment.
+  /// Makes them in the caller's memory.
+  /// @param size of the maze, with sides of at most max_drive_side cells.
+  /// @param model the robot, without error.
+  /// @param memory at least bytes_for(size, model) bytes, beginning at a multiple of FastestRoutes::alignment. It must
+  ///   outlive them.
   DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory);
-  /// In their own memory: they take more of it, and are faster.
+  /// Makes them in their own memory: they take more of it, and are faster.
+  /// @param size of the maze, with sides of at most max_drive_side cells.
+  /// @param model the robot, without error.
   static DriveFields in_own_memory(Size size, const DriveModel& model);
+  /// Bytes of memory that the fields for a maze take. If the model has no shared tables (share_route_tables()), this
+  /// makes tables and throws them away.
   static std::size_t bytes_for(Size size, const DriveModel& model);
   /// The parts of these bytes; ways and runs count only what does not overlap with others.
   static MemoryLayout layout(Size size, const DriveModel& model);
 
+  /// The field for routes of runs.
   FastestRoutes& routes() { return routes_; }
+  /// The field for ways of a search.
   SearchField& ways() { return ways_; }
   /// The field for ways home: ways() itself, or in their own memory a second one, so that few times change from one
   /// fill of a field to the next.
   SearchField& home() { return home_ ? *home_ : ways_; }
-  /// Not for mazes of more than RunCosts::largest_area.
+  /// The field for approximate costs of runs.
+  /// @pre The maze has at most RunCosts::largest_area cells.
   RunCosts& runs() { return *runs_; }
 
  private:

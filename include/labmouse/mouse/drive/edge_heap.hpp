@@ -13,18 +13,25 @@ namespace labmouse {
 /// search needs no more room than one place an edge.
 class EdgeHeap {
  public:
+  /// The place of an edge that is not queued. Numbers of edges are below it.
   static constexpr std::uint16_t nowhere = 0xffff;
 
+  /// Without room for any edge.
   EdgeHeap() = default;
-  /// Uses two arrays with room for all edges, and the times that order them, which the caller writes.
+  /// Uses arrays of the caller, one element an edge, which must outlive it. Call clear() before all else.
+  /// @param heap for the edges in the order of the heap.
+  /// @param places for the place of each edge.
+  /// @param times by edge, in microseconds; the caller writes them, the least comes first.
   EdgeHeap(std::uint16_t* heap, std::uint16_t* places, const DriveTime* times)
       : heap_(heap), places_(places), times_(times) {}
 
+  /// Empties the queue. The argument is the number of all edges.
   void clear(std::size_t edges) {
     size_ = 0;
     for (std::size_t edge = 0; edge < edges; ++edge) places_[edge] = nowhere;
   }
   bool empty() const { return size_ == 0; }
+  /// Whether an edge is queued.
   bool contains(std::size_t edge) const { return places_[edge] != nowhere; }
   /// Inserts an edge, or moves it forward after its time has decreased.
   void reach(std::size_t edge) {
@@ -34,8 +41,11 @@ class EdgeHeap {
       put(heap_[(place - 1) / 2], place);
     put(edge, place);
   }
+  /// The edge with the least time.
+  /// @pre The queue is not empty.
   std::size_t first() const { return heap_[0]; }
-  /// Removes and returns the first one.
+  /// Removes and returns the edge with the least time.
+  /// @pre The queue is not empty.
   std::size_t take() {
     const std::size_t first = heap_[0], last = heap_[--size_];
     places_[first] = nowhere;

@@ -32,26 +32,42 @@ struct RunTolls {
 
 /// A run that may exist.
 struct OptimisticRun {
-  int time = 0;   ///< milliseconds, without what prices add
-  int price = 0;  ///< of all its unseen walls
+  int time = 0;   ///< milliseconds, with RunTolls::base for each unseen wall, but without RunTolls::per_nat
+  int price = 0;  ///< of all its unseen walls, in units of 1/32 nat
 };
 
+/// The costs of the best runs through the cells of a maze, in milliseconds.
 class RunCosts {
  public:
-  /// In memory that must outlive it: bytes_for(size), beginning at a multiple of two.
+  /// In the caller's memory.
+  /// @param size of the maze.
+  /// @param memory at least bytes_for(size) bytes, beginning at a multiple of two. It must outlive it.
   RunCosts(Size size, std::span<std::byte> memory);
+  /// Bytes of memory that it takes for a maze.
   static std::size_t bytes_for(Size size);
   /// The largest area of a maze, in cells: larger ones would take more memory than a chip has for a strategy.
   static constexpr int largest_area = 256;
 
-  /// Sets the prices, the start and the goals; call it before all else.
+  /// Sets what runs cost, and where they begin and end. Call it before all else.
+  /// @param run milliseconds by edge, each at least 1.
+  /// @param start inside the maze; a run begins straight on, in its heading.
+  /// @param goals cells inside the maze, at least one.
   void aim(const RunPrices& run, Pose start, const CellSet& goals);
-  /// The time of the best run over open walls alone, in milliseconds, or no_run.
+  /// Finds the time of the best run over open walls alone. It overwrites what plan() found.
+  /// @param walls those with a price above 0 count as closed.
+  /// @return milliseconds; 0 if the start is a goal, no_run if there is no run.
   int known(const WallPrices& walls);
+  /// The time of no run, and the upper limit of all.
   static constexpr int no_run = 0xffff;
-  /// Finds A and V of all runs that cost less than a limit in milliseconds.
+  /// Finds A and V of all runs that cost less than a limit.
+  /// @param walls the prices of walls, -ln P(open) in units of 1/32 nat.
+  /// @param tolls what unseen walls cost.
+  /// @param limit milliseconds; more than no_run counts as no_run.
   void plan(const WallPrices& walls, const RunTolls& tolls, int limit);
-  /// The run with the least cost through a cell other than the start's, if one costs less than the limit.
+  /// The run with the least cost through a cell.
+  /// @param cell inside the maze, other than that of the start.
+  /// @return nullopt if no run through it costs less than the limit of the plan.
+  /// @pre plan() was the last search.
   std::optional<OptimisticRun> through(Cell cell) const;
 
  private:

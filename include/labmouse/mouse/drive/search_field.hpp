@@ -23,11 +23,11 @@ namespace labmouse {
 /// How a strategy prices the moves of a search through walls that it has not seen.
 struct SearchTolls {
   SearchDrive drive;                ///< the moves
-  DriveTime unit = 0;               ///< for each unit of an unseen wall's price
-  DriveTime base = 0;               ///< for each wall that has a price
+  DriveTime unit = 0;               ///< microseconds for each unit of an unseen wall's price
+  DriveTime base = 0;               ///< microseconds for each wall that has a price
   int closed = WallPrices::closed;  ///< a wall of this price or more counts as closed
-  /// Time that entering a cell saves, by the cell's index; a move still takes some time. Must outlive the field's use,
-  /// and be 0 for known cells; may be empty.
+  /// Microseconds that entering a cell saves, by the cell's index; a move still takes at least one. It has an element
+  /// for each cell, 0 for known ones, or is empty. It must outlive the field's use.
   std::span<const DriveTime> savings = {};
 };
 
@@ -35,24 +35,43 @@ struct SearchTolls {
 /// a mouse at rest may pivot first. Takes all memory that it will need.
 class SearchField {
  public:
-  /// The times of `drive` must be more than 0. In its own memory: faster if the fills of a field differ little.
+  /// In its own memory: faster if the fills of a field differ little.
+  /// @param size of the maze, with sides of at most max_drive_side cells.
+  /// @param drive the moves; the times of cell, turn and back must be more than 0.
   SearchField(Size size, const SearchDrive& drive);
-  /// In memory that must outlive it: bytes_for(size), beginning at a multiple of four.
+  /// In the caller's memory.
+  /// @param size of the maze, with sides of at most max_drive_side cells.
+  /// @param drive the moves; the times of cell, turn and back must be more than 0.
+  /// @param memory at least bytes_for(size) bytes, beginning at a multiple of four. It must outlive it.
   SearchField(Size size, const SearchDrive& drive, std::span<std::byte> memory);
+  /// Bytes of memory that a field for a maze takes, if the memory is the caller's.
   static std::size_t bytes_for(Size size);
 
-  /// Finds all times over the given passages (all inside the size) to the given cells, with dashes over known ones.
-  /// With a place, it finds only what from() and step() need there and at the places that its steps lead to.
+  /// Finds the times over open walls to some cells, with dashes over known cells.
+  /// @param passages the open walls, all inside the size.
+  /// @param known cells whose walls are all known.
+  /// @param targets the cells to enter, all inside the size; without any, all times are no_time.
+  /// @param place null for all times; otherwise it finds only what from() and step() need there and at the places that
+  ///   its steps lead to.
   void fill(const WallSet& passages, const CellSet& known, const CellSet& targets, const SearchPlace* place = nullptr);
-  /// The same over walls that are not closed, priced by those tolls. from() and step() use them, too, until the next
-  /// fill.
+  /// The same over all walls that are not closed, of which unseen ones cost more. from() and step() use these tolls,
+  /// too, until the next fill.
+  /// @param prices of the walls.
+  /// @param tolls the moves, and what prices cost.
+  /// @param known cells whose walls are all known.
+  /// @param targets the cells to enter, all inside the size.
+  /// @param place as above.
   void fill(const WallPrices& prices, const SearchTolls& tolls, const CellSet& known, const CellSet& targets,
             const SearchPlace* place = nullptr);
 
-  /// The time from a place; 0 in the cells themselves, no_time where none of them can be reached.
+  /// The time from a place to the targets.
+  /// @param place inside the maze; if the last fill had a place, that one or one that its steps lead to.
+  /// @return microseconds, with tolls; 0 in a target, no_time if none of them can be reached.
   DriveTime from(const SearchPlace& place) const;
   /// The first move of a fastest way from a place, over one edge or a dash. Ties: straight on with the fewest edges, to
-  /// the left, to the right, back. In one of the cells it stays, as Action::step(0, 0); if there is no way it forfeits.
+  /// the left, to the right, back.
+  /// @param place as for from().
+  /// @return a step; Action::step(0, 0) in a target, a forfeit with `no_route` if there is no way.
   Action step(const SearchPlace& place) const;
 
  private:

@@ -20,13 +20,18 @@ struct DriveModel {
   /// back from a diagonal has a shape of its own). The turn's time is that from the lead of its first lane to whole()
   /// less the lead of its last lane; the rest of the shape belongs to the straights.
   std::vector<TurnShape> shapes;
+  /// The times of its search.
   SearchDrive search;
   Robot robot;  ///< the one that it was made of
+  /// Empty for a model that can be used. Otherwise the reason why the robot is refused, and nothing else is set.
   std::string error;
   /// Tables that its route searches share, if share_route_tables() was called.
   std::shared_ptr<const RouteTables> route_tables;
 };
 
+/// Computes the tables of a robot, or finds out why it cannot be simulated.
+/// @param robot its limits, or its published times.
+/// @return the model; check its `error` before its use.
 DriveModel make_drive_model(const Robot& robot);
 
 }  // namespace labmouse

@@ -24,10 +24,13 @@ namespace labmouse {
 /// The longest side of a maze in the worlds in seconds, in cells: that of the half-size contest.
 inline constexpr int max_drive_side = 32;
 
+/// Where in its cell a node is; see above.
 enum class Place : std::uint8_t { centre, edge, left, right };
 
+/// All places, in the order of the enumeration.
 inline constexpr std::array all_places = {Place::centre, Place::edge, Place::left, Place::right};
 
+/// The name of a place in records: that of the enumerator.
 constexpr std::string_view name_of(Place place) {
   constexpr std::array<std::string_view, 4> names = {"centre", "edge", "left", "right"};
   return names[static_cast<unsigned>(place)];
@@ -41,8 +44,10 @@ struct DriveNode {
 
   friend constexpr bool operator==(const DriveNode&, const DriveNode&) = default;
 
+  /// Whether its direction is that of a diagonal.
   constexpr bool diagonal() const { return place == Place::left || place == Place::right; }
   /// The heading in which a diagonal node crosses its second wall, the one after that on which it lies.
+  /// @pre diagonal()
   constexpr Heading second() const { return place == Place::left ? left_of(heading) : right_of(heading); }
 };
 
@@ -54,6 +59,7 @@ struct HalfPoint {
   friend constexpr bool operator==(const HalfPoint&, const HalfPoint&) = default;
 };
 
+/// The point of a node, whatever its direction.
 constexpr HalfPoint half_point(const DriveNode& node) {
   const HalfPoint centre = {2 * node.cell.x + 1, 2 * node.cell.y + 1};
   if (node.place == Place::centre) return centre;
@@ -61,7 +67,8 @@ constexpr HalfPoint half_point(const DriveNode& node) {
   return {centre.x + ahead.x, centre.y + ahead.y};
 }
 
-/// The direction of a node in eighths of a turn clockwise from north.
+/// The direction of a node.
+/// @return eighths of a turn clockwise from north, 0 to 7; odd for diagonals.
 constexpr int eighths(const DriveNode& node) {
   const int straight = 2 * static_cast<int>(node.heading);
   return node.place == Place::left ? (straight + 7) % 8 : node.place == Place::right ? straight + 1 : straight;

@@ -23,12 +23,18 @@ struct SearchDrive {
   /// dash, whose second half is as long. All 0 if known cells are driven as others are.
   std::array<DriveTime, max_drive_side + 1> onward{};
 
+  /// Whether it accelerates over known cells.
   bool dashes() const { return onward.back() != 0; }
-  /// The time straight on over so many edges, where the walls of all cells after the first edge are known.
+  /// The time of a dash: straight on over some edges, where the walls of all cells between them are known.
+  /// @param cells number of edges, 0 to max_drive_side.
+  /// @return microseconds at the full pace.
   DriveTime dash(int cells) const {
     return cells < 2 || !dashes() ? cells * cell : 2 * onward[static_cast<std::size_t>(cells)];
   }
-  /// The time of a dash from its beginning to one of its edges, by number.
+  /// The time of a dash from its beginning to one of its edges.
+  /// @param cells number of edges of the dash, 0 to max_drive_side.
+  /// @param edge number of edges up to there, 0 to `cells`.
+  /// @return microseconds at the full pace.
   DriveTime dash_part(int cells, int edge) const {
     if (cells < 2 || !dashes()) return edge * cell;
     const auto half = [&](int edges) { return onward[static_cast<std::size_t>(2 * edges)]; };
@@ -42,12 +48,13 @@ struct SearchDrive {
 /// from node to node.
 struct FixedTimes {
   double speed = 0.0;  ///< mm/s at every node
+  /// Microseconds by turn; a turn back from a diagonal takes as long as that onto it.
   DriveTime f45 = 0, f90 = 0, f135 = 0, f180 = 0, v90 = 0, s90 = 0;
 };
 
 /// How one kind of turn is driven, where the file says more than the limits do.
 struct TurnLayout {
-  bool driven = true;
+  bool driven = true;  ///< whether the robot drives this turn
   /// The speed in mm/s that its path is laid out for; for a 180 the straights before and after it in mm, as published.
   /// 0: what fits best.
   double given = 0.0;
@@ -60,9 +67,10 @@ struct TurnLayout {
 /// the goal.
 enum class Stop : std::uint8_t { goal, beyond };
 
+/// The most speeds that each turn may have.
 inline constexpr int most_speeds = 8;
 
-/// Lengths in mm, times in seconds, angles in rad.
+/// A robot as its file describes it. Lengths are in mm, times in seconds, angles in rad.
 struct Robot {
   std::string name;
   double cell = 180.0;                                     ///< side of a cell
@@ -93,10 +101,12 @@ struct Robot {
   /// for every maze.
   std::array<TurnLayout, all_turns.size()> layouts{};
 
+  /// The layout of a turn.
   const TurnLayout& layout(Turn turn) const {
     const bool back = begins_diagonal(turn) && !ends_diagonal(turn);
     return layouts[static_cast<unsigned>(back ? reversed(turn) : turn)];
   }
+  /// Whether it drives a turn: if its layout says so, and for turns to or from diagonals if it drives diagonals.
   bool drives(Turn turn) const {
     return layout(turn).driven && (diagonals || !(begins_diagonal(turn) || ends_diagonal(turn)));
   }

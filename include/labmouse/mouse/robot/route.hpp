@@ -15,12 +15,13 @@ struct DriveSegment {
   Kind kind = Kind::straight;
   DriveNode from;
   DriveNode to;
-  DriveTime begin = 0;  ///< since the run's start
-  DriveTime end = 0;
+  DriveTime begin = 0;     ///< microseconds since the run's start
+  DriveTime end = 0;       ///< microseconds since the run's start
   int units = 0;           ///< of a straight: half cells, or half diagonals where its nodes are diagonal ones
   std::uint16_t turn = 0;  ///< of a turn: its place in DriveTables::turns
   bool left = false;       ///< of a turn: the side it turns to
 
+  /// Whether it is a straight along a diagonal; false for all turns.
   bool diagonal() const { return kind == Kind::straight && from.diagonal(); }
 
   friend bool operator==(const DriveSegment&, const DriveSegment&) = default;
@@ -30,7 +31,7 @@ struct DriveSegment {
 /// there. Straights and turns alternate; a straight of no length is left out, unless there is a lead to drive.
 struct DriveRoute {
   std::vector<DriveSegment> segments;
-  DriveTime time = no_time;
+  DriveTime time = no_time;  ///< microseconds of the whole; no_time if there is no route
 
   friend bool operator==(const DriveRoute&, const DriveRoute&) = default;
 };
@@ -38,11 +39,14 @@ struct DriveRoute {
 /// Follows a route segment by segment, to find where it ends and how much room it needs to stop.
 class RouteEnd {
  public:
+  /// Goes to the end of the next segment.
   void pass(const DriveSegment& segment);
-  /// The node at the end.
+  /// The node at the end of the last segment.
+  /// @pre A segment has passed.
   const DriveNode& node() const { return last_.to; }
-  /// Number of open cells beyond the end that the mouse needs to stop in; 0 if no segment has passed. The route must be
-  /// one that can be driven.
+  /// Number of open cells beyond the end that the mouse needs to stop in. The route must be one that can be driven.
+  /// @param tables those that it was planned with.
+  /// @return cells; 0 if no segment has passed.
   int room(const DriveTables& tables) const;
 
  private:
@@ -52,7 +56,10 @@ class RouteEnd {
   static constexpr int none = -1;
 };
 
-/// Number of open cells beyond its end that a route needs to stop in. It must be one that can be driven.
+/// Number of open cells beyond its end that a route needs to stop in.
+/// @param route one that can be driven.
+/// @param tables those that it was planned with.
+/// @return cells; 0 for a route without segments.
 int stopping_room(const DriveRoute& route, const DriveTables& tables);
 
 }  // namespace labmouse

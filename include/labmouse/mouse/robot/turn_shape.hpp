@@ -16,26 +16,42 @@ struct TurnShape {
   double lead_out = 0.0;   ///< mm
   double length = 0.0;     ///< mm of the curve alone
   RampPath ramp;           ///< the first part of the curve; the last is its mirror image
-  PathPoint end;           ///< the last node
+  PathPoint end;           ///< the last node, as seen from the first
   double clearance = 0.0;  ///< mm from the nearest post or wall that may stand there, middle to middle
 
-  /// The point after so many mm from the first node, from 0 to lead_in + length + lead_out.
+  /// A point of the path.
+  /// @param distance mm from the first node, 0 to whole().
+  /// @return as seen from the first node.
   PathPoint at(double distance) const;
+  /// Length of the path from node to node, in mm.
   double whole() const { return lead_in + length + lead_out; }
-  /// The curvature there, rad/mm to the left.
+  /// The curvature of the path at a point.
+  /// @param distance mm from the first node.
+  /// @return rad/mm to the left; 0 on the leads.
   double curvature_at(double distance) const;
 };
 
-/// The last node of a turn, in cells of that many mm.
+/// The last node of a turn.
+/// @param turn to the left.
+/// @param cell side of a cell, mm.
+/// @return as seen from the first node.
 PathPoint end_of(Turn turn, double cell);
 
-/// The tightest curve at a speed (mm/s) within the limits. A lead is below 0 if the curve needs more room than there
-/// is. The curve of a 180 may end beside its last node: width_of() gives its width. Clearance is left at 0.
+/// The tightest curve at a speed within the limits.
+/// @param turn its nodes.
+/// @param speed mm/s, greater than 0.
+/// @param limits lateral and yaw acceleration must be greater than 0.
+/// @param cell side of a cell, mm.
+/// @return a lead is below 0 if the curve needs more room than there is. The curve of a 180 may end beside its last
+///   node: width_of() gives its width. Clearance is left at 0.
 TurnShape shape_at(Turn turn, double speed, const CurveLimits& limits, double cell);
 /// The width of the curve alone, from its beginning across to its end, in mm.
 double width_of(const TurnShape& shape);
 
 /// A curve eight times as long as each of its clothoids, as wide as the nodes allow.
+/// @param turn its nodes.
+/// @param cell side of a cell, mm.
+/// @return with leads of 0 or more. Clearance is left at 0.
 TurnShape plain_shape(Turn turn, double cell);
 
 /// The same path driven backwards, mirrored so that it turns to the left again.

@@ -11,7 +11,7 @@ struct PathPoint {
   double angle = 0.0;
 };
 
-/// The limits of a robot's curves.
+/// The limits of a robot's curves. A ramp depends on the yaw acceleration and the yaw jerk alone.
 struct CurveLimits {
   double lateral_acceleration = 0.0;  ///< mm/s²
   double yaw_acceleration = 0.0;      ///< rad/s²
@@ -26,8 +26,13 @@ struct YawRamp {
   double onset = 0.0;    ///< seconds of the first part, and of the last; 0 without a limit of yaw jerk
 };
 
+/// The ramp to a yaw rate.
+/// @param yaw_rate rad/s, 0 or more.
+/// @param limits the yaw acceleration must be greater than 0.
 YawRamp ramp_to(double yaw_rate, const CurveLimits& limits);
-/// The ramp that, followed by its mirror image, turns by an angle (rad), without an arc between them.
+/// The ramp that, followed by its mirror image, turns by an angle, without an arc between them.
+/// @param angle rad of both together, greater than 0.
+/// @param limits the yaw acceleration must be greater than 0.
 YawRamp ramp_of_half(double angle, const CurveLimits& limits);
 
 /// The path of a ramp: from a straight to the largest curvature.
@@ -36,9 +41,13 @@ struct RampPath {
   double onset = 0.0;   ///< mm at both of its ends in which the yaw acceleration changes; 0: a clothoid
   double peak = 0.0;    ///< the curvature at its end, rad/mm
 
-  /// The point so many mm from its beginning, from 0 to its length.
+  /// A point of the path.
+  /// @param distance mm from its beginning, 0 to `length`.
+  /// @return as seen from its beginning.
   PathPoint at(double distance) const;
-  /// The curvature there, rad/mm.
+  /// The curvature of the path at a point.
+  /// @param distance mm from its beginning, 0 to `length`.
+  /// @return rad/mm; `peak` for a ramp without length.
   double curvature_at(double distance) const;
 };
 
