@@ -204,7 +204,7 @@ struct labmouse_parts {
   void (*look)(void* memory, struct labmouse_cell cell, enum labmouse_heading heading);
   void (*read)(void* memory, const struct labmouse_sense* sense, const struct labmouse_estimate* estimate);
   struct labmouse_evidence (*evidence)(void* memory, const struct labmouse_estimate* estimate);
-  /* The tracker: the mouse is at rest, and a new movement begins. */
+  /* The tracker: the mouse was put down, at rest. */
   void (*rest)(void* memory);
   /* Called for each tick, last. */
   struct labmouse_duties (*follow)(void* memory, const struct labmouse_sense* sense,
