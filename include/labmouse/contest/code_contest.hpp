@@ -16,11 +16,12 @@
 namespace labmouse {
 
 /// The briefing of a program in such a contest.
-/// @param maze its size, start and goals are told, but no walls.
-/// @param rules told whole; must outlive the program.
-/// @param model told whole; must outlive the program.
-/// @param conditions its handling time is told, the amount of noise is not.
-/// @param seed for random numbers of the program; another one than that of the contest, which would tell it the noise.
+/// @param maze the briefing has its size, start and goals, but no walls.
+/// @param rules must outlive the program.
+/// @param model must outlive the program.
+/// @param conditions the briefing has their handling time, but not the amount of noise.
+/// @param seed for random numbers of the program; another one than that of the contest, from which it could compute the
+/// noise.
 ControllerBriefing controller_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                        const PhysicalConditions& conditions, std::uint64_t seed);
 

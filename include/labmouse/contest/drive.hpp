@@ -12,8 +12,8 @@
 namespace labmouse {
 
 /// The briefing of a mouse in a contest in seconds: as in the world of steps, and the robot and its time.
-/// @param maze its size, start and goals are told, but no walls.
-/// @param rules its time limit, runs and bonus are told.
+/// @param maze the briefing has its size, start and goals, but no walls.
+/// @param rules the briefing has its time limit, runs and bonus.
 /// @param model the robot; it must outlive the mouse, and have no error.
 /// @param seed for the random numbers of the strategy; the world has none.
 Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& model, std::uint64_t seed);

@@ -11,8 +11,8 @@
 namespace labmouse {
 
 /// Information for a strategy before the contest: size, start, goals and moves, but no walls.
-/// @param maze its size, start and goals are told.
-/// @param rules its budget and stride are told.
+/// @param maze the briefing has its size, start and goals.
+/// @param rules the briefing has its budget and stride.
 /// @param seed for the random numbers of the strategy; the world has none.
 Briefing brief(const Maze& maze, const Rules& rules, std::uint64_t seed);
 
