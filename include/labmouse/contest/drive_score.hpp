@@ -44,6 +44,7 @@ struct LapTime {
 };
 
 /// The fastest lap of a run.
+/// @param run a run of laps; others have none.
 /// @param until laps that ended later do not count, in microseconds since the first start.
 /// @return the first of equals; nothing if there is none.
 std::optional<LapTime> fastest_lap(const DriveRun& run, MazeTime until);
@@ -53,6 +54,7 @@ int starts_of(const DriveRecord& record);
 
 /// The part of the time in the maze before a run that its score gets.
 /// @param before from the first start to the beginning of the run, in microseconds.
+/// @param rules which part of it counts.
 /// @return rounded to a microsecond; 0 where the rules do not count it.
 MazeTime maze_time_part(MazeTime before, const DriveRules& rules);
 

@@ -21,6 +21,7 @@ enum class Heading : std::uint8_t { north, east, south, west };
 inline constexpr std::array all_headings = {Heading::north, Heading::east, Heading::south, Heading::west};
 
 /// The heading after a turn.
+/// @param heading before the turn.
 /// @param quarters clockwise quarter turns, of any size; negative: counter-clockwise.
 constexpr Heading turned(Heading heading, int quarters) {
   return static_cast<Heading>((static_cast<unsigned>(heading) + static_cast<unsigned>(quarters)) & 3U);
@@ -38,6 +39,8 @@ constexpr int quarters_between(Heading from, Heading to) {
 inline constexpr std::array<int, 4> steps_east = {0, 1, 0, -1}, steps_north = {1, 0, -1, 0};
 
 /// The cell that lies in a heading; it may lie outside of the maze.
+/// @param cell the one to count from.
+/// @param heading where the other one lies.
 /// @param count so many cells away; negative: behind. It must stay between -128 and 127 in x and y.
 constexpr Cell neighbour(Cell cell, Heading heading, int count = 1) {
   const auto side = static_cast<unsigned>(heading);

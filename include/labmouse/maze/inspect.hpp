@@ -30,6 +30,7 @@ struct Inspection {
 int count_open_sides(const Maze& maze, Cell cell);
 
 /// Inspects the maze: it searches it several times, which takes some milliseconds at most.
+/// @param maze the whole maze.
 /// @param longest_stride the most cells that one step may cover, at least 1.
 Inspection inspect(const Maze& maze, int longest_stride = 3);
 

@@ -61,7 +61,8 @@ class Maze {
   const WallSet& open_walls() const { return open_; }
   /// What a sensor in the cell reads.
   /// @param cell inside the maze.
-  /// @return the number of cells that lie open ahead in that heading, up to the next wall; 0 if a wall is next.
+  /// @param heading where the sensor looks.
+  /// @return the number of cells that lie open ahead, up to the next wall; 0 if a wall is next.
   int corridor(Cell cell, Heading heading) const;
 
   /// The same maze with another start, or with other goals (not empty). The cells must lie inside.
