@@ -216,7 +216,7 @@ class DistanceInStrides : public testing::TestWithParam<int> {};
 
 TEST_P(DistanceInStrides, AgreesWithAPlainQueue) {
   Rng rng(seed_for(1, "strides", static_cast<std::uint64_t>(GetParam())));
-  for (int i = 0; i < 80; ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_queue(rng, strides(GetParam()), 3));
+  for (int i = 0; i < test::tenth(80); ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_queue(rng, strides(GetParam()), 3));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachLength, DistanceInStrides, testing::Range(1, Motion::max_longest + 1));

@@ -22,7 +22,7 @@ import pytest
 
 distributed = pytest.importorskip("distributed")
 cluster = pytest.importorskip("labmouse.cluster")
-KILLS = 200 if "LABMOUSE_PROOF" in os.environ else 10
+KILLS = 200 if "LABMOUSE_PROOF" in os.environ else 5
 MICE = ["flood", "random", "certify"]
 MAZES = ["contest-01", "contest-02", "contest-05"]
 SECONDS = 60

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 #include <numeric>
 
 #include "labmouse/chance/rng.hpp"
@@ -117,6 +119,16 @@ std::string short_name(const std::string& name) {
   return alone.ends_with(".json") ? alone.substr(0, alone.size() - 5) : alone;
 }
 
+/// Read once: every world, record and report of failures needs them, and reading takes as long as holding a contest.
+const FoundRates& builtin_rates(const BuiltinRates& brought) {
+  static std::mutex mutex;
+  static std::map<std::string_view, FoundRates> known;
+  const std::lock_guard lock(mutex);
+  const auto found = known.find(brought.name);
+  if (found != known.end()) return found->second;
+  return known.emplace(brought.name, read_rates(brought.text, std::string(brought.name))).first->second;
+}
+
 }  // namespace
 
 FoundRates read_rates(std::string_view text, const std::string& name) {
@@ -163,6 +175,8 @@ std::optional<FailureFile> builtin_rates_of(const std::string& name, std::string
 }
 
 FoundRates find_rates(const std::string& name) {
+  for (const BuiltinRates& brought : builtin_failure_rates())
+    if (brought.name == name) return builtin_rates(brought);
   const NamedText text = find_text("failure rates", builtin_failure_rates(), name, ".json");
   if (!text.error.empty()) return {std::nullopt, text.error};
   return read_rates(text.text, name_alone(name));

@@ -81,10 +81,12 @@ TEST(PageCalls, SurviveAnythingInAnyField) {
                          {"record", json::object()}};
   const json anything = {nullptr,           true,         -1, 0, 1e300, "", "x", json::array(), json::object(),
                          {1, "a", nullptr}, {{"name", 1}}};
+  int asked = 0;  // with the sanitizers every third is asked
   for (const std::string_view call : page_calls()) {
     if (call == "about" || call == "signature" || call == "speed") continue;
     for (const auto& [field, value] : requests.items())
       for (const json& bad : anything) {
+        if (test::briefly_sanitized && ++asked % 3 != 0) continue;
         json request = requests;
         request[field] = bad;
         const json said = test::said(call, request, "no file");

@@ -65,6 +65,7 @@ TEST(DriveRecordFile, SaysWhatANamedMouseIs) {
 TEST(DriveRecordFile, IsReadAsItWasWritten) {
   for (const char* robot : {"mm2021", "classic", "half", "kerise", "beginner"})
     for (const char* mouse : {"flood", "certify"}) {
+      if (test::briefly_sanitized && robot != std::string("kerise")) continue;
       const DriveRecordFile written = driven(mouse, test::ring(), robot, "thirtieth");
       const DriveRecordFile file = read(write_drive_record(written));
       EXPECT_EQ(file.record, written.record);

@@ -1,17 +1,31 @@
 // Records in seconds to test with.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
 #include "tests/drawn_maze.hpp"
 
 namespace labmouse::test {
 
+/// A built-in robot, made once: its tables take longer than most contests.
 inline std::shared_ptr<const DriveModel> drive_model(const std::string& robot) {
-  return std::make_shared<DriveModel>(find_robot(robot).model);
+  static std::map<std::string, std::shared_ptr<const DriveModel>> known;
+  std::shared_ptr<const DriveModel>& model = known[robot];
+  if (!model) {
+    DriveModel made = find_robot(robot).model;
+    share_route_tables(made);
+    model = std::make_shared<const DriveModel>(std::move(made));
+  }
+  return model;
 }
 
 /// The record of a contest of that mouse.

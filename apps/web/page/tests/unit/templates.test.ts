@@ -46,6 +46,14 @@ class Robot(object):
         return ways[self.own.randrange(len(ways))], random.randint(0, 3) + len(random.sample(range(40), 3)) - 3
 `;
 
+/** The goal of parallel-8 is not in the centre. Without LABMOUSE_PROOF the first two are enough. */
+const mazesOfRobots = (
+  [
+    ['parallel-8', 1],
+    ['capstone-1', 1],
+    ['onion-12', 2],
+  ] as const
+).slice(0, process.env.LABMOUSE_PROOF ? 3 : 2);
 /** Of the robots that never arrive, so many steps are enough. */
 const most = 150;
 
@@ -72,12 +80,7 @@ describe.skipIf(!existsSync(program))('robots in the page and on the command lin
     ['a robot with dice', dicer],
   ];
   it.each(robots)('%s answers the same', async (_, text) => {
-    for (const [maze, seed] of [
-      ['capstone-1', 1],
-      ['onion-12', 2],
-      // Its goal is not in the centre.
-      ['parallel-8', 1],
-    ] as const) {
+    for (const [maze, seed] of mazesOfRobots) {
       const { steps: all, size } = contest(text, maze, seed);
       const steps = all.slice(0, most);
       const { lines, failed } = await talk(
