@@ -1,6 +1,7 @@
 // Contacts of a mouse with walls and posts.
 //
-// Its chassis is a rectangle. It meets a wall with one of its corners, and a post with a corner or a side.
+// Its chassis is a rectangle, whose corners can be round. It meets a wall with one of its corners, and a post with a
+// corner or a side.
 #pragma once
 
 #include <optional>

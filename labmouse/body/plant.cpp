@@ -5,6 +5,7 @@
 
 #include "labmouse/functions/exponential.hpp"
 #include "labmouse/functions/normal.hpp"
+#include "labmouse/hardware/motor_driver.hpp"
 
 namespace labmouse {
 namespace {
@@ -76,8 +77,11 @@ void Plant::drive_motors(const Drive& drive) {
   const double both = (std::abs(left) + std::abs(right)) / 2.0;
   charge_ = std::max(0.0, charge_ - motors.discharge * both * tick_seconds);
   voltage_ = charge_ * (1.0 - motors.sag * both);
-  const double pushed_left = left * robot_sample_.motor[0] * voltage_,
-               pushed_right = right * robot_sample_.motor[1] * voltage_;
+  const auto pushed = [&](Wheel wheel, double duty) {
+    return braked_duty(motors, duty, motors.strength[wheel] * robot_sample_.motor[wheel], voltage_,
+                       idle_duty(motors, wheel, motion_.rolling, motion_.turning));
+  };
+  const double pushed_left = pushed(left_wheel, left), pushed_right = pushed(right_wheel, right);
   const double loss = std::clamp(motion_.speed, -1.0, 1.0) * motors.turning * std::abs(motion_.turning);
   const double onwards = effective((pushed_left + pushed_right) / 2.0, motion_.rolling, motors.drive) - loss;
   const double around = effective(pushed_right - pushed_left, motion_.turning, motors.turn);

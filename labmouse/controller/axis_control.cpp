@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "labmouse/hardware/motor_driver.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -29,8 +31,12 @@ Drive AxisControl::control(const Command& command, double speed, double turning,
   const double around = needed(gains_.turn_model, command.turning, command.twisting) +
                         corrected(gains_.turn, command.turning - turning, gains_.seconds, turn_sum_);
   const double full = volts > 0.0 ? motors_.volts / volts : 1.0;
-  const double left = full * (onwards - around / 2.0), right = full * (onwards + around / 2.0);
-  return {static_cast<float>(std::clamp(left, -1.0, 1.0)), static_cast<float>(std::clamp(right, -1.0, 1.0))};
+  const auto duty = [&](Wheel wheel, double braked) {
+    const double idle = idle_duty(motors_, wheel, speed, turning);
+    const double given = duty_for(motors_, braked, motors_.strength[wheel], full, idle);
+    return static_cast<float>(std::clamp(given, -1.0, 1.0));
+  };
+  return {duty(left_wheel, onwards - around / 2.0), duty(right_wheel, onwards + around / 2.0)};
 }
 
 }  // namespace labmouse

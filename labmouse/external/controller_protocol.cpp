@@ -201,7 +201,8 @@ JudgedLine<OfferedParts> judge_parts_greeting(std::string_view line) {
 
 JudgedLine<PoseEstimate> judge_estimate(std::string_view line, std::string_view more) {
   return judged(read_estimate(line), line, more,
-                "`estimate` with 13 numbers, of which none is beyond a million and the direction has length 1,");
+                "`estimate` with 13 numbers, of which none is beyond a million, the slip angle at most 1 rad and the "
+                "direction of length 1,");
 }
 
 JudgedLine<WallEvidence> judge_evidence(std::string_view line, std::string_view more) {

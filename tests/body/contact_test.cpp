@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "labmouse/chance/rng.hpp"
@@ -13,7 +14,8 @@
 namespace labmouse {
 namespace {
 
-/// Whether a point of the chassis, looked at each half mm, lies in a box; `grown` makes it larger all round.
+/// Whether a point of the chassis, looked at each half mm, lies in a box; `grown` makes it larger all round, or cuts
+/// its sides off.
 bool overlaps(const test::Boxes& boxes, const Chassis& chassis, const Position& at, double angle, double grown) {
   const double c = std::cos(angle), s = std::sin(angle);
   const double front = chassis.front + grown, back = chassis.back + grown, side = chassis.half_width + grown;
@@ -23,6 +25,10 @@ bool overlaps(const test::Boxes& boxes, const Chassis& chassis, const Position& 
   for (int i = 0; i <= along; ++i)
     for (int j = 0; j <= across; ++j) {
       const double x = -back + (front + back) * i / along, y = -side + 2.0 * side * j / across;
+      const double radius = chassis.rounding + std::max(0.0, grown);
+      const double beyond_x = std::max({0.0, x - front + radius, radius - back - x});
+      const double beyond_y = std::max(0.0, std::abs(y) - side + radius);
+      if (beyond_x * beyond_x + beyond_y * beyond_y > radius * radius) continue;
       if (some.inside({at.x + x * c - y * s, at.y + x * s + y * c})) return true;
     }
   return false;
@@ -33,8 +39,11 @@ Position out_of(const Contact& contact) {
   return ways[static_cast<unsigned>(contact.out)];
 }
 
-TEST(Contact, IsWhereAPointOfTheChassisLiesInAWallOrAPost) {
-  const Chassis chassis = test::plain_mouse().chassis;
+class AContact : public ::testing::TestWithParam<double> {};
+
+TEST_P(AContact, IsWhereAPointOfTheChassisLiesInAWallOrAPost) {
+  Chassis chassis = test::plain_mouse().chassis;
+  chassis.rounding = GetParam();
   Rng rng(3);
   const auto share = [&] { return rng.below(1 << 20) / static_cast<double>(1 << 20); };
   int touching = 0, free = 0;
@@ -58,9 +67,11 @@ TEST(Contact, IsWhereAPointOfTheChassisLiesInAWallOrAPost) {
       }
     }
   }
-  EXPECT_GT(touching, 150);
+  EXPECT_GT(touching, 100);
   EXPECT_GT(free, 400);
 }
+
+INSTANTIATE_TEST_SUITE_P(WithCornersOf, AContact, ::testing::Values(0.0, 6.0, 18.0));
 
 TEST(Contact, LiesAsDeepAsItIsToGoOut) {
   const Chassis chassis = test::plain_mouse().chassis;
@@ -88,6 +99,28 @@ TEST(Contact, LiesAsDeepAsItIsToGoOut) {
       const Position clear = {it.at.x + (deep + 1e-9) * out.x, it.at.y + (deep + 1e-9) * out.y};
       EXPECT_FALSE(contact_of(field, chassis, clear, direction_of(it.angle)));
     }
+  }
+}
+
+TEST(Contact, OfARoundMouseIsAsDeepAsItsCircle) {
+  Chassis chassis = test::plain_mouse().chassis;
+  chassis.front = chassis.back = chassis.half_width = chassis.rounding = 20.0;
+  const Maze maze = test::hall(4);
+  const Field field(maze, test::cell);
+  const Position corner = Position{200.0, 200.0} + Position{test::half_wall, test::half_wall};
+  for (int turn = 0; turn < 24; ++turn) {
+    const Direction ahead = direction_of(turn * pi / 12.0);
+    for (const double deep : {-1.0, -1e-6, 1e-6, 1.0}) {
+      const double away = (20.0 - deep) / std::sqrt(2.0);
+      const auto contact = contact_of(field, chassis, corner + Position{away, away}, ahead);
+      ASSERT_EQ(contact.has_value(), deep > 0.0) << turn << " " << deep;
+      if (!contact) continue;
+      EXPECT_NEAR(contact->depth, deep, 1e-9);
+      EXPECT_FALSE(contact->wall);
+    }
+    const double face = test::half_wall + 20.0;
+    EXPECT_FALSE(contact_of(field, chassis, {face + 1e-6, 150.0}, ahead));
+    EXPECT_NEAR(contact_of(field, chassis, {face - 1.0, 150.0}, ahead)->depth, 1.0, 1e-9);
   }
 }
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "labmouse/chance/rng.hpp"
 #include "labmouse/functions/whole.hpp"
+#include "labmouse/hardware/motor_driver.hpp"
 #include "tests/body/plain_mouse.hpp"
 
 namespace labmouse {
@@ -245,6 +247,54 @@ TEST(Tyres, TurnTheMouseBack) {
   const BodyMotion& motion = world.hold(3000, 330.0, 9.0);
   EXPECT_NEAR(motion.turning, 9.0 / (1.0 + 0.08 * 0.005 * motion.speed), 0.01);
   EXPECT_LT(motion.turning, 8.5);
+}
+
+TEST(Motors, DriveByTheirOwnStrength) {
+  Hardware hardware = test::plain_mouse();
+  hardware.motors.drive.dead_zone = hardware.motors.turn.dead_zone = 0.0;
+  hardware.motors.strength = {0.9, 1.2};
+  World world(hardware);
+  const BodyMotion& motion = world.after(2000, 0.1, 0.1);
+  EXPECT_NEAR(motion.speed, 3000.0 * 0.1 * 1.05, 1e-3);
+  EXPECT_NEAR(motion.turning, 80.0 * 0.1 * 0.3, 1e-6);
+  EXPECT_NEAR(world.after(2000, 0.12, 0.09).turning, 0.0, 1e-6);
+}
+
+TEST(Motors, LoseTheDeadTimeOfTheirDriver) {
+  Hardware hardware = test::plain_mouse();
+  hardware.motors.drive.dead_zone = 0.0;
+  hardware.motors.dead_time = 0.04;
+  World world(hardware);
+  EXPECT_EQ(world.after(100, 0.04, 0.04).speed, 0.0);
+  EXPECT_NEAR(world.after(3000, 0.24, 0.24).speed, 3000.0 * 0.2, 1e-3);
+  EXPECT_NEAR(world.after(3000, -0.24, -0.24).speed, -3000.0 * 0.2, 1e-3);
+}
+
+/// At a share d of the time they are driven: the speed approaches the highest one with the time constant over d.
+TEST(Motors, CoastWhileTheirDriverIsOff) {
+  Hardware hardware = test::plain_mouse();
+  hardware.motors.drive.dead_zone = 0.0;
+  hardware.motors.coast = 1.0;
+  World world(hardware);
+  for (int tick = 1; tick <= 400; ++tick)
+    ASSERT_NEAR(world.after(1, 0.2, 0.2).speed, 3000.0 * (1.0 - std::exp(-0.2 * tick * 0.001 / 0.1)), 5.0) << tick;
+  const double speed = world.after(0, 0.0, 0.0).speed;
+  EXPECT_NEAR(world.after(500, 0.0, 0.0).speed, speed, 1e-9);
+  // A duty in the other direction brakes with the voltage of both the battery and the motor.
+  EXPECT_NEAR(world.after(1, -0.2, -0.2).speed - speed, -0.2 * (3000.0 + speed) * 0.01, 0.5);
+}
+
+TEST(Motors, AreDrivenByTheDutyForAnEffect) {
+  Rng rng(11);
+  const auto any = [&](double low, double high) { return low + (high - low) * rng.below(1 << 20) / (1 << 20); };
+  for (int i = 0; i < 1000; ++i) {
+    Motors motors = test::plain_mouse().motors;
+    motors.dead_time = any(0.0, 0.1);
+    motors.coast = i % 2;
+    const double strength = any(0.8, 1.3), voltage = any(0.8, 1.0), idle = any(-0.5, 0.5), braked = any(-0.5, 0.5);
+    const double duty = duty_for(motors, braked, strength, 1.0 / voltage, idle);
+    EXPECT_NEAR(braked_duty(motors, duty, strength, voltage, idle), braked, 1e-12) << i;
+  }
 }
 
 TEST(Battery, LosesAShareASecondAtFullDuty) {

@@ -144,6 +144,10 @@ TEST(ExternalParts, ForfeitByAnAnswerThatIsNone) {
     EXPECT_EQ(held.record.drive.outcome, DriveOutcome::forfeit) << number;
     EXPECT_THAT(held.words, HasParts(std::vector<std::string>{"'estimate ", "13 numbers"})) << number;
   }
+  const std::string turned = "echo 'estimate 45 45 0 1 ", still = " 0 0 1 0 0 1 0 0.0003'";
+  EXPECT_EQ(contest(scripted("estimator", turned + "1.01" + still)).record.drive.reason, ForfeitReason::invalid_answer);
+  EXPECT_NE(contest(scripted("estimator", turned + "-0.99" + still)).record.drive.reason,
+            ForfeitReason::invalid_answer);
   for (const char* answer : {"evidence 128 0 0", "evidence 0 0", "evidence 0 0 0 0", "evidence 0.5 0 0", "drive 0 0"})
     EXPECT_THAT(contest(scripted("reader", std::string("echo ") + answer)).words, HasSubstr("-127 to 127")) << answer;
   for (const char* answer : {"drive 0 32768", "drive 0 0 0 0", "fast 0 0", "goal 0 0", "carry"})

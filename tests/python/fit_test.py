@@ -289,6 +289,15 @@ def test_motion_takes_the_battery_as_it_was_and_turns_by_encoders_without_a_gyro
     assert turned.angle[1] == pytest.approx(4.0 / 40.0) and not turned.by_gyro
 
 
+def test_motion_knows_the_driver_of_the_motors():
+    log = log_of([0, 1, 2], left=[0.5, 0.01, -0.5], right=[0.5, 0, 0])
+    driver = {"motors.left": 0.9, "motors.dead_time": 0.1, "motors.sag": 0.0}
+    motion = fit.motion_of(log, PLAIN | driver)
+    assert motion.left == pytest.approx([0.36, 0.0, -0.36]) and motion.right[0] == pytest.approx(0.4)
+    with pytest.raises(labmouse.Error, match="motors.coast"):
+        fit.motion_of(log, PLAIN | {"motors.coast": 1})
+
+
 def test_rests_are_found_and_the_gyro_is_levelled_there():
     ticks = np.arange(600)
     moved = np.maximum(0, ticks - 300)

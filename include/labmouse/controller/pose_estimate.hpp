@@ -20,12 +20,13 @@ struct PoseEstimate {
   /// Of x, y (in mm) and the angle (in rad): 3×3. Only the upper triangle is used.
   std::array<std::array<double, 3>, 3> covariance{};
 
-  /// Whether all numbers are within a million of their units, and the direction has length 1. False for NaN.
+  /// Whether all numbers are within a million of their units, the slip within 1 rad, and the direction has length 1.
+  /// False for NaN.
   bool is_valid() const {
-    constexpr double most = 1e6, exact = 1e-3;
+    constexpr double most = 1e6, most_slip = 1.0, exact = 1e-3;
     const auto within = [](double number) { return number >= -most && number <= most; };
-    bool all = within(position.x) && within(position.y) && within(slip) && within(speed) && within(turning) &&
-               std::abs(ahead.sine * ahead.sine + ahead.cosine * ahead.cosine - 1.0) <= exact;
+    bool all = within(position.x) && within(position.y) && std::abs(slip) <= most_slip && within(speed) &&
+               within(turning) && std::abs(ahead.sine * ahead.sine + ahead.cosine * ahead.cosine - 1.0) <= exact;
     for (const auto& row : covariance)
       for (const double number : row) all = all && within(number);
     return all;

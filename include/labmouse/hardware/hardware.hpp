@@ -19,12 +19,13 @@
 
 namespace labmouse {
 
-/// The rectangle that touches walls, measured from the middle of the axle, in mm.
+/// The rectangle that touches walls, measured from the middle of the axle, in mm. Its corners can be round.
 struct Chassis {
   double front = 0.0;       ///< distance to its foremost point
   double back = 0.0;        ///< distance to its hindmost point
   double half_width = 0.0;  ///< distance to its side
-  double half_track = 0.0;  ///< half the distance between the wheels
+  double half_track = 0.0;  ///< half the distance between the wheels: travel of a wheel for each rad of turning
+  double rounding = 0.0;    ///< radius of its corners; a round chassis has that of a circle
 
   friend bool operator==(const Chassis&, const Chassis&) = default;
 };
@@ -49,6 +50,9 @@ struct Motors {
   double discharge = 0.0;  ///< share of the voltage that is lost for good in a second at full duty of both
   double volts = 0.0;      ///< V, of the full battery at rest
   double period = 1.0;     ///< ms, whole, from one duty of the controller to the next
+  std::array<double, 2> strength = {1.0, 1.0};  ///< of the left and the right motor, as a share of the gains
+  double dead_time = 0.0;                       ///< duty that the driver loses while it switches
+  double coast = 0.0;                           ///< 1: motors coast while the driver is off; 0: they brake
 
   friend bool operator==(const Motors&, const Motors&) = default;
 };

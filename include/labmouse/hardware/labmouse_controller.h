@@ -59,11 +59,12 @@ struct labmouse_drive {
 
 /* What the robot is built of, as in its file (docs/reference/files.md): body.front, in mm, is body_front. */
 #define LABMOUSE_ROBOT_NUMBERS(number)                                                                                \
-  number(body, front) number(body, back) number(body, half_width) number(body, half_track)                            \
+  number(body, front) number(body, back) number(body, half_width) number(body, half_track) number(body, rounding)     \
   number(body, slip_stiffness) number(body, grip) number(body, downforce) number(body, yaw_moment)                    \
   number(motors, drive_gain) number(motors, drive_time) number(motors, drive_dead_zone) number(motors, turn_gain)     \
   number(motors, turn_time) number(motors, turn_dead_zone) number(motors, turning) number(motors, rotating)           \
   number(motors, sag) number(motors, discharge) number(motors, volts) number(motors, period)                          \
+  number(motors, left) number(motors, right) number(motors, dead_time) number(motors, coast)                          \
   number(sensors, count) number(sensors, count_bits) number(sensors, gyro_step) number(sensors, gyro_most)            \
   number(sensors, acceleration_step)                                                                                  \
   number(sensors, side_ahead) number(sensors, side_aside) number(sensors, side_angle) number(sensors, front_ahead)    \

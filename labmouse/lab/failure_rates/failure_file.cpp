@@ -119,7 +119,7 @@ std::string short_name(const std::string& name) {
   return alone.ends_with(".json") ? alone.substr(0, alone.size() - 5) : alone;
 }
 
-/// Read once: every world, record and report of failures needs them, and reading takes as long as holding a contest.
+/// Read once: every world, record and report of failures needs them, and reading takes as long as a contest.
 const FoundRates& builtin_rates(const BuiltinRates& brought) {
   static std::mutex mutex;
   static std::map<std::string_view, FoundRates> known;

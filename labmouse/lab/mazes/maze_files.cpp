@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/system/calls.hpp"
@@ -119,6 +120,8 @@ std::string describe(const std::string& path, const Problem& problem) {
 MazeCollection load_mazes(std::span<const std::string> paths, const ReadChoice& choice) {
   MazeCollection collection;
   for (const std::string& path : paths) add_path(path, choice, collection);
+  std::set<std::pair<std::string, std::string>> known;
+  std::erase_if(collection.notes, [&](const auto& note) { return !known.emplace(note.path, note.text).second; });
   sort_by(collection.mazes, [](const NamedMaze& maze) -> const std::string& { return maze.name; });
   for (auto* files : {&collection.skipped, &collection.errors})
     sort_by(*files, [](const SkippedFile& file) -> const std::string& { return file.path; });

@@ -80,6 +80,7 @@ Json bodies_json(const DriveRecordFile& contest) {
   return {{"front", rounded(chassis.front / cell)},
           {"back", rounded(chassis.back / cell)},
           {"half_width", rounded(chassis.half_width / cell)},
+          {"rounding", rounded(chassis.rounding / cell)},
           {"belief", {{"x", x}, {"y", y}, {"heading", heading}}},
           {"beams", beams_json(infrared, cell)},
           {"distances", distances},

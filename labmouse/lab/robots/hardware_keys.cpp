@@ -26,16 +26,23 @@ constexpr Sensor sensor_of(std::string_view name) {
 constexpr HardwareKey of(std::string_view name, std::string_view meaning, std::string_view unit, double low,
                          double high, double& (*number)(HardwareNumbers&), double factor = 1.0) {
   RobotKey key{name, meaning, unit, low, high, RobotKey::With::body};
-  if (name == "sensors.ranger_period" || name == "sensors.count_bits" || name == "motors.period")
+  if (name == "sensors.ranger_period" || name == "sensors.count_bits" || name == "motors.period" ||
+      name == "motors.coast")
     key.kind = RobotKey::Kind::whole;
   key.sensor = sensor_of(name);
   return {key, number, factor};
 }
 
-/// A key that files may leave out; then it is 0.
+/// A key that files may leave out; then its number is that of a Hardware without numbers.
 constexpr HardwareKey may_lack(HardwareKey key) {
   key.key.needed = false;
   return key;
+}
+
+/// The same of a key that earlier records lack.
+constexpr HardwareKey added_later(HardwareKey key) {
+  key.added_later = true;
+  return may_lack(key);
 }
 
 /// A standard deviation of what is drawn once a contest. Those that stood among the noise in earlier versions have a
@@ -55,8 +62,12 @@ constexpr std::array keys = {
        [](HardwareNumbers& n) -> double& { return n.hardware.chassis.back; }),
     of("body.half_width", "from its middle to its side", "mm", 1.0, 500.0,
        [](HardwareNumbers& n) -> double& { return n.hardware.chassis.half_width; }),
-    of("body.half_track", "from its middle to where a wheel rolls", "mm", 1.0, 500.0,
-       [](HardwareNumbers& n) -> double& { return n.hardware.chassis.half_track; }),
+    of("body.half_track",
+       "from its middle to where a wheel rolls; of four wheels their travel, in mm, for each rad of turning", "mm", 1.0,
+       500.0, [](HardwareNumbers& n) -> double& { return n.hardware.chassis.half_track; }),
+    added_later(of("body.rounding",
+                   "radius of the corners of its chassis; of a round chassis that of the circle; default 0", "mm", 0.0,
+                   500.0, [](HardwareNumbers& n) -> double& { return n.hardware.chassis.rounding; })),
     of("body.slip_stiffness", "lateral acceleration for a rad of slip", "mm/s²", 1000.0, 100000000.0,
        [](HardwareNumbers& n) -> double& { return n.hardware.tyres.stiffness; }),
     of("body.grip", "what the tyres hold in any direction", "mm/s²", 100.0, 200000.0,
@@ -91,13 +102,22 @@ constexpr std::array keys = {
                 "", 0.0, 0.1, [](HardwareNumbers& n) -> double& { return n.hardware.motors.discharge; })),
     of("motors.volts", "of the full battery at rest", "V", 0.5, 60.0,
        [](HardwareNumbers& n) -> double& { return n.hardware.motors.volts; }),
-    may_lack(of("motors.period",
-                "from one duty of the built-in controller to the next: 2 is a loop of 500 Hz; default 1", "ms", 1.0,
-                10.0, [](HardwareNumbers& n) -> double& { return n.hardware.motors.period; })),
+    added_later(of("motors.period",
+                   "from one duty of the built-in controller to the next: 2 is a loop of 500 Hz; default 1", "ms", 1.0,
+                   10.0, [](HardwareNumbers& n) -> double& { return n.hardware.motors.period; })),
+    added_later(of("motors.left", "strength of the left motor, as a share of the gains; default 1", "", 0.5, 2.0,
+                   [](HardwareNumbers& n) -> double& { return n.hardware.motors.strength[0]; })),
+    added_later(of("motors.right", "the same of the right one", "", 0.5, 2.0,
+                   [](HardwareNumbers& n) -> double& { return n.hardware.motors.strength[1]; })),
+    added_later(of("motors.dead_time",
+                   "share of full duty that the driver loses while it switches; smaller duties do nothing; default 0",
+                   "", 0.0, 0.5, [](HardwareNumbers& n) -> double& { return n.hardware.motors.dead_time; })),
+    added_later(of("motors.coast", "1: the motors coast while the driver is off; default 0: they brake", "", 0.0, 1.0,
+                   [](HardwareNumbers& n) -> double& { return n.hardware.motors.coast; })),
     of("sensors.count", "travel of a wheel for a count of its encoder", "mm", 1e-06, 10.0,
        [](HardwareNumbers& n) -> double& { return n.hardware.sensors.count; }),
-    may_lack(of("sensors.count_bits", "width of the counters of the encoders, which wrap; default 32", "bits", 8.0,
-                32.0, [](HardwareNumbers& n) -> double& { return n.hardware.sensors.count_bits; })),
+    added_later(of("sensors.count_bits", "width of the counters of the encoders, which wrap; default 32", "bits", 8.0,
+                   32.0, [](HardwareNumbers& n) -> double& { return n.hardware.sensors.count_bits; })),
     of("sensors.gyro_step", "yaw speed for a unit of the gyro", "rad/s", 1e-06, 1.0,
        [](HardwareNumbers& n) -> double& { return n.hardware.sensors.gyro_step; }),
     of("sensors.gyro_most", "the largest yaw speed that it shows", "rad/s", 1.0, 1000.0,

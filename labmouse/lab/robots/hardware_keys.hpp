@@ -23,6 +23,7 @@ struct HardwareKey {
   /// The number of the key. One unit of it is `unit` units of the file.
   double& (*number)(HardwareNumbers&);
   double unit = 1.0;
+  bool added_later = false;  ///< JSON leaves it out where it has its default, so that older records stay unchanged
 };
 
 /// All of them, in the order of docs/reference/files.md.

@@ -43,6 +43,7 @@ class RobotReader {
     if (forms_.infrared_list) read_list<Infrared>(infrared_list, infrared_keys(), most_infrared);
     if (forms_.ranger_list) read_list<Ranger>(ranger_list, ranger_keys(), most_rangers);
     for (const auto& [name, value] : root_) check_name("", name, value);
+    check_rounding();
   }
 
   /// The number of a key, or `otherwise` where the key is missing or is no number.
@@ -93,6 +94,15 @@ class RobotReader {
   std::vector<Problem> problems() const { return in_order(problems_); }
 
  private:
+  /// A corner cannot be rounder than a circle.
+  void check_rounding() {
+    constexpr std::string_view key = "body.rounding";
+    const double most = std::min(number("body.half_width"), (number("body.front") + number("body.back")) / 2.0);
+    if (problems_.empty() && number(key) > most)
+      add(node(key)->source().begin,
+          fmt::format("'{}' is more than half the width or half the length of the chassis: {:g}", key, most));
+  }
+
   bool is_any_in(std::string_view list) const {
     const toml::array* sensors = root_.get(list)->as_array();
     return sensors != nullptr && !sensors->empty();

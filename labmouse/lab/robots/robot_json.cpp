@@ -117,12 +117,11 @@ void add_hardware(Json& json, const Robot& robot) {
   if (!robot.hardware) return;
   const Sensors& sensors = robot.hardware->sensors;
   HardwareTerms terms = terms_of(*robot.hardware);
+  HardwareNumbers unset;
   for (const HardwareKey& key : hardware_keys()) {
-    const double number = key.number(terms.numbers) * key.unit;
-    // Left out, so that older records stay unchanged.
-    const bool usual = (key.key.name == "sensors.count_bits" && number == Sensors().count_bits) ||
-                       (key.key.name == "motors.period" && number == Motors().period);
-    if (terms.has(key.key) && !usual) json[std::string(key.key.name)] = number;
+    const double number = key.number(terms.numbers);
+    if (terms.has(key.key) && !(key.added_later && number == key.number(unset)))
+      json[std::string(key.key.name)] = number * key.unit;
   }
   if (!terms.lists) return;
   json[std::string(infrared_list)] = list_json(sensors.infrared, infrared_keys());

@@ -55,6 +55,7 @@ std::vector<Declaration> drive_shapes() {
        "to be. Lengths are in cells, times in microseconds.",
        object(
            {field("front", number, "From the middle of the axle."), field("back", number), field("half_width", number),
+            field("rounding", number, "Radius of the corners."),
             field("belief",
                   object({field("x", list(number)), field("y", list(number)), field("heading", list(number))}),
                   "Of the path's points, one by one, headings without a leap from the true ones; without points of a "

@@ -83,6 +83,23 @@ INSTANTIATE_TEST_SUITE_P(
                             [](Hardware& hardware) { hardware.sensors.gyro_step = hardware.sensors.gyro_most = 0.0; }},
                       Build{"no_accelerometer", [](Hardware& hardware) { hardware.sensors.acceleration_step = 0.0; }},
                       Build{"loop_of_500_Hz", [](Hardware& hardware) { hardware.motors.period = 2.0; }},
+                      Build{"motors_of_different_strength",
+                            [](Hardware& hardware) {
+                              hardware.motors.strength = {0.85, 1.1};
+                            }},
+                      Build{"driver_with_dead_time", [](Hardware& hardware) { hardware.motors.dead_time = 0.03; }},
+                      Build{"motors_that_coast", [](Hardware& hardware) { hardware.motors.coast = 1.0; }},
+                      Build{"round_chassis",
+                            [](Hardware& hardware) {
+                              hardware.chassis.front = hardware.chassis.back = hardware.chassis.half_width =
+                                  hardware.chassis.rounding = 17.0;
+                            }},
+                      Build{"four_wheels",
+                            [](Hardware& hardware) {
+                              // They slide sideways where it turns: they roll farther, and friction takes more.
+                              hardware.chassis.half_track *= 1.5;
+                              hardware.motors.turn.dead_zone += 0.05;
+                            }},
                       Build{"narrow_counters", [](Hardware& hardware) { hardware.sensors.count_bits = 16.0; }},
                       Build{"ToF_sensors_alone",
                             [](Hardware& hardware) {

@@ -17,6 +17,7 @@ using test::SaysAt;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 constexpr const char* good = "o---o---o\n| S   G |\no---o---o\n";
 
@@ -102,6 +103,8 @@ TEST_F(AFolder, WhatMatchesNothingIsAnError) {
 TEST_F(AFolder, AFileNamedTwiceIsReadOnce) {
   const std::string a = file("a.txt"), b = file("b.txt");
   EXPECT_THAT(names(load({b, a, b, path("*.txt")})), ElementsAre(a, b));
+  const std::string open = file("open.txt", "o---o---o\n| S   G  \no---o---o\n");
+  EXPECT_THAT(load({open, path(), open}).notes, SizeIs(1));
 }
 
 TEST_F(AFolder, AFileWinsOverABuiltInMaze) {

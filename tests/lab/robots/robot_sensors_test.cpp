@@ -74,6 +74,10 @@ std::string without(const std::vector<std::string>& keys, std::string_view more 
   return text + std::string(more);
 }
 
+std::string changed_in(std::string text, std::string_view old, std::string_view now) {
+  return text.replace(text.find(old), old.size(), now);
+}
+
 const std::vector<std::string> pairs = {"sensors.side_", "sensors.front_"}, ranger = {"sensors.ranger_"};
 
 std::string listed() { return without({"sensors.side_", "sensors.front_", "sensors.ranger_"}, three_sensors); }
@@ -240,6 +244,31 @@ TEST(RobotSensors, ThatAreLackingAreRemarked) {
   EXPECT_THAT(remarks(without(pairs, "[[infrared]]\nahead = 12\naside = 10\nangle = 1.57\n")),
               ElementsAre(Says("no sensor sees its side walls")));
   EXPECT_THAT(remarks(listed()), Not(Contains(Says("no sensor sees its side walls"))));
+}
+
+/// Keys that robots of earlier versions lack, read from files and JSON, and left out of JSON where they say nothing.
+TEST(RobotBuild, HasMotorsADriverAndACornerOfItsOwn) {
+  const std::string motors = "[motors]\n", body = "[body]\n";
+  const std::string with =
+      changed_in(kerise(), motors, motors + "left = 0.9\nright = 1.1\ndead_time = 0.02\ncoast = 1\n");
+  const std::string text = changed_in(with, body, body + "rounding = 17\n");
+  const Hardware hardware = hardware_in(text);
+  EXPECT_EQ(hardware.motors.strength, (std::array{0.9, 1.1}));
+  EXPECT_EQ(hardware.motors.dead_time, 0.02);
+  EXPECT_EQ(hardware.motors.coast, 1.0);
+  EXPECT_EQ(hardware.chassis.rounding, 17.0);
+  const Json json = robot_json(*read_robot(text, "it").robot, RobotParts::with_body);
+  JsonFields fields(ReadJson::object(), "record");
+  EXPECT_EQ(read_robot_json(fields, ReadJson(json)).robot.hardware, hardware);
+  EXPECT_EQ(fields.error(), "");
+  const Json plain = robot_json(*read_robot(kerise(), "it").robot, RobotParts::with_body)["parameters"];
+  for (const char* key : {"motors.left", "motors.right", "motors.dead_time", "motors.coast", "body.rounding"}) {
+    EXPECT_TRUE(json["parameters"].contains(key)) << key;
+    EXPECT_FALSE(plain.contains(key)) << key;
+  }
+  EXPECT_THAT(reasons(changed_in(text, "rounding = 17", "rounding = 17.5")),
+              ElementsAre(Says("'body.rounding'", "17")));
+  EXPECT_THAT(reasons(changed_in(text, "coast = 1", "coast = 0.5")), ElementsAre(Says("'motors.coast'", "0.5")));
 }
 
 }  // namespace

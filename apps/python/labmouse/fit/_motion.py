@@ -40,7 +40,7 @@ def motion_of(log: Log, robot: Numbers) -> Motion:
 
     robot: parameters by the keys of robot files; uses mm per count, track, full voltage and sag of the battery. Duties
     are constant from row to row, all else is interpolated linearly. The gyro's bias is its mean over all rests. Raises
-    Error if a wheel is too fast.
+    Error if a wheel is too fast, or for a robot whose motors coast.
     """
     ticks = np.arange(int((log.times[-1] + 1e-3) / (1e3 * TICK)) + 1)
     rows = np.searchsorted(log.times, ticks + 1e-3, side="right") - 1
@@ -90,7 +90,7 @@ def _spans(log: Log) -> list[tuple[int, int]]:
 
 
 def _duties(log: Log, robot: Numbers) -> "Optional[tuple[Array, Array]]":
-    """The duties of both motors by rows, limited to what a battery can give; None if the log has none."""
+    """What the duties of both motors by rows do, limited to what a battery can give; None if the log has none."""
     if "left" in log:
         left, right = log["left"], log["right"]
     elif "duty" in log:
@@ -100,7 +100,14 @@ def _duties(log: Log, robot: Numbers) -> "Optional[tuple[Array, Array]]":
         left, right = (log["forward_volts"] - around) / robot["motors.volts"], (log["forward_volts"] + around) / robot["motors.volts"]
     else:
         return None
-    return np.clip(left, -1.0, 1.0), np.clip(right, -1.0, 1.0)
+    if robot.get("motors.coast", 0.0) > 0.0:
+        raise Error("the fit knows no motors that coast; set motors.coast to 0 in the robot that it begins with")
+    dead = robot.get("motors.dead_time", 0.0)
+
+    def effect(duty: Array, strength: float) -> Array:
+        return np.asarray((np.clip(duty, -1.0, 1.0) - np.clip(duty, -dead, dead)) * strength)
+
+    return effect(left, robot.get("motors.left", 1.0)), effect(right, robot.get("motors.right", 1.0))
 
 
 def _in_steps(duties: tuple[Array, Array]) -> bool:

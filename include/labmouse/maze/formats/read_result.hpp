@@ -9,8 +9,7 @@
 
 namespace labmouse {
 
-/// What is wrong with an input, and where. Line and column count from 1; both are 0 for the input as a whole. In a
-/// binary file the line is 0, and the column is the position of the byte, from 1.
+/// What is wrong with an input, and where. Line and column count from 1; both are 0 for the input as a whole.
 struct Problem {
   int line = 0;
   int column = 0;

@@ -387,6 +387,8 @@ export interface DriveBodies {
   front: number;
   back: number;
   half_width: number;
+  /** Radius of the corners. */
+  rounding: number;
   /**
    * Of the path's points, one by one, headings without a leap from the true ones; without points of a mouse whose
    * program does not tell.

@@ -38,13 +38,15 @@ function goTo(context: Context, g: Geometry, pose: Pose) {
 }
 const leave = (context: Context) => context.setTransform(1, 0, 0, 1, 0, 0);
 
-function outline(context: Context, g: Geometry, { front, back, half_width: half }: DriveBodies) {
+function outline(context: Context, g: Geometry, { front, back, half_width: half, rounding }: DriveBodies) {
   context.beginPath();
-  context.moveTo(-half * g.pitch, -front * g.pitch);
-  context.lineTo(half * g.pitch, -front * g.pitch);
-  context.lineTo(half * g.pitch, back * g.pitch);
-  context.lineTo(-half * g.pitch, back * g.pitch);
-  context.closePath();
+  context.roundRect(
+    -half * g.pitch,
+    -front * g.pitch,
+    2 * half * g.pitch,
+    (front + back) * g.pitch,
+    rounding * g.pitch,
+  );
   context.stroke();
 }
 
