@@ -92,6 +92,7 @@ bool colours();
 
 /// Add the subcommands; their callbacks set `exit` to the exit code.
 void add_race(Command& app, int& exit);
+void add_compare(Command& app, int& exit);
 void add_sweep(Command& app, int& exit);
 void add_learn(Command& app, int& exit);
 void add_study(Command& app, int& exit);

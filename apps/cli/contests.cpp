@@ -46,15 +46,19 @@ void stop_or_end(int number) {
 
 }  // namespace
 
-void add_contests(Command& command, Contests& contests) {
+void add_mazes(Command& command, Contests& contests, const std::string& default_mazes) {
   command.group(groups::mazes);
   command
       .add_option("--mazes", contests.mazes,
-                  "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
+                  "Maze files, folders, patterns or built-in mazes; default: " + default_mazes)
       ->type_name("PATH")
       ->expected(1, 1 << 20)
       ->take_all();
   add_places(command, contests.places);
+}
+
+void add_contests(Command& command, Contests& contests) {
+  add_mazes(command, contests, "all built-in mazes");
   command.group(groups::contests);
   command
       .add_integer(
@@ -62,6 +66,10 @@ void add_contests(Command& command, Contests& contests) {
           "Contests in each maze for each stochastic mouse, and for each mouse in a stochastic world; default: " +
               usual_runs_text())
       ->check(in_range(1, 1'000'000));
+  add_world_and_seed(command, contests);
+}
+
+void add_world_and_seed(Command& command, Contests& contests) {
   command.group(groups::world);
   contests.world.add_to(command);
   command.group(groups::contests);

@@ -38,7 +38,12 @@ struct Contests {
  private:
   mutable std::shared_ptr<Store> store_;
 };
+/// Adds all options of contests: those of add_mazes() and of add_world_and_seed(), and --runs.
 void add_contests(Command& command, Contests& contests);
+/// Adds --mazes and the places of start and goal.
+void add_mazes(Command& command, Contests& contests, const std::string& default_mazes);
+/// Adds --world with its settings, --seed, --store and --jobs.
+void add_world_and_seed(Command& command, Contests& contests);
 
 /// The mice that were read; throws UsageError with all that is wrong with them.
 std::vector<Contestant> mice_of(SpecResult read);

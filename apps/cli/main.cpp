@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
       "input, 128 plus the signal number when interrupted (130 for Ctrl-C).");
   int exit = exit_good;
   add_race(app, exit);
+  add_compare(app, exit);
   add_sweep(app, exit);
   add_study(app, exit);
   add_tune(app, exit);

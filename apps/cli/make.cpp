@@ -5,28 +5,14 @@
 #include <memory>
 
 #include "command.hpp"
+#include "generated.hpp"
 #include "labmouse/lab/system/streams.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/maze/generators/generator.hpp"
-#include "labmouse/strategies/parameter.hpp"
+#include "named_things.hpp"
 
 namespace labmouse::cli {
 namespace {
-
-template <class Things>
-std::string list_of(const Things& things) {
-  std::string names;
-  for (const auto* thing : things) names += (names.empty() ? "" : ", ") + std::string(thing->name);
-  return names;
-}
-
-template <class Things>
-std::string suggestion(std::string_view word, const Things& things) {
-  std::vector<std::string_view> names;
-  for (const auto* thing : things) names.push_back(thing->name);
-  const auto near = nearest_name(word, names);
-  return near.empty() ? "expected one of " + list_of(things) : fmt::format("did you mean '{}'?", near);
-}
 
 const Format& format_named(const std::string& name) {
   if (const Format* format = find_format(name)) return *format;
@@ -52,31 +38,14 @@ void write(const Maze& maze, const std::string& path, const std::string& format_
 }
 
 struct MakeOptions {
-  std::string kind, size = "16x16", out = "-", format;
+  GeneratedMazes maze;
+  std::string out = "-", format;
   std::uint64_t seed = 1;
-  double loops = 0.0;
 };
 
-Size read_size(const std::string& text) {
-  const auto cross = text.find('x');
-  const double width = parse_plain_number(text.substr(0, cross)).value_or(0.0);
-  const double height = parse_plain_number(text.substr(cross == std::string::npos ? 0 : cross + 1)).value_or(0.0);
-  const bool good = width >= 1 && height >= 1 && width <= max_side && height <= max_side;
-  const Size size = good ? Size{static_cast<int>(width), static_cast<int>(height)} : Size{};
-  if (good && size.width == width && size.height == height) return size;
-  throw UsageError(fmt::format("error: '{}' is not a size; write WIDTHxHEIGHT with sides from 1 to {}, such as 16x16",
-                               text, max_side));
-}
-
 void make(const MakeOptions& options) {
-  const Generator* generator = find_generator(options.kind);
-  if (generator == nullptr)
-    throw UsageError(
-        fmt::format("error: unknown kind '{}'; {}", options.kind, suggestion(options.kind, all_generators())));
-  const GeneratorOrder order{read_size(options.size), options.seed, static_cast<int>(options.loops * 1000.0 + 0.5)};
-  if (const auto reason = generator->refuses(order); !reason.empty())
-    throw UsageError(fmt::format("error: {}", reason));
-  write(generator->make(order), options.out, options.format);
+  const GeneratorOrder order = options.maze.order(options.seed);
+  write(options.maze.generator().make(order), options.out, options.format);
 }
 
 struct ConvertOptions {
@@ -97,14 +66,12 @@ void convert(const ConvertOptions& options) {
 void add_make(Command& app, int& exit) {
   auto options = std::make_shared<MakeOptions>();
   Command* command = app.add_subcommand("make", "Generate a maze");
-  command->add_option("kind", options->kind, "Generator: " + list_of(all_generators()))->required()->type_name("KIND");
-  command->add_option("--size", options->size, "Width and height in cells")->type_name("WxH")->capture_default_str();
+  command->add_option("kind", options->maze.kind, "Generator: " + list_of(all_generators()))
+      ->required()
+      ->type_name("KIND");
+  options->maze.add_to(*command);
   command->add_option("--seed", options->seed, "Seed for all random choices")
       ->check(seed_number())
-      ->capture_default_str();
-  command->add_option("--loops", options->loops, "Share of the remaining inner walls to remove, to make loops")
-      ->check(finite_number())
-      ->check(in_range(0.0, 1.0))
       ->capture_default_str();
   command->add_option("-o,--out", options->out, "File to write; - is standard output")
       ->type_name("FILE")

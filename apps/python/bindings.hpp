@@ -17,5 +17,6 @@ void bind_records(nanobind::module_& module);
 void bind_bounds(nanobind::module_& module);
 void bind_learning(nanobind::module_& module);
 void bind_studies(nanobind::module_& module);
+void bind_comparisons(nanobind::module_& module);
 
 }  // namespace labmouse::python

@@ -38,4 +38,5 @@ NB_MODULE(_native, module) {
   labmouse::python::bind_robots(module);
   labmouse::python::bind_learning(module);
   labmouse::python::bind_studies(module);
+  labmouse::python::bind_comparisons(module);
 }

@@ -34,6 +34,7 @@ Words split(const std::string& text, char separator) {
 /// What makes a command do something cheap, without what the test chooses.
 const std::map<std::string, Words> usual = {
     {"race", {"--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
+    {"compare", {"flood:stride=2", "--mazes", "m.txt", "--most", "2", "--jobs", "1"}},
     {"sweep", {"--vary", "stride=3", "--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
     {"study", {"--mazes", "m.txt", "n.txt", "--folds", "2", "--runs", "1", "--jobs", "1"}},
     {"tune", {"--params", "stride", "--evaluations", "2", "--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},

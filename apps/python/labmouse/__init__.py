@@ -7,6 +7,7 @@ import os
 from typing import Union
 
 from ._mice import Action, Mouse, Sighting
+from ._comparisons import Verdicts, compare
 from ._native import Briefing, Error, Maze, find_mazes, generate, version
 from ._progress import Interrupted
 from ._races import Comparison, FinishRate, Race, race
@@ -32,7 +33,9 @@ __all__ = [
     "Route",
     "Sighting",
     "Study",
+    "Verdicts",
     "bound",
+    "compare",
     "generate",
     "mazes",
     "race",

@@ -1,0 +1,192 @@
+#include "labmouse/lab/studies/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "labmouse/chance/rng.hpp"
+#include "labmouse/lab/races/never_started.hpp"
+
+namespace labmouse {
+namespace {
+
+/// So many mazes are raced in at once: enough for many threads, few to be held in vain after the last verdict.
+constexpr std::size_t batch = 32;
+
+/// Nothing where the contest does not count.
+std::optional<double> share_of_best(const Race& race, const ContestResult& contest) {
+  if (!counts(race, contest)) return std::nullopt;
+  if (!contest.ratio) return 0.0;
+  return *contest.ratio <= 1.0 ? 1.0 : 1.0 / *contest.ratio;
+}
+
+/// Whether all contests of a race in the list are all that there are.
+bool is_exact(const std::vector<Contestant>& mice, const CompareOrder& order) {
+  RaceOrder twice = order.race;
+  twice.runs = 2;
+  return !order.mazes.list.empty() && order.mazes.list.size() <= order.most &&
+         contests_of(mice, 1, twice) == mice.size();
+}
+
+/// The contest of a mouse in a maze, in a race with one in each.
+const ContestResult& contest_in(const Race& race, std::string_view mouse, std::size_t maze) {
+  return *std::find_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
+    return contest.maze == maze && race.mice[contest.mouse].name == mouse;
+  });
+}
+
+class Comparing {
+ public:
+  Comparing(std::vector<Contestant> mice, const CompareOrder& order, const CompareHooks& hooks)
+      : mice_(std::move(mice)),
+        hooks_(hooks),
+        tests_(mice_.size() - 1, SequentialTest(order_of_each(order.test, mice_.size() - 1))),
+        sums_(tests_.size()) {
+    compared_.order = order;
+    compared_.order.race.runs = 1;
+    compared_.order.race.shard = {};
+    compared_.first = mice_.front().name;
+    compared_.exact = is_exact(mice_, compared_.order);
+    hide_list();
+    for (std::size_t i = 1; i < mice_.size(); ++i) compared_.candidates.push_back({mice_[i].name});
+  }
+
+  Compared hold() && {
+    if (compared_.exact) {
+      race_in(compared_.order.mazes.list, compared_.order.race);
+      for (ComparedMouse& candidate : compared_.candidates) decide_exactly(candidate);
+      return std::move(compared_);
+    }
+    while (compared_.mazes < compared_.order.most && is_undecided() && !compared_.stopped) {
+      race_in_drawn(std::min(batch, compared_.order.most - compared_.mazes));
+      show(false);
+      if (hooks_.advanced) hooks_.advanced(compared_);
+    }
+    show(true);
+    return std::move(compared_);
+  }
+
+ private:
+  struct Sums {
+    double share = 0.0, first_share = 0.0;
+    std::size_t shown = 0;  ///< pairs of the interval that was computed last
+  };
+
+  /// Hides the list from external mice: races know drawn mazes by other names.
+  void hide_list() const {
+    for (const Contestant& mouse : mice_)
+      if (mouse.hidden)
+        for (const NamedMaze& maze : compared_.order.mazes.list) mouse.hidden->add(maze.name);
+  }
+
+  bool is_undecided() const {
+    return std::any_of(compared_.candidates.begin(), compared_.candidates.end(), [](const ComparedMouse& candidate) {
+      return candidate.verdict == SequentialVerdict::undecided;
+    });
+  }
+
+  void race_in_drawn(std::size_t count) {
+    RaceOrder order = compared_.order.race;
+    order.seed = seed_for(order.seed, "contests", compared_.mazes);
+    std::vector<NamedMaze> mazes;
+    for (std::size_t i = 0; i < count; ++i)
+      mazes.push_back(drawn_maze(compared_.order.mazes, compared_.order.race.seed, compared_.mazes + i));
+    race_in(std::move(mazes), order);
+  }
+
+  void race_in(std::vector<NamedMaze> mazes, const RaceOrder& order) {
+    std::vector<Contestant> mice = {mice_.front()};
+    for (std::size_t i = 0; i < tests_.size(); ++i)
+      if (compared_.candidates[i].verdict == SequentialVerdict::undecided) mice.push_back(mice_[i + 1]);
+    RaceHooks hooks;
+    hooks.stop = hooks_.stop;
+    const Race race = hold_race(std::move(mice), std::move(mazes), order, hooks);
+    if (race.stopped) {
+      compared_.stopped = true;
+      return;
+    }
+    compared_.never_started += never_started_lines(race);
+    // The race has them by name, which is in the order of drawing.
+    for (std::size_t maze = 0; maze < race.mazes.size() && is_undecided(); ++maze) add(race, maze);
+  }
+
+  void add(const Race& race, std::size_t maze) {
+    ++compared_.mazes;
+    const auto first = share_of_best(race, contest_in(race, compared_.first, maze));
+    bool used = false;
+    for (std::size_t i = 0; i < tests_.size(); ++i) {
+      ComparedMouse& candidate = compared_.candidates[i];
+      if (candidate.verdict != SequentialVerdict::undecided || !first) continue;
+      const auto share = share_of_best(race, contest_in(race, candidate.mouse, maze));
+      if (!share) continue;
+      used = true;
+      sums_[i].share += *share;
+      sums_[i].first_share += *first;
+      const auto pairs = static_cast<double>(++candidate.pairs);
+      candidate.share = sums_[i].share / pairs;
+      candidate.first_share = sums_[i].first_share / pairs;
+      candidate.difference = candidate.share - candidate.first_share;
+      if (compared_.exact) continue;
+      tests_[i].add(*share - *first);
+      candidate.verdict = tests_[i].verdict();
+    }
+    compared_.skipped += used ? 0 : 1;
+  }
+
+  static void decide_exactly(ComparedMouse& candidate) {
+    constexpr double rounding = 1e-12;
+    if (candidate.pairs == 0) return;
+    candidate.interval = {candidate.difference, candidate.difference};
+    candidate.verdict = candidate.difference > rounding    ? SequentialVerdict::better
+                        : candidate.difference < -rounding ? SequentialVerdict::worse
+                                                           : SequentialVerdict::no_difference;
+  }
+
+  /// Computes the intervals, which takes longer the more pairs there are: at the end, and where a tenth was added.
+  void show(bool at_the_end) {
+    for (std::size_t i = 0; i < tests_.size(); ++i) {
+      const std::size_t pairs = compared_.candidates[i].pairs;
+      if (pairs == sums_[i].shown || (!at_the_end && pairs < sums_[i].shown + sums_[i].shown / 10)) continue;
+      sums_[i].shown = pairs;
+      compared_.candidates[i].interval = including(tests_[i].interval(), compared_.candidates[i].difference);
+    }
+  }
+
+  std::vector<Contestant> mice_;
+  const CompareHooks& hooks_;
+  std::vector<SequentialTest> tests_;
+  std::vector<Sums> sums_;
+  Compared compared_;
+};
+
+}  // namespace
+
+NamedMaze drawn_maze(const MazeSource& source, std::uint64_t seed, std::size_t number) {
+  // Sorted by name they are in the order of drawing. A number of its own gives each contest its own seed.
+  const auto named = [&](std::string_view name) { return fmt::format("{:07}-{}", number, name); };
+  if (source.list.empty()) {
+    GeneratorOrder order = source.order;
+    order.seed = seed_for(seed, "maze", number);
+    return {named(source.generator->name), source.generator->make(order)};
+  }
+  const auto among = Rng(seed_for(seed, "drawn", number)).below(static_cast<int>(source.list.size()));
+  NamedMaze maze = source.list[static_cast<std::size_t>(among)];
+  maze.name = named(maze.name.substr(maze.name.rfind('/') + 1));
+  return maze;
+}
+
+SequentialOrder order_of_each(const SequentialOrder& order, std::size_t candidates) {
+  SequentialOrder each = order;
+  each.alpha /= static_cast<double>(candidates);
+  each.beta /= static_cast<double>(candidates);
+  return each;
+}
+
+Compared hold_comparison(std::vector<Contestant> mice, const CompareOrder& order, const CompareHooks& hooks) {
+  return Comparing(std::move(mice), order, hooks).hold();
+}
+
+}  // namespace labmouse

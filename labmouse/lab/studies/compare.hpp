@@ -1,0 +1,84 @@
+// Which mouse is better? Holds pairs of contests, maze by maze, until a sequential test decides.
+//
+// Compared is the share of the best possible score: the bound of the maze divided by the score, 0 for a contest that is
+// not finished, and never above 1. It makes mazes of different size comparable.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/studies/sequential_test.hpp"
+#include "labmouse/maze/generators/generator.hpp"
+
+namespace labmouse {
+
+/// Where the mazes come from: drawn at random from a list, with repetitions, or, without one, generated.
+struct MazeSource {
+  std::vector<NamedMaze> list;
+  const Generator* generator = &contest_generator;
+  GeneratorOrder order = {};  ///< its seed is not used
+};
+
+/// The maze of that number, from 0. Equal numbers and seeds give equal mazes with equal names.
+NamedMaze drawn_maze(const MazeSource& source, std::uint64_t seed, std::size_t number);
+
+/// The most pairs of contests with a candidate.
+inline constexpr std::size_t most_pairs = 1'000'000;
+
+struct CompareOrder {
+  RaceOrder race;  ///< its `runs` and `shard` are not used
+  MazeSource mazes;
+  SequentialOrder test;
+  std::size_t most = 5000;  ///< at most so many mazes are drawn, 1 to `most_pairs`
+};
+
+/// A mouse that is compared with the first one. Both race in the same mazes with the same seeds.
+struct ComparedMouse {
+  std::string mouse;
+  SequentialVerdict verdict = SequentialVerdict::undecided;
+  std::size_t pairs = 0;                  ///< of contests that were compared
+  double share = 0.0, first_share = 0.0;  ///< mean shares of the best possible score, of it and of the first mouse
+  double difference = 0.0;                ///< of these two; above 0 is better
+  /// Of the difference, as SequentialTest has it; of an exact difference both ends are the difference.
+  Interval interval = {-1.0, 1.0};
+};
+
+struct Compared {
+  CompareOrder order;
+  std::string first;                      ///< the mouse that the others are compared with
+  std::vector<ComparedMouse> candidates;  ///< in the order given
+  std::size_t mazes = 0;                  ///< raced in
+  std::size_t skipped = 0;  ///< of them, those that no mouse can score in, or in which a contest was not judged
+  /// Whether these are all contests that there are: the mazes are a list, and neither mice nor world have dice. Then
+  /// each maze of the list was raced in once, and the sign of the difference decides.
+  bool exact = false;
+  bool stopped = false;
+  std::string never_started;  ///< a line for each program that never started
+};
+
+struct CompareHooks {
+  /// Called now and then, with all that is known so far.
+  std::function<void(const Compared&)> advanced;
+  /// Read before each contest; once it is true, no other begins.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// The alpha and beta of each candidate: those of the order divided by the number of candidates (Bonferroni), so that
+/// they hold for all candidates together.
+SequentialOrder order_of_each(const SequentialOrder& order, std::size_t candidates);
+
+/// Compares all mice but the first with the first. A candidate that is decided races no more.
+/// @param mice two or more with different names, none of which the world refuses.
+Compared hold_comparison(std::vector<Contestant> mice, const CompareOrder& order, const CompareHooks& hooks = {});
+
+/// A line for each candidate, and what the verdicts mean.
+std::string table_of(const Compared& compared);
+
+/// JSON: docs/reference/results.md lists its fields.
+std::string json_of(const Compared& compared);
+
+}  // namespace labmouse
