@@ -14,6 +14,7 @@ FileContent read_file(const std::string&, std::size_t) { return {"", "a page rea
 FileContent read_found_file(const std::string&, std::size_t) { return {"", "a page reads no files"}; }
 
 void HiddenFiles::add(const std::string&) {}
+void HiddenFiles::add_if_there(const std::string&) {}
 
 void HiddenFiles::add_store(const std::string&) {}
 

@@ -18,6 +18,10 @@ void HiddenFiles::add(const std::string& path) {
   if (is_new) paths_.reset();
 }
 
+void HiddenFiles::add_if_there(const std::string& path) {
+  if (std::error_code unknown; std::filesystem::exists(path, unknown)) add(path);
+}
+
 void HiddenFiles::add_store(const std::string& path) {
   if (path.empty()) return;
   for (const char* ending : {"", "-wal", "-shm", "-journal"}) add(path + ending);

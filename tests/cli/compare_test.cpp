@@ -39,6 +39,24 @@ TEST_F(AUser, ComparesInMazesOfTheirOwn) {
   EXPECT_THAT(ended.out, Not(HasSubstr("undecided")));
 }
 
+TEST_F(AUser, ComparesWithProgramsAndHearsOfThoseThatDoNotStart) {
+  file("corridor.txt", corridor);
+  file("still.py",
+       "import sys\nprint('labmouse 1', flush=True)\nfor line in sys.stdin:\n  print('forfeit', flush=True)\n");
+  const auto compared = [&](const std::string& program) {
+    return labmouse({"compare", "flood", "it=program:" + program, "--mazes", "corridor.txt", "--format", "json"});
+  };
+  const Ended ended = compared("python3 still.py");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const auto json = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(json["candidates"][0]["verdict"], "worse");
+  EXPECT_FALSE(json["exact"]) << "nobody knows whether it has dice";
+  const Ended none = compared("false");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_EQ(std::count(none.err.begin(), none.err.end(), '\n'), 1) << none.err;
+  EXPECT_LE(nlohmann::json::parse(none.out)["raced_in"], 32);
+}
+
 TEST_F(AUser, IsToldWhatCannotBeCompared) {
   is_refused({"compare", "flood"}, "two mice");
   is_refused({"compare", "flood", "flood"}, "two mice");

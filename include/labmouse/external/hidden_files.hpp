@@ -19,6 +19,9 @@ class HiddenFiles {
   /// Adds a file or folder. The target of a link is hidden, too.
   /// @param path absolute, or relative to the current directory. It need not exist yet. An empty path is ignored.
   void add(const std::string& path);
+  /// Adds a file if there is one of that name, such as that of a maze, which may also be generated.
+  /// @param path as of add().
+  void add_if_there(const std::string& path);
   /// Adds a store and the files that SQLite keeps beside it.
   /// @param path as of add().
   void add_store(const std::string& path);

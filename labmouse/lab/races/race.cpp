@@ -55,7 +55,8 @@ void hide_files(const Race& race) {
   for (const Contestant& mouse : race.mice)
     if (mouse.hidden) lists.insert(mouse.hidden.get());
   for (HiddenFiles* hidden : lists) {
-    for (const NamedMaze& maze : race.mazes) hidden->add(maze.name);
+    // The names of other mazes, such as generated ones, would only grow into a long list.
+    for (const NamedMaze& maze : race.mazes) hidden->add_if_there(maze.name);
     for (const std::string& file : race.order.files) hidden->add_store(file);
   }
 }

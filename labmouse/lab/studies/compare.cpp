@@ -23,11 +23,12 @@ std::optional<double> share_of_best(const Race& race, const ContestResult& conte
   return *contest.ratio <= 1.0 ? 1.0 : 1.0 / *contest.ratio;
 }
 
-/// Whether all contests of a race in the list are all that there are.
+/// Whether all contests of a race in the list are all that there are. Nobody knows whether external mice have dice.
 bool is_exact(const std::vector<Contestant>& mice, const CompareOrder& order) {
   RaceOrder twice = order.race;
   twice.runs = 2;
   return !order.mazes.list.empty() && order.mazes.list.size() <= order.most &&
+         std::none_of(mice.begin(), mice.end(), [](const Contestant& mouse) { return mouse.external; }) &&
          contests_of(mice, 1, twice) == mice.size();
 }
 
@@ -49,6 +50,7 @@ class Comparing {
     compared_.order.race.runs = 1;
     compared_.order.race.shard = {};
     compared_.first = mice_.front().name;
+    for (Contestant& mouse : mice_) mouse.runs = std::min(mouse.runs, 1);
     compared_.exact = is_exact(mice_, compared_.order);
     hide_list();
     for (std::size_t i = 1; i < mice_.size(); ++i) compared_.candidates.push_back({mice_[i].name});
@@ -60,7 +62,8 @@ class Comparing {
       for (ComparedMouse& candidate : compared_.candidates) decide_exactly(candidate);
       return std::move(compared_);
     }
-    while (compared_.mazes < compared_.order.most && is_undecided() && !compared_.stopped) {
+    while (compared_.mazes < compared_.order.most && is_undecided() && !compared_.stopped &&
+           compared_.never_started.empty()) {
       race_in_drawn(std::min(batch, compared_.order.most - compared_.mazes));
       show(false);
       if (hooks_.advanced) hooks_.advanced(compared_);
@@ -79,7 +82,7 @@ class Comparing {
   void hide_list() const {
     for (const Contestant& mouse : mice_)
       if (mouse.hidden)
-        for (const NamedMaze& maze : compared_.order.mazes.list) mouse.hidden->add(maze.name);
+        for (const NamedMaze& maze : compared_.order.mazes.list) mouse.hidden->add_if_there(maze.name);
   }
 
   bool is_undecided() const {
@@ -108,7 +111,7 @@ class Comparing {
       compared_.stopped = true;
       return;
     }
-    compared_.never_started += never_started_lines(race);
+    compared_.never_started = never_started_lines(race);
     // The race has them by name, which is in the order of drawing.
     for (std::size_t maze = 0; maze < race.mazes.size() && is_undecided(); ++maze) add(race, maze);
   }

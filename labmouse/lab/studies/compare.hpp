@@ -57,7 +57,7 @@ struct Compared {
   /// each maze of the list was raced in once, and the sign of the difference decides.
   bool exact = false;
   bool stopped = false;
-  std::string never_started;  ///< a line for each program that never started
+  std::string never_started;  ///< a line for each program that never started, which ends the comparison
 };
 
 struct CompareHooks {
