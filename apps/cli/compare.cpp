@@ -18,6 +18,7 @@ namespace labmouse::cli {
 namespace {
 
 struct CompareOptions {
+  const Command* command = nullptr;
   std::vector<std::string> mice, mice_files;
   Contests contests;
   ExternalOptions external_mice;
@@ -29,6 +30,8 @@ struct CompareOptions {
 
 /// The mice: the first one, and those that are compared with it.
 Entry entry_of(const CompareOptions& options) {
+  if (options.mice.empty() && options.mice_files.empty())
+    throw UsageError("error: name mice to compare, or --mice-file");
   Entry entry = options.contests.world.enter_one(find_contestants(with_mice_files(options.mice, options.mice_files),
                                                                   options.contests.world, options.external_mice));
   if (entry.mice.size() < 2)
@@ -39,7 +42,16 @@ Entry entry_of(const CompareOptions& options) {
 /// The mazes on the command line, or generated ones; the world of the entry gets the defaults for them.
 MazeSource source_of(const CompareOptions& options, Entry& entry) {
   MazeSource source;
-  if (!options.contests.mazes.empty()) {
+  const bool listed = !options.contests.mazes.empty();
+  for (const char* option : {"--generator", "--size", "--loops"})
+    if (listed && options.command->count(option) > 0)
+      throw UsageError(fmt::format("error: {} is for generated mazes; leave it or --mazes out", option));
+  for (const char* option : {"--start", "--goal"})
+    if (!listed && options.command->count(option) > 0)
+      throw UsageError(fmt::format("error: {} is for mazes of --mazes", option));
+  if (options.command->count("--external-runs") > 0)
+    throw UsageError("error: --external-runs has no meaning here: each maze is drawn for one contest of each mouse");
+  if (listed) {
     source.list = find_mazes_of(entry, options.contests).mazes;
     return source;
   }
@@ -48,7 +60,8 @@ MazeSource source_of(const CompareOptions& options, Entry& entry) {
   const NamedMaze sample = drawn_maze(source, options.contests.order.seed, 0);
   suit_defaults(entry, {&sample, 1});
   if (const std::string reason = entry.world->refuse(sample.maze); !reason.empty())
-    throw UsageError(fmt::format("error: --size {}: {}", options.generated.size, reason));
+    throw UsageError(
+        fmt::format("error: generated mazes ({}, {}): {}", options.generated.kind, options.generated.size, reason));
   return source;
 }
 
@@ -98,6 +111,7 @@ int compare(const CompareOptions& options) {
 void add_compare(Command& app, int& exit) {
   auto options = std::make_shared<CompareOptions>();
   Command* command = app.add_subcommand("compare", "Race mice against a first one until it is decided which is better");
+  options->command = command;
   command->group(groups::mice);
   command
       ->add_option("mice", options->mice,
@@ -110,7 +124,7 @@ void add_compare(Command& app, int& exit) {
   command
       ->add_option("--better-by", options->test.better_by,
                    "The smallest difference that matters, in shares of the best possible score")
-      ->check(in_range(0.0001, 1.0))
+      ->check(in_range(least_better_by, most_better_by))
       ->capture_default_str();
   command->add_option("--alpha", options->test.alpha, "Largest probability of 'better' or 'worse' without a difference")
       ->check(in_range(0.000001, 0.5))
@@ -122,8 +136,8 @@ void add_compare(Command& app, int& exit) {
       ->capture_default_str();
   command
       ->add_option("--test", options->method,
-                   "bets: keeps these probabilities whatever the scores; gsprt: the test of chess engines, which keeps "
-                   "them about and needs fewer contests")
+                   "bets: keeps these probabilities whatever the scores; gsprt: the test of chess engines, which needs "
+                   "fewer contests and is approximate. The interval is that of bets")
       ->check(one_of({"bets", "gsprt"}))
       ->capture_default_str();
   command->add_option("--most", options->most, "The most mazes to race in")

@@ -55,8 +55,8 @@ bool is_free(const Field& field, const Position& middle, const NearLines& x, con
   return true;
 }
 
-/// Adds the contact of a corner with walls; of a round one, the centre of its arc is given. The way out is to the side
-/// of the wall on which the middle is.
+/// Adds the contact of a corner with walls; of a round one, the centre of its arc is given. The way out is towards the
+/// middle of the chassis; a centre can be that middle, and then it is to the side of the wall on which this is.
 void touch_walls(const Field& field, const Position& corner, const Placement& stand, const NearLines& x,
                  const NearLines& y, std::optional<Contact>& contact) {
   const Position& middle = stand.middle;
@@ -65,7 +65,7 @@ void touch_walls(const Field& field, const Position& corner, const Placement& st
     const double beyond = corner.x - line * field.cell() - field.upright_shift(line, corner.y);
     const int row = field.index_at(corner.y);
     if (std::abs(beyond) > half || !field.stands_upright(line, row)) continue;
-    const bool east = middle.x > corner.x - beyond;
+    const bool east = middle.x > (stand.rounding > 0.0 ? corner.x - beyond : corner.x);
     deepen(contact, {east ? Heading::east : Heading::west, half + (east ? -beyond : beyond),
                      wall_at({line, row}, Heading::west)});
   }
@@ -73,7 +73,7 @@ void touch_walls(const Field& field, const Position& corner, const Placement& st
     const double beyond = corner.y - line * field.cell() - field.level_shift(corner.x, line);
     const int column = field.index_at(corner.x);
     if (std::abs(beyond) > half || !field.stands_level(column, line)) continue;
-    const bool north = middle.y > corner.y - beyond;
+    const bool north = middle.y > (stand.rounding > 0.0 ? corner.y - beyond : corner.y);
     deepen(contact, {north ? Heading::north : Heading::south, half + (north ? -beyond : beyond),
                      wall_at({column, line}, Heading::south)});
   }

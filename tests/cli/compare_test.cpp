@@ -50,11 +50,11 @@ TEST_F(AUser, ComparesWithProgramsAndHearsOfThoseThatDoNotStart) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   const auto json = nlohmann::json::parse(ended.out);
   EXPECT_EQ(json["candidates"][0]["verdict"], "worse");
-  EXPECT_FALSE(json["exact"]) << "nobody knows whether it has dice";
+  EXPECT_FALSE(json["exact"]) << "nobody knows whether it is stochastic";
   const Ended none = compared("false");
   EXPECT_EQ(none.code, 1);
   EXPECT_EQ(std::count(none.err.begin(), none.err.end(), '\n'), 1) << none.err;
-  EXPECT_LE(nlohmann::json::parse(none.out)["raced_in"], 32);
+  EXPECT_EQ(nlohmann::json::parse(none.out)["candidates"][0]["verdict"], "undecided");
 }
 
 TEST_F(AUser, IsToldWhatCannotBeCompared) {
@@ -63,9 +63,13 @@ TEST_F(AUser, IsToldWhatCannotBeCompared) {
   is_refused({"compare", "flood", "flod"}, "'flod'", "'flood'");
   is_refused({"compare", "flood", "certify", "--generator", "pim"}, "'pim'", "'prim'");
   is_refused({"compare", "flood", "certify", "--size", "6y6"}, "'6y6'", "WIDTHxHEIGHT");
-  is_refused({"compare", "flood", "certify", "--better-by", "0"}, "--better-by", "0.0001");
-  is_refused({"compare", "flood", "certify", "--world", "seconds", "--generator", "prim", "--size", "40x40"},
-             "--size 40x40", "32x32");
+  is_refused({"compare", "flood", "certify", "--better-by", "0.6"}, "--better-by", "0.0001", "0.5");
+  is_refused({"compare"}, "mice");
+  is_refused({"compare", "flood", "certify", "--mazes", "island-8", "--size", "8x8"}, "--size", "--mazes");
+  is_refused({"compare", "flood", "certify", "--start", "1,1"}, "--start", "--mazes");
+  is_refused({"compare", "flood", "certify", "--external-runs", "2"}, "--external-runs");
+  is_refused({"compare", "flood", "certify", "--world", "seconds", "--generator", "prim", "--size", "40x40"}, "40x40",
+             "32x32");
   is_refused({"compare", "flood", "certify", "--runs", "3"}, "--runs");
 }
 

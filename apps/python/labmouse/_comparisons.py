@@ -95,7 +95,7 @@ def compare(
     better_by: the smallest difference that matters, in shares of the best possible score.
     alpha: largest probability of 'better' or 'worse' without a difference.
     beta: largest probability of 'no difference' where there is one of `better_by` or more.
-    test: 'bets', which keeps both whatever the scores, or 'gsprt', the test of chess engines, which keeps them about.
+    test: 'bets', which keeps both whatever the scores, or 'gsprt', the test of chess engines, which is approximate.
     most: the most mazes to race in.
 
     The other arguments are those of `race`. Raises Error for a wrong argument. Ctrl-C raises Interrupted, whose
@@ -108,7 +108,7 @@ def compare(
     who = Given(one.specs + others.specs, one.own + others.own)
     if test not in ("bets", "gsprt"):
         raise Error(f"test is 'bets' or 'gsprt', not {shown(test)}")
-    numbers = (_share("better_by", better_by, 0.0001, 1.0), _share("alpha", alpha, 1e-6, 0.5), _share("beta", beta, 1e-6, 0.5),
+    numbers = (_share("better_by", better_by, 0.0001, 0.5), _share("alpha", alpha, 1e-6, 0.5), _share("beta", beta, 1e-6, 0.5),
                test == "gsprt", whole("most", most, 1, 1_000_000), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024))
     width, height = size if isinstance(size, tuple) and len(size) == 2 else (size, size)
     kind = (generator, whole("size", width, 1, 64), whole("size", height, 1, 64), int(_share("loops", loops, 0.0, 1.0) * 1000 + 0.5))

@@ -41,7 +41,7 @@ void list_contests(Race& race) {
         contest.mouse = mouse;
         contest.maze = maze;
         contest.run = run;
-        contest.told = seed_of_program(race.order.seed, run);
+        contest.told = seed_of_program(race.order.first_told ? *race.order.first_told + maze : race.order.seed, run);
         // In a stochastic world the random draws differ between mazes.
         contest.seed = race.mice[mouse].external && !race.world().is_stochastic()
                            ? contest.told

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct RaceOrder {
   /// Contests in each maze where the mouse or the world is stochastic; others need one.
   int runs = 20;
   std::uint64_t seed = 1;
+  /// If set, an external mouse gets another seed in each maze: that of this number for the first maze, and so on.
+  /// Otherwise it gets the same one in all.
+  std::optional<std::uint64_t> first_told = std::nullopt;
   /// Threads; 0 takes as many as there are processors. Results do not depend on it.
   int jobs = 0;
   /// Only these contests are run, and listed.

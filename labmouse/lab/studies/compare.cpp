@@ -16,20 +16,18 @@ namespace {
 /// So many mazes are raced in at once: enough for many threads, few to be held in vain after the last verdict.
 constexpr std::size_t batch = 32;
 
-/// Nothing where the contest does not count.
+/// Nothing where the contest does not count, or the world has no ratio for a score.
 std::optional<double> share_of_best(const Race& race, const ContestResult& contest) {
-  if (!counts(race, contest)) return std::nullopt;
+  if (!counts(race, contest) || contest.score.has_value() != contest.ratio.has_value()) return std::nullopt;
   if (!contest.ratio) return 0.0;
   return *contest.ratio <= 1.0 ? 1.0 : 1.0 / *contest.ratio;
 }
 
-/// Whether all contests of a race in the list are all that there are. Nobody knows whether external mice have dice.
+/// Whether one contest in each maze of the list is all that there is. Whether external mice are stochastic is unknown.
 bool is_exact(const std::vector<Contestant>& mice, const CompareOrder& order) {
-  RaceOrder twice = order.race;
-  twice.runs = 2;
-  return !order.mazes.list.empty() && order.mazes.list.size() <= order.most &&
-         std::none_of(mice.begin(), mice.end(), [](const Contestant& mouse) { return mouse.external; }) &&
-         contests_of(mice, 1, twice) == mice.size();
+  return !order.mazes.list.empty() && order.mazes.list.size() <= order.most && !order.race.world->is_stochastic() &&
+         std::none_of(mice.begin(), mice.end(),
+                      [](const Contestant& mouse) { return mouse.external || mouse.uses_chance; });
 }
 
 /// The contest of a mouse in a maze, in a race with one in each.
@@ -50,7 +48,7 @@ class Comparing {
     compared_.order.race.runs = 1;
     compared_.order.race.shard = {};
     compared_.first = mice_.front().name;
-    for (Contestant& mouse : mice_) mouse.runs = std::min(mouse.runs, 1);
+    for (Contestant& mouse : mice_) mouse.runs = 1;
     compared_.exact = is_exact(mice_, compared_.order);
     hide_list();
     for (std::size_t i = 1; i < mice_.size(); ++i) compared_.candidates.push_back({mice_[i].name});
@@ -60,19 +58,30 @@ class Comparing {
     if (compared_.exact) {
       race_in(compared_.order.mazes.list, compared_.order.race);
       for (ComparedMouse& candidate : compared_.candidates) decide_exactly(candidate);
-      return std::move(compared_);
+      return finished();
     }
-    while (compared_.mazes < compared_.order.most && is_undecided() && !compared_.stopped &&
-           compared_.never_started.empty()) {
+    while (compared_.mazes < compared_.order.most && is_undecided() && !is_pointless()) {
       race_in_drawn(std::min(batch, compared_.order.most - compared_.mazes));
       show(false);
       if (hooks_.advanced) hooks_.advanced(compared_);
     }
     show(true);
-    return std::move(compared_);
+    return finished();
   }
 
  private:
+  /// The result, without the store, which ends with the race.
+  Compared finished() {
+    compared_.order.race.store.reset();
+    return std::move(compared_);
+  }
+
+  /// Whether no maze so far counted, or there will be no more.
+  bool is_pointless() const {
+    return compared_.stopped || !compared_.never_started.empty() ||
+           (compared_.mazes > 0 && compared_.skipped == compared_.mazes);
+  }
+
   struct Sums {
     double share = 0.0, first_share = 0.0;
     std::size_t shown = 0;  ///< pairs of the interval that was computed last
@@ -94,10 +103,16 @@ class Comparing {
   void race_in_drawn(std::size_t count) {
     RaceOrder order = compared_.order.race;
     order.seed = seed_for(order.seed, "contests", compared_.mazes);
+    order.first_told = compared_.mazes;
     std::vector<NamedMaze> mazes;
-    for (std::size_t i = 0; i < count; ++i)
-      mazes.push_back(drawn_maze(compared_.order.mazes, compared_.order.race.seed, compared_.mazes + i));
+    for (std::size_t i = 0; i < count; ++i) {
+      NamedMaze maze = drawn_maze(compared_.order.mazes, compared_.order.race.seed, compared_.mazes + i);
+      if (order.world->refuse(maze.maze).empty()) mazes.push_back(std::move(maze));
+    }
+    const std::size_t refused = count - mazes.size();
     race_in(std::move(mazes), order);
+    compared_.mazes += refused;
+    compared_.skipped += refused;
   }
 
   void race_in(std::vector<NamedMaze> mazes, const RaceOrder& order) {
@@ -111,7 +126,9 @@ class Comparing {
       compared_.stopped = true;
       return;
     }
-    compared_.never_started = never_started_lines(race);
+    // Who started once has not failed to start in every contest.
+    if (compared_.mazes == 0) compared_.never_started = never_started_lines(race);
+    if (!compared_.never_started.empty()) return;
     // The race has them by name, which is in the order of drawing.
     for (std::size_t maze = 0; maze < race.mazes.size() && is_undecided(); ++maze) add(race, maze);
   }
@@ -168,7 +185,7 @@ class Comparing {
 }  // namespace
 
 NamedMaze drawn_maze(const MazeSource& source, std::uint64_t seed, std::size_t number) {
-  // Sorted by name they are in the order of drawing. A number of its own gives each contest its own seed.
+  // Sorted by name they are in the order of drawing. The number gives each contest a seed of its own.
   const auto named = [&](std::string_view name) { return fmt::format("{:07}-{}", number, name); };
   if (source.list.empty()) {
     GeneratorOrder order = source.order;

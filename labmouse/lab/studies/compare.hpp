@@ -1,7 +1,8 @@
-// Which mouse is better? Holds pairs of contests, maze by maze, until a sequential test decides.
+// Which mouse is better? Runs pairs of contests, maze by maze, until a sequential test decides.
 //
-// Compared is the share of the best possible score: the bound of the maze divided by the score, 0 for a contest that is
-// not finished, and never above 1. It makes mazes of different size comparable.
+// Compared is the share of the best possible score: 1 divided by the ratio of the score to the bound of the maze, as
+// the world compares them; 0 for a contest that is not finished, and never above 1. It makes mazes of different size
+// comparable. A maze does not count in which a score has no such ratio.
 #pragma once
 
 #include <atomic>
@@ -53,8 +54,8 @@ struct Compared {
   std::vector<ComparedMouse> candidates;  ///< in the order given
   std::size_t mazes = 0;                  ///< raced in
   std::size_t skipped = 0;  ///< of them, those that no mouse can score in, or in which a contest was not judged
-  /// Whether these are all contests that there are: the mazes are a list, and neither mice nor world have dice. Then
-  /// each maze of the list was raced in once, and the sign of the difference decides.
+  /// Whether these are all contests that there are: the mazes are a list, and neither mice nor world are stochastic.
+  /// Then each maze of the list was raced in once, and the sign of the difference decides.
   bool exact = false;
   bool stopped = false;
   std::string never_started;  ///< a line for each program that never started, which ends the comparison

@@ -30,8 +30,9 @@ std::string percent(double share) { return fmt::format("{:g} %", share * 100.0);
 /// What the verdicts mean.
 std::string notes_of(const Compared& compared) {
   const SequentialOrder& test = compared.order.test;
+  if (compared.mazes == compared.skipped) return "";
   if (compared.exact)
-    return "There are no dice, and each maze of the list was raced in: in these mazes the differences are exact.\n";
+    return "Nothing here is stochastic, and each maze of the list was raced in: there the differences are exact.\n";
   const std::string_view bounds = test.method == SequentialMethod::bets ? "at most" : "about";
   std::string text = fmt::format(
       "better, worse: wrong with a probability of {0} {1}{2}\nno difference: none of {3:g} or more, wrong with {0} "
@@ -41,7 +42,7 @@ std::string notes_of(const Compared& compared) {
   const bool any =
       std::any_of(compared.candidates.begin(), compared.candidates.end(),
                   [](const ComparedMouse& candidate) { return candidate.verdict == SequentialVerdict::undecided; });
-  if (any)
+  if (any && compared.mazes > compared.skipped && !compared.stopped)
     text += fmt::format("undecided: {} were not enough; more may decide.\n", counted(compared.mazes, "maze", "mazes"));
   return text;
 }
@@ -67,9 +68,11 @@ std::string table_of(const Compared& compared) {
       fmt::format("labmouse {}, {}seed {}{}\n", version(), world.title(), compared.order.race.seed, world.heading());
   text += fmt::format("Share of the best possible score against {}, in {}\n\n", shown(compared.first),
                       source_text(compared.order.mazes));
-  text += fmt::format("{:<{}} {:>8} {:>7} {:>7} {:>11}  {:>19}  {}\n", "candidate", width, "mazes", "share", "first",
-                      "difference", compared.exact ? "exact" : percent(1.0 - compared.order.test.alpha) + " interval",
-                      "verdict");
+  text += fmt::format(
+      "{:<{}} {:>8} {:>7} {:>7} {:>11}  {:>19}  {}\n", "candidate", width, "mazes", "share", "first", "difference",
+      compared.exact && compared.mazes > compared.skipped ? "exact"
+                                                          : percent(1.0 - compared.order.test.alpha) + " interval",
+      "verdict");
   for (const ComparedMouse& candidate : compared.candidates) text += line_of(candidate, width);
   text += "\n" + notes_of(compared);
   if (compared.skipped > 0)

@@ -20,7 +20,7 @@ std::string_view name_of(SequentialVerdict verdict) {
   return "no difference";
 }
 
-// That the mean is below a bar is bet on by the negated differences.
+// That the mean is below a bar is tested by the negated differences.
 SequentialTest::SequentialTest(const SequentialOrder& order)
     : order_(order),
       above_zero_(0.0),
@@ -45,20 +45,19 @@ double SequentialTest::mean() const {
 }
 
 SequentialVerdict SequentialTest::by_bets() {
-  // Two wrong verdicts are possible without a difference, but only one way to overlook one: a mean is not both
+  // Without a difference two verdicts are wrong. A difference can be overlooked in one way only: a mean is not both
   // better_by and -better_by.
-  if (above_zero_.capital() >= 2.0 / order_.alpha) return SequentialVerdict::better;
-  if (below_zero_.capital() >= 2.0 / order_.alpha) return SequentialVerdict::worse;
-  const bool none = below_better_.capital() >= 1.0 / order_.beta && above_worse_.capital() >= 1.0 / order_.beta;
+  if (above_zero_.wealth() >= 2.0 / order_.alpha) return SequentialVerdict::better;
+  if (below_zero_.wealth() >= 2.0 / order_.alpha) return SequentialVerdict::worse;
+  const bool none = below_better_.wealth() >= 1.0 / order_.beta && above_worse_.wealth() >= 1.0 / order_.beta;
   return none ? SequentialVerdict::no_difference : SequentialVerdict::undecided;
 }
 
 SequentialVerdict SequentialTest::by_ratio() const {
-  // The variance is of use only with several differences.
-  constexpr std::size_t least = 16;
+  // Equal scores in all mazes so far do not mean that there is no variance: one difference of 1 and one of -1 are
+  // added.
   const auto count = static_cast<double>(differences_.size());
-  if (differences_.size() < least) return SequentialVerdict::undecided;
-  const double variance = std::max(1e-12, (squares_ - sum_ * sum_ / count) / (count - 1.0));
+  const double variance = (squares_ + 2.0 - sum_ * sum_ / (count + 2.0)) / (count + 1.0);
   const auto ratio = [&](double sign) {
     return order_.better_by * (sign * sum_ - count * order_.better_by / 2.0) / variance;
   };

@@ -7,17 +7,19 @@
 #include <vector>
 
 #include "labmouse/lab/numbers/interval.hpp"
-#include "labmouse/lab/numbers/mean_bets.hpp"
+#include "labmouse/lab/numbers/wealth_process.hpp"
 
 namespace labmouse {
 
-/// How a difference is tested. `bets`: by MeanBets, which keep both error rates whatever the distribution. `gsprt`: the
-/// generalised sequential probability ratio test that chess engines are tested with, between the means 0 and
-/// `better_by`; it takes the differences as normal, and keeps the error rates only about.
+/// How a difference is tested. `bets`: by WealthProcess, which keeps both error rates whatever the distribution.
+/// `gsprt`: the generalised sequential probability ratio test that chess engines are tested with, between the means 0
+/// and `better_by`; it takes the differences as normal, and its error rates are approximate.
 enum class SequentialMethod : std::uint8_t { bets, gsprt };
 
+inline constexpr double least_better_by = 0.0001, most_better_by = 0.5;
+
 struct SequentialOrder {
-  double better_by = 0.02;  ///< the smallest difference that matters, above 0
+  double better_by = 0.02;  ///< the smallest difference that matters, above 0 and at most `most_better_by`
   double alpha = 0.05;      ///< at most this is the probability of `better` or `worse` if there is no difference
   double beta = 0.05;       ///< and of `no_difference` if the difference is `better_by` or more, either way
   SequentialMethod method = SequentialMethod::bets;
@@ -38,8 +40,8 @@ class SequentialTest {
   SequentialVerdict verdict() const { return verdict_; }
   std::span<const double> differences() const { return differences_; }
   double mean() const;  ///< 0 without differences
-  /// The mean with a probability of at least 1 - alpha, at any time.
-  Interval interval() const { return interval_at_any_time(differences_, order_.alpha); }
+  /// Contains the mean with a probability of at least 1 - alpha, at any time and with either method.
+  Interval interval() const { return confidence_sequence(differences_, order_.alpha); }
 
  private:
   SequentialVerdict by_bets();
@@ -48,8 +50,8 @@ class SequentialTest {
   SequentialOrder order_;
   std::vector<double> differences_;
   double sum_ = 0.0, squares_ = 0.0;
-  MeanBets above_zero_, below_zero_;     ///< that the mean is above 0, and that it is below
-  MeanBets below_better_, above_worse_;  ///< that it is below better_by, and above -better_by
+  WealthProcess above_zero_, below_zero_;     ///< that the mean is above 0, and that it is below
+  WealthProcess below_better_, above_worse_;  ///< that it is below better_by, and above -better_by
   SequentialVerdict verdict_ = SequentialVerdict::undecided;
 };
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
@@ -167,15 +168,15 @@ TEST(SequentialTest, HasTheErrorRatesOfTheTable) {
   }
 }
 
-/// So many times that difference until bets against means of at most `bar` have that much.
-std::size_t bets_until(double bar, double difference, double needed) {
-  MeanBets bets(bar);
+/// So many times that difference until the wealth against means of at most `bar` reaches that.
+std::size_t count_until(double bar, double difference, double needed) {
+  WealthProcess process(bar);
   std::size_t count = 0;
-  for (; bets.capital() < needed; ++count) bets.add(difference);
+  for (; process.wealth() < needed; ++count) process.add(difference);
   return count;
 }
 
-TEST(SequentialTest, DecidesWhenTheBetsReachWhatItsErrorsAllow) {
+TEST(SequentialTest, DecidesWhenTheWealthReachesWhatItsErrorsAllow) {
   const SequentialOrder order = {.better_by = 0.1, .alpha = 0.04, .beta = 0.1};
   const auto count_of = [&](double difference, Verdict verdict) {
     SequentialTest test(order);
@@ -183,11 +184,36 @@ TEST(SequentialTest, DecidesWhenTheBetsReachWhatItsErrorsAllow) {
     EXPECT_EQ(test.verdict(), verdict);
     return test.differences().size();
   };
-  EXPECT_EQ(count_of(0.3, Verdict::better), bets_until(0.0, 0.3, 50.0));
-  EXPECT_EQ(count_of(-0.3, Verdict::worse), bets_until(0.0, 0.3, 50.0));
-  EXPECT_EQ(count_of(0.0, Verdict::no_difference), bets_until(-0.1, 0.0, 10.0));
+  EXPECT_EQ(count_of(0.3, Verdict::better), count_until(0.0, 0.3, 50.0));
+  EXPECT_EQ(count_of(-0.3, Verdict::worse), count_until(0.0, 0.3, 50.0));
+  EXPECT_EQ(count_of(0.0, Verdict::no_difference), count_until(-0.1, 0.0, 10.0));
   // Close to one of the two, the other is refuted long before.
-  EXPECT_EQ(count_of(0.01, Verdict::no_difference), bets_until(-0.1, -0.01, 10.0));
+  EXPECT_EQ(count_of(0.01, Verdict::no_difference), count_until(-0.1, -0.01, 10.0));
+}
+
+/// As after the mending of a bug: most mazes are as before.
+TEST(SequentialTest, SeldomOverlooksRareDifferences) {
+  SequentialOrder order;
+  order.better_by = 0.05;
+  for (const SequentialMethod method : {SequentialMethod::bets, SequentialMethod::gsprt})
+    for (const auto& [share, difference] : {std::pair(20, 1.0), std::pair(10, 0.5), std::pair(16, 0.8)}) {
+      order.method = method;
+      int overlooked = 0;
+      for (int i = 0; i < 1000; ++i) {
+        Rng rng(seed_for(9, "rare", static_cast<std::uint64_t>(i)));
+        SequentialTest test(order);
+        for (int j = 0; j < 3000 && test.verdict() == Verdict::undecided; ++j)
+          test.add(rng.below(share) == 0 ? difference : 0.0);
+        overlooked += test.verdict() == Verdict::no_difference ? 1 : 0;
+      }
+      EXPECT_LE(overlooked, method == SequentialMethod::bets ? 50 : 80) << share;
+    }
+}
+
+TEST(SequentialTest, KnowsTheLargestDifferencesThatThereAre) {
+  SequentialTest test({.better_by = most_better_by});
+  while (test.verdict() == Verdict::undecided) test.add(1.0);
+  EXPECT_EQ(test.verdict(), Verdict::better);
 }
 
 TEST(SequentialTest, KeepsItsVerdict) {
@@ -252,6 +278,53 @@ TEST(Compare, IsExactInAListWithoutDice) {
   EXPECT_FALSE(drawn.exact);
   EXPECT_GT(drawn.mazes, 3U);
   EXPECT_GT(drawn.skipped, 0U);
+}
+
+TEST(Compare, IsNotExactWithChanceWhateverAMouseSaysOfItsRuns) {
+  CompareOrder order = in_small_mazes(64);
+  order.mazes.list = {test::loop(), test::corridor()};
+  std::vector<Contestant> mice = test::mice("random,random-move");
+  for (Contestant& mouse : mice) mouse.runs = 5;
+  const Compared compared = hold_comparison(mice, order);
+  EXPECT_FALSE(compared.exact);
+  EXPECT_GT(compared.mazes, 2U);
+  order.race.world = find_world("physical")->make({}).world;
+  order.most = 4;
+  EXPECT_FALSE(hold_comparison(test::mice("flood,flood-return"), order).exact);
+}
+
+TEST(Compare, EndsWhereNoMazeCounts) {
+  CompareOrder order = in_small_mazes();
+  order.race.world = find_world("seconds")->make({{"rules", "coverage"}}).world;
+  for (const bool listed : {false, true}) {
+    if (listed) order.mazes.list = {test::loop()};
+    const Compared compared = hold_comparison(test::mice("flood,certify"), order);
+    EXPECT_EQ(compared.candidates.front().verdict, Verdict::undecided);
+    EXPECT_EQ(compared.candidates.front().pairs, 0U);
+    EXPECT_EQ(compared.skipped, compared.mazes);
+    EXPECT_LE(compared.mazes, 32U);
+    EXPECT_THAT(table_of(compared), ::testing::Not(::testing::HasSubstr("exact")));
+  }
+}
+
+/// External mice that draw lots by their seeds would otherwise draw the same ones in a whole batch.
+TEST(Compare, TellsExternalMiceAnotherSeedInEachMaze) {
+  RaceOrder order = test::in_steps();
+  order.first_told = 7;
+  const Race race = hold_race(test::mice("flood"), {test::loop(), test::corridor()}, order);
+  EXPECT_EQ(race.results[0].told, seed_of_program(7, 0));
+  EXPECT_EQ(race.results[1].told, seed_of_program(8, 0));
+  EXPECT_NE(race.results[0].told, race.results[1].told);
+}
+
+TEST(Compare, GoesOnWithoutWhatIsDecided) {
+  CompareOrder order = in_small_mazes();
+  order.test.better_by = 0.02;
+  const Compared compared = hold_comparison(test::mice("flood,random,certify"), order);
+  EXPECT_EQ(compared.candidates[0].verdict, Verdict::worse);
+  EXPECT_NE(compared.candidates[1].verdict, Verdict::undecided);
+  EXPECT_LT(compared.candidates[0].pairs, compared.candidates[1].pairs);
+  EXPECT_EQ(compared.candidates[1].pairs, compared.mazes);
 }
 
 TEST(Compare, EndsUndecidedWhereItMayNotGoOn) {

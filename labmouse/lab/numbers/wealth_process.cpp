@@ -1,4 +1,4 @@
-#include "labmouse/lab/numbers/mean_bets.hpp"
+#include "labmouse/lab/numbers/wealth_process.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -6,11 +6,12 @@
 namespace labmouse {
 namespace {
 
-/// Whether bets refute that the mean of the differences times `sign` is at most `bar`. The higher the bar, the less so.
+/// Whether it is refuted that the mean of the differences times `sign` is at most `bar`. The higher the bar, the less
+/// so.
 bool refuted(std::span<const double> differences, double sign, double bar, double needed) {
-  MeanBets bets(bar);
-  for (const double difference : differences) bets.add(sign * difference);
-  return bets.capital() >= needed;
+  WealthProcess process(bar);
+  for (const double difference : differences) process.add(sign * difference);
+  return process.wealth() >= needed;
 }
 
 /// The highest bar that is refuted; -1 if none is.
@@ -26,22 +27,22 @@ double highest_refuted(std::span<const double> differences, double sign, double 
 
 }  // namespace
 
-MeanBets::MeanBets(double bar) : bar_(bar) { capitals_.fill(1.0 / stakes); }
+WealthProcess::WealthProcess(double bar) : bar_(bar) { wealths_.fill(1.0 / stakes); }
 
-void MeanBets::add(double difference) {
+void WealthProcess::add(double difference) {
   // More evidence than this is of no use, and would overflow.
   constexpr double most = 1e200;
-  // The most that can be staked is lost where the difference is -1.
+  // The largest possible stake loses all where the difference is -1.
   double stake = 1.0 / (1.0 + bar_);
-  for (double& capital : capitals_) {
+  for (double& wealth : wealths_) {
     stake /= 2.0;
-    capital = std::min(most, capital * (1.0 + stake * (difference - bar_)));
+    wealth = std::min(most, wealth * (1.0 + stake * (difference - bar_)));
   }
 }
 
-double MeanBets::capital() const { return std::accumulate(capitals_.begin(), capitals_.end(), 0.0); }
+double WealthProcess::wealth() const { return std::accumulate(wealths_.begin(), wealths_.end(), 0.0); }
 
-Interval interval_at_any_time(std::span<const double> differences, double error) {
+Interval confidence_sequence(std::span<const double> differences, double error) {
   const double needed = 2.0 / error;
   return {highest_refuted(differences, 1.0, needed), -highest_refuted(differences, -1.0, needed)};
 }

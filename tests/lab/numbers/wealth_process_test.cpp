@@ -1,4 +1,4 @@
-#include "labmouse/lab/numbers/mean_bets.hpp"
+#include "labmouse/lab/numbers/wealth_process.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,69 +32,69 @@ const std::vector<Draw>& draws() {
   return all;
 }
 
-TEST(MeanBets, HaveWhatTheirStakesCameTo) {
-  MeanBets bets(0.0);
-  EXPECT_NEAR(bets.capital(), 1.0, 1e-12);
-  bets.add(0.5);
-  bets.add(-1.0);
+TEST(WealthProcess, HasWhatItsStakesCameTo) {
+  WealthProcess process(0.0);
+  EXPECT_NEAR(process.wealth(), 1.0, 1e-12);
+  process.add(0.5);
+  process.add(-1.0);
   double expected = 0.0;
   for (int i = 1; i <= 10; ++i) {
     const double stake = std::exp2(-i);
     expected += (1.0 + 0.5 * stake) * (1.0 - stake) / 10.0;
   }
-  EXPECT_NEAR(bets.capital(), expected, 1e-12);
+  EXPECT_NEAR(process.wealth(), expected, 1e-12);
   // At a higher bar the worst that can come takes no more than all.
-  MeanBets high(0.5);
+  WealthProcess high(0.5);
   for (int i = 0; i < 100; ++i) high.add(-1.0);
-  EXPECT_GE(high.capital(), 0.0);
-  for (int i = 0; i < 100'000; ++i) bets.add(1.0);
-  EXPECT_TRUE(std::isfinite(bets.capital()));
+  EXPECT_GE(high.wealth(), 0.0);
+  for (int i = 0; i < 100'000; ++i) process.add(1.0);
+  EXPECT_TRUE(std::isfinite(process.wealth()));
 }
 
-TEST(MeanBets, AreSeldomRichWhereTheBarIsTheMean) {
+TEST(WealthProcess, IsSeldomHighWhereTheBarIsTheMean) {
   const int series = test::fewer(20'000);
   for (std::size_t kind = 0; kind < draws().size(); ++kind) {
-    int rich = 0;
+    int reached = 0;
     for (int i = 0; i < series; ++i) {
       Rng rng(seed_for(kind, "bets", static_cast<std::uint64_t>(i)));
-      MeanBets bets(draws()[kind].mean);
+      WealthProcess process(draws()[kind].mean);
       double most = 0.0;
       for (int j = 0; j < 300; ++j) {
-        bets.add(draws()[kind].one(rng));
-        most = std::max(most, bets.capital());
+        process.add(draws()[kind].one(rng));
+        most = std::max(most, process.wealth());
       }
-      rich += most >= 20.0 ? 1 : 0;
+      reached += most >= 20.0 ? 1 : 0;
     }
     // At most one in twenty; four standard deviations beyond.
-    EXPECT_LE(rich, 0.05 * series + 4.0 * std::sqrt(0.05 * 0.95 * series)) << kind;
+    EXPECT_LE(reached, 0.05 * series + 4.0 * std::sqrt(0.05 * 0.95 * series)) << kind;
   }
 }
 
-TEST(IntervalAtAnyTime, IsAllWithoutDifferences) { EXPECT_EQ(interval_at_any_time({}, 0.05), (Interval{-1.0, 1.0})); }
+TEST(ConfidenceSequence, IsAllWithoutDifferences) { EXPECT_EQ(confidence_sequence({}, 0.05), (Interval{-1.0, 1.0})); }
 
-TEST(IntervalAtAnyTime, EndsWhereTheBetsRefute) {
+TEST(ConfidenceSequence, EndsWhereAMeanIsRefuted) {
   Rng rng(5);
   std::vector<double> differences;
   for (int i = 0; i < 200; ++i) differences.push_back(draws()[4].one(rng));
-  const Interval interval = interval_at_any_time(differences, 0.05);
-  const auto capital = [&](double sign, double bar) {
-    MeanBets bets(bar);
-    for (const double difference : differences) bets.add(sign * difference);
-    return bets.capital();
+  const Interval interval = confidence_sequence(differences, 0.05);
+  const auto wealth = [&](double sign, double bar) {
+    WealthProcess process(bar);
+    for (const double difference : differences) process.add(sign * difference);
+    return process.wealth();
   };
   EXPECT_GT(interval.low, 0.1);
   EXPECT_LT(interval.high, 0.3);
-  EXPECT_GE(capital(1.0, interval.low - 1e-6), 40.0);
-  EXPECT_LT(capital(1.0, interval.low + 1e-6), 40.0);
-  EXPECT_GE(capital(-1.0, -interval.high - 1e-6), 40.0);
-  EXPECT_LT(capital(-1.0, -interval.high + 1e-6), 40.0);
+  EXPECT_GE(wealth(1.0, interval.low - 1e-6), 40.0);
+  EXPECT_LT(wealth(1.0, interval.low + 1e-6), 40.0);
+  EXPECT_GE(wealth(-1.0, -interval.high - 1e-6), 40.0);
+  EXPECT_LT(wealth(-1.0, -interval.high + 1e-6), 40.0);
   for (double& difference : differences) difference = -difference;
-  const Interval mirrored = interval_at_any_time(differences, 0.05);
+  const Interval mirrored = confidence_sequence(differences, 0.05);
   EXPECT_NEAR(mirrored.low, -interval.high, 1e-8);
   EXPECT_NEAR(mirrored.high, -interval.low, 1e-8);
 }
 
-TEST(IntervalAtAnyTime, ContainsTheMeanAllTheTimeInMostSeries) {
+TEST(ConfidenceSequence, ContainsTheMeanAllTheTimeInMostSeries) {
   const int series = test::fewer(1600);
   for (const Draw& draw : draws()) {
     int missed = 0;
@@ -105,7 +105,7 @@ TEST(IntervalAtAnyTime, ContainsTheMeanAllTheTimeInMostSeries) {
       for (int j = 0; j < 120 && !out; ++j) {
         differences.push_back(draw.one(rng));
         if (j % 10 != 9) continue;
-        const Interval interval = interval_at_any_time(differences, 0.1);
+        const Interval interval = confidence_sequence(differences, 0.1);
         out = draw.mean < interval.low || draw.mean > interval.high;
       }
       missed += out ? 1 : 0;
