@@ -24,9 +24,6 @@ struct RaceOrder {
   /// Contests in each maze where the mouse or the world is stochastic; others need one.
   int runs = 20;
   std::uint64_t seed = 1;
-  /// If set, an external mouse gets another seed in each maze: that of this number for the first maze, and so on.
-  /// Otherwise it gets the same one in all.
-  std::optional<std::uint64_t> first_told = std::nullopt;
   /// Threads; 0 takes as many as there are processors. Results do not depend on it.
   int jobs = 0;
   /// Only these contests are run, and listed.
@@ -36,6 +33,9 @@ struct RaceOrder {
   /// Files and folders to hide from external mice besides the mazes themselves, because they contain mazes: the store,
   /// the records.
   std::vector<std::string> files = {};
+  /// If set, an external mouse gets another seed in each maze: that of this number for the first maze, and so on.
+  /// Otherwise it gets the same one in all.
+  std::optional<std::uint64_t> first_told = std::nullopt;
 };
 
 /// One contest and how it went. `mouse` and `maze` are positions in the race's lists.
