@@ -143,7 +143,7 @@ void add_compare(Command& app, int& exit) {
   command->add_option("--most", options->most, "The most mazes to race in")
       ->check(in_range(std::uint64_t{1}, std::uint64_t{most_pairs}))
       ->capture_default_str();
-  add_mazes(*command, options->contests, "generated ones; these are drawn at random, with repetitions");
+  add_mazes(*command, options->contests, "generated ones (named ones are drawn at random, with repetitions)");
   command->add_option("--generator", options->generated.kind, "Generator: " + list_of(all_generators()))
       ->type_name("KIND")
       ->capture_default_str();

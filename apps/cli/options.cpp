@@ -307,12 +307,26 @@ Option* Command::add_flag(const std::string& name, bool& value, const std::strin
   return &options_.emplace_back(*app_->add_flag(name, value, meaning)->group(group_));
 }
 
+namespace {
+
+/// The group of options that another command explains. CLI11 gives an option without a group no name in its messages.
+constexpr const char* referred = "referred";
+
+/// Leaves them out of the help that is now printed.
+void hide_referred(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    if (option->get_group() == referred) option->group("");
+  for (CLI::App* command : app.get_subcommands({})) hide_referred(*command);
+}
+
+}  // namespace
+
 void Command::refer(std::initializer_list<std::string> headings, const std::string& command) {
   std::vector<std::string> left_out;
   for (CLI::Option* option : app_->get_options())
     if (std::find(headings.begin(), headings.end(), option->get_group()) != headings.end()) {
       left_out.push_back("--" + option->get_lnames().front());
-      option->group("");
+      option->group(referred);
     }
   referred_ = fmt::format("Also, as explained by `{} --help`: {}\n\n", command, fmt::join(left_out, " "));
   app_->footer(referred_ + footer_);
@@ -374,6 +388,7 @@ bool CommandLine::run(int argc, char** argv) {
     app_->parse(std::move(words));
     return false;
   } catch (const CLI::Success& asked) {  // for the help or the version
+    hide_referred(*app_);
     app_->exit(asked);
     return true;
   } catch (const CLI::ParseError& error) {

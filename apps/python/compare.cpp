@@ -18,6 +18,7 @@
 #include "errors.hpp"
 #include "orders.hpp"
 #include "part_store.hpp"
+#include "running.hpp"
 #include "work.hpp"
 
 namespace nb = nanobind;
@@ -122,20 +123,11 @@ void bind_comparisons(nb::module_& module) {
       .def_prop_ro("from_store", [](const HeldComparison& held) { return held.from_store; })
       .def("table", [](const HeldComparison& held) { return table_of(held.compared); })
       .def("json", [](const HeldComparison& held) { return json_of(held.compared); });
-  nb::class_<RunningComparison>(module, "RunningComparison")
-      .def(nb::init<const GivenMice&, bool, std::vector<NamedMaze>, const GivenGenerator&, const GivenWorld&,
-                    const GivenTest&, const GivenStore&>(),
-           "mice"_a, "first_is_own"_a, "mazes"_a, "generator"_a, "world"_a, "test"_a, "store"_a)
-      .def_prop_ro("remarks", &RunningComparison::remarks)
-      .def_prop_ro("settings", &RunningComparison::settings,
-                   "The settings of the world that were given, and the defaults that depend on the mazes.")
-      .def_prop_ro("done", [](RunningComparison& running) { return running.work().done(); })
-      .def_prop_ro("all", [](RunningComparison& running) { return running.work().all(); })
-      .def(
-          "wait", [](RunningComparison& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
-      .def("stop", [](RunningComparison& running) { running.work().stop(); })
-      .def("missing", &RunningComparison::missing)
-      .def("result", &RunningComparison::result);
+  nb::class_<RunningComparison> comparison(module, "RunningComparison");
+  comparison.def(nb::init<const GivenMice&, bool, std::vector<NamedMaze>, const GivenGenerator&, const GivenWorld&,
+                          const GivenTest&, const GivenStore&>(),
+                 "mice"_a, "first_is_own"_a, "mazes"_a, "generator"_a, "world"_a, "test"_a, "store"_a);
+  bind_running(comparison);
 }
 
 }  // namespace labmouse::python

@@ -31,6 +31,7 @@
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "orders.hpp"
 #include "part_store.hpp"
+#include "running.hpp"
 #include "values.hpp"
 #include "work.hpp"
 
@@ -255,23 +256,14 @@ void bind_races(nb::module_& module) {
       .def("notes", [](const HeldRace& held) { return notes_of(held.race); })
       .def("csv", [](const HeldRace& held) { return csv_of(held.race); })
       .def("json", [](const HeldRace& held) { return json_of(held.race, held.skipped); });
-  nb::class_<RunningRace>(module, "RunningRace")
-      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, std::optional<int>, std::uint64_t, int,
+  nb::class_<RunningRace> race(module, "RunningRace");
+  race.def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, std::optional<int>, std::uint64_t, int,
                     const std::string&, bool, const GivenStore&>(),
            "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a, "store"_a)
-      .def_prop_ro("remarks", &RunningRace::remarks)
-      .def_prop_ro("settings", &RunningRace::settings,
-                   "The settings of the world that were given, and the defaults that depend on the mazes.")
-      .def_prop_ro("done", [](RunningRace& running) { return running.work().done(); })
-      .def_prop_ro("all", [](RunningRace& running) { return running.work().all(); })
-      .def(
-          "wait", [](RunningRace& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
-      .def("stop", [](RunningRace& running) { running.work().stop(); })
-      .def("missing", &RunningRace::missing)
       .def("spent", &RunningRace::spent,
            "The number of contests and their seconds, by the name of the mouse and the number of cells of the maze. "
-           "Valid for a race in one thread, once it has ended.")
-      .def("result", &RunningRace::result);
+           "Valid for a race in one thread, once it has ended.");
+  bind_running(race);
   module.def("merge_stores", &merge, "paths"_a, "target"_a, nb::call_guard<nb::gil_scoped_release>(),
              "Merges stores as `labmouse store merge` does. Returns how many contests are new in the target. Raises "
              "Error if stores conflict or cannot be read or written.");

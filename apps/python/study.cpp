@@ -18,6 +18,7 @@
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "orders.hpp"
 #include "part_store.hpp"
+#include "running.hpp"
 #include "work.hpp"
 
 namespace nb = nanobind;
@@ -94,20 +95,11 @@ void bind_studies(nb::module_& module) {
       .def("csv", [](const HeldStudy& held) { return csv_of(held.study); })
       .def("json", [](const HeldStudy& held) { return json_of(held.study, held.skipped); })
       .def("svg", [](const HeldStudy& held) { return picture_of(held.study); });
-  nb::class_<RunningStudy>(module, "RunningStudy")
-      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, const GivenNumbers&,
-                    const GivenStore&>(),
-           "mice"_a, "mazes"_a, "world"_a, "numbers"_a, "store"_a)
-      .def_prop_ro("remarks", &RunningStudy::remarks)
-      .def_prop_ro("settings", &RunningStudy::settings,
-                   "The settings of the world that were given, and the defaults that depend on the mazes.")
-      .def_prop_ro("done", [](RunningStudy& running) { return running.work().done(); })
-      .def_prop_ro("all", [](RunningStudy& running) { return running.work().all(); })
-      .def(
-          "wait", [](RunningStudy& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
-      .def("stop", [](RunningStudy& running) { running.work().stop(); })
-      .def("missing", &RunningStudy::missing)
-      .def("result", &RunningStudy::result);
+  nb::class_<RunningStudy> study(module, "RunningStudy");
+  study.def(
+      nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, const GivenNumbers&, const GivenStore&>(),
+      "mice"_a, "mazes"_a, "world"_a, "numbers"_a, "store"_a);
+  bind_running(study);
 }
 
 }  // namespace labmouse::python

@@ -65,6 +65,9 @@ TEST_F(AUser, IsToldWhatCannotBeCompared) {
   is_refused({"compare", "flood", "certify", "--size", "6y6"}, "'6y6'", "WIDTHxHEIGHT");
   is_refused({"compare", "flood", "certify", "--better-by", "0.6"}, "--better-by", "0.0001", "0.5");
   is_refused({"compare"}, "mice");
+  // Also where the help of another command explains the option.
+  is_refused({"compare", "flood", "certify", "--seed", "-1"}, "--seed", "'-1'");
+  is_refused({"study", "--mice", "flood,certify", "--jobs", ""}, "--jobs", "empty");
   is_refused({"compare", "flood", "certify", "--mazes", "island-8", "--size", "8x8"}, "--size", "--mazes");
   is_refused({"compare", "flood", "certify", "--start", "1,1"}, "--start", "--mazes");
   is_refused({"compare", "flood", "certify", "--external-runs", "2"}, "--external-runs");

@@ -273,6 +273,11 @@ class HeldRace:
 class RunningRace:
     def __init__(self, mice: tuple[Sequence[tuple[str, str]], Sequence[tuple[str, object, bool, object, str]], str, str], mazes: Sequence[Maze], world: tuple[str, Mapping[str, str]], runs: int | None, seed: int, jobs: int, out: str, overwrite: bool, store: tuple[str, Sequence[tuple[str, str, int]] | None, str]) -> None: ...
 
+    def spent(self) -> dict[tuple[str, int], tuple[int, float]]:
+        """
+        The number of contests and their seconds, by the name of the mouse and the number of cells of the maze. Valid for a race in one thread, once it has ended.
+        """
+
     @property
     def remarks(self) -> list[str]: ...
 
@@ -293,11 +298,6 @@ class RunningRace:
     def stop(self) -> None: ...
 
     def missing(self) -> list[tuple[str, str, int]]: ...
-
-    def spent(self) -> dict[tuple[str, int], tuple[int, float]]:
-        """
-        The number of contests and their seconds, by the name of the mouse and the number of cells of the maze. Valid for a race in one thread, once it has ended.
-        """
 
     def result(self) -> HeldRace: ...
 

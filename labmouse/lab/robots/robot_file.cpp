@@ -201,7 +201,7 @@ class RobotReader {
   }
 
   static std::string words_of(const RobotKey& key) {
-    const std::string number = fmt::format("a number, in {}", key.unit);
+    const std::string number = key.unit.empty() ? "a number" : fmt::format("a number, in {}", key.unit);
     if (key.kind == RobotKey::Kind::number_or_false) return number + ", or false";
     return key.name.ends_with(".S90") ? number + ": every robot drives S90" : number;
   }

@@ -185,8 +185,8 @@ std::string_view key_in(std::string_view sentence) {
 std::string range_of(const RobotKey& key) {
   if (key.kind == Kind::yes_or_no) return "true or false";
   if (key.kind == Kind::end) return R"("goal" or "beyond")";
-  return fmt::format("{}{:.10g} to {:.10g} {}{}", key.kind == Kind::whole ? "a whole number, " : "", key.low, key.high,
-                     key.unit, key.kind == Kind::number_or_false ? ", or false" : "");
+  return fmt::format("{}{:.10g} to {:.10g}{}{}{}", key.kind == Kind::whole ? "a whole number, " : "", key.low, key.high,
+                     key.unit.empty() ? "" : " ", key.unit, key.kind == Kind::number_or_false ? ", or false" : "");
 }
 
 namespace {

@@ -25,6 +25,7 @@ namespace {
 using test::Says;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
@@ -268,6 +269,9 @@ TEST(RobotBuild, HasMotorsADriverAndACornerOfItsOwn) {
   }
   EXPECT_THAT(reasons(changed_in(text, "rounding = 17", "rounding = 17.5")),
               ElementsAre(Says("'body.rounding'", "17")));
+  // A number without a unit.
+  EXPECT_THAT(reasons(changed_in(text, "left = 0.9", "left = 3")), ElementsAre(Says("'motors.left'", "0.5 to 2")));
+  EXPECT_THAT(reasons(changed_in(text, "left = 0.9", "left = \"3\"")), ElementsAre(Not(HasSubstr("in "))));
   EXPECT_THAT(reasons(changed_in(text, "coast = 1", "coast = 0.5")), ElementsAre(Says("'motors.coast'", "0.5")));
 }
 

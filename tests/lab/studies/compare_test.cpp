@@ -307,6 +307,15 @@ TEST(Compare, EndsWhereNoMazeCounts) {
   }
 }
 
+TEST(Compare, SkipsMazesThatItsWorldRefuses) {
+  CompareOrder order = in_small_mazes(40);
+  order.race.world = find_world("seconds")->make({}).world;
+  order.mazes.order.size = {40, 40};
+  const Compared compared = hold_comparison(test::mice("flood,certify"), order);
+  EXPECT_EQ(compared.mazes, 32U);
+  EXPECT_EQ(compared.skipped, 32U);
+}
+
 /// External mice that draw lots by their seeds would otherwise draw the same ones in a whole batch.
 TEST(Compare, TellsExternalMiceAnotherSeedInEachMaze) {
   RaceOrder order = test::in_steps();
