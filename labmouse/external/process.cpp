@@ -64,7 +64,9 @@ bool same_variable(std::string_view one, std::string_view other) {
 std::vector<char*> environment_of(const Launch& launch) {
   std::vector<char*> variables;
   for (char** variable = environ; *variable != nullptr; ++variable)
-    if (std::none_of(launch.environment.begin(), launch.environment.end(),
+    // In `_` a shell leaves the path of labmouse.
+    if (!std::string_view(*variable).starts_with("_=") &&
+        std::none_of(launch.environment.begin(), launch.environment.end(),
                      [&](const std::string& own) { return same_variable(own, *variable); }))
       variables.push_back(*variable);
   for (const std::string& own : launch.environment) variables.push_back(const_cast<char*>(own.c_str()));

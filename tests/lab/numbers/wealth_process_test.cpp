@@ -43,6 +43,12 @@ TEST(WealthProcess, HasWhatItsStakesCameTo) {
     expected += (1.0 + 0.5 * stake) * (1.0 - stake) / 10.0;
   }
   EXPECT_NEAR(process.wealth(), expected, 1e-12);
+  // Against a mean of at most -0.5 twice as much can be staked, because less can be lost.
+  WealthProcess low(-0.5);
+  low.add(0.5);
+  expected = 0.0;
+  for (int i = 1; i <= 10; ++i) expected += (1.0 + 2.0 * std::exp2(-i)) / 10.0;
+  EXPECT_NEAR(low.wealth(), expected, 1e-12);
   // At a higher bar the worst that can come takes no more than all.
   WealthProcess high(0.5);
   for (int i = 0; i < 100; ++i) high.add(-1.0);

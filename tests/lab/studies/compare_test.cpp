@@ -7,11 +7,15 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "labmouse/chance/rng.hpp"
+#include "labmouse/external/hidden_files.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
+#include "labmouse/maze/formats/format.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 #include "tests/says.hpp"
 #include "tests/slowness.hpp"
@@ -20,6 +24,10 @@ namespace labmouse {
 namespace {
 
 using test::Says;
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::SizeIs;
 using Verdict = SequentialVerdict;
 
@@ -303,7 +311,7 @@ TEST(Compare, EndsWhereNoMazeCounts) {
     EXPECT_EQ(compared.candidates.front().pairs, 0U);
     EXPECT_EQ(compared.skipped, compared.mazes);
     EXPECT_LE(compared.mazes, 32U);
-    EXPECT_THAT(table_of(compared), ::testing::Not(::testing::HasSubstr("exact")));
+    EXPECT_THAT(table_of(compared), Not(HasSubstr("exact")));
   }
 }
 
@@ -314,6 +322,19 @@ TEST(Compare, SkipsMazesThatItsWorldRefuses) {
   const Compared compared = hold_comparison(test::mice("flood,certify"), order);
   EXPECT_EQ(compared.mazes, 32U);
   EXPECT_EQ(compared.skipped, 32U);
+}
+
+TEST(Compare, HidesItsListFromExternalMiceAndNothingThatIsNoFile) {
+  const std::string path = testing::TempDir() + "compared-maze.txt";
+  std::ofstream(path) << drawing_format.write(test::corridor().maze).content.value();
+  CompareOrder order = in_small_mazes(2);
+  order.mazes.list = {{path, test::corridor().maze}};
+  const std::vector<Contestant> mice = test::mice("flood,it=program:false");
+  hold_comparison(mice, order);
+  const HiddenFiles::Paths hidden = mice[1].hidden->paths();
+  EXPECT_THAT(*hidden, Contains(path));
+  EXPECT_THAT(*hidden, Each(Not(HasSubstr("0000000-"))));
+  std::filesystem::remove(path);
 }
 
 /// External mice that draw lots by their seeds would otherwise draw the same ones in a whole batch.
