@@ -31,11 +31,10 @@ struct CompareOptions {
 /// The mice: the first one, and those that are compared with it.
 Entry entry_of(const CompareOptions& options) {
   if (options.mice.empty() && options.mice_files.empty())
-    throw UsageError("error: name mice to compare, or --mice-file");
+    throw UsageError("error: mice are missing; name the first one, and those to compare with it");
   Entry entry = options.contests.world.enter_one(find_contestants(with_mice_files(options.mice, options.mice_files),
                                                                   options.contests.world, options.external_mice));
-  if (entry.mice.size() < 2)
-    throw UsageError("error: compare needs two mice or more: the first one, and those that are compared with it");
+  if (entry.mice.size() < 2) throw UsageError("error: there is nothing to compare; name two mice or more");
   return entry;
 }
 
@@ -45,12 +44,12 @@ MazeSource source_of(const CompareOptions& options, Entry& entry) {
   const bool listed = !options.contests.mazes.empty();
   for (const char* option : {"--generator", "--size", "--loops"})
     if (listed && options.command->count(option) > 0)
-      throw UsageError(fmt::format("error: {} is for generated mazes; leave it or --mazes out", option));
+      throw UsageError(fmt::format("error: {} is for generated mazes; leave out either it or --mazes", option));
   for (const char* option : {"--start", "--goal"})
     if (!listed && options.command->count(option) > 0)
-      throw UsageError(fmt::format("error: {} is for mazes of --mazes", option));
+      throw UsageError(fmt::format("error: {} is for given mazes; add --mazes", option));
   if (options.command->count("--external-runs") > 0)
-    throw UsageError("error: --external-runs has no meaning here: each maze is drawn for one contest of each mouse");
+    throw UsageError("error: --external-runs cannot be used here: compare runs one contest of each mouse in a maze");
   if (listed) {
     source.list = find_mazes_of(entry, options.contests).mazes;
     return source;

@@ -35,7 +35,7 @@ void GeneratedMazes::add_to(Command& command) {
 
 const Generator& GeneratedMazes::generator() const {
   if (const Generator* generator = find_generator(kind)) return *generator;
-  throw UsageError(fmt::format("error: unknown kind '{}'; {}", kind, suggestion(kind, all_generators())));
+  throw UsageError(fmt::format("error: unknown generator '{}'; {}", kind, suggestion(kind, all_generators())));
 }
 
 GeneratorOrder GeneratedMazes::order(std::uint64_t seed) const {

@@ -19,7 +19,7 @@ std::string list_of(const Things& things) {
   return names;
 }
 
-/// For a word that is none of the names.
+/// What to write instead of a word that is none of the names: the nearest one, or one of the list.
 template <class Things>
 std::string suggestion(std::string_view word, const Things& things) {
   std::vector<std::string_view> names;

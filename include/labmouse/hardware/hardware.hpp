@@ -50,7 +50,7 @@ struct Motors {
   double discharge = 0.0;  ///< share of the voltage that is lost for good in a second at full duty of both
   double volts = 0.0;      ///< V, of the full battery at rest
   double period = 1.0;     ///< ms, whole, from one duty of the controller to the next
-  std::array<double, 2> strength = {1.0, 1.0};  ///< of the left and the right motor, as a share of the gains
+  std::array<double, 2> strength = {1.0, 1.0};  ///< of the left and the right motor, as a share of their gains
   double dead_time = 0.0;                       ///< duty that the driver loses while it switches
   double coast = 0.0;                           ///< 1: motors coast while the driver is off; 0: they brake
 
