@@ -4,7 +4,7 @@
 # A batch holds whole folders, small ones together, or an even part of one that is larger. Two files of a batch may not
 # declare the same name for themselves, unless as overloads: the compiler says where they do. A world's folder is a batch of
 # its own, for it has the same names as those of its neighbours.
-set(LABMOUSE_BATCH_SIZE 24 CACHE STRING "Files that compile as one: more save little and make a developer wait")
+set(LABMOUSE_BATCH_SIZE 40 CACHE STRING "Files that compile as one: more save little and make a developer wait")
 
 # labmouse_batch(TARGET FILE...): compiles these files of the target in batches, where the build asks for it. Files with
 # compiler options of their own stay alone.

@@ -174,7 +174,7 @@ std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, 
   refuse_other_kind(options.baseline, file.content, FileKind::results);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     ReadBaselineResult read = read_baseline(file.content, *fields[i].entry.world);
-    if (!read.error.empty()) throw UsageError(describe(options.baseline, {read.line, read.column, read.error}));
+    if (!read.error.empty()) throw UsageError(describe(options.baseline, Problem{read.line, read.column, read.error}));
     baselines[i] = std::move(read.baseline);
   }
   return baselines;

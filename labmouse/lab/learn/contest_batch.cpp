@@ -10,15 +10,15 @@
 namespace labmouse {
 namespace {
 
-// Effect of each choice. Turn and direction are in quarter turns clockwise from the heading before the step.
-struct Move {
+// Of a choice. Turn and direction are in quarter turns clockwise from the heading before the step.
+struct Effect {
   std::uint8_t turn = 0;
   std::uint8_t direction = 0;
   std::uint8_t cells = 0;
 };
 
 constexpr auto moves = [] {
-  std::array<Move, choice_count> table;
+  std::array<Effect, choice_count> table;
   for (int choice = 0; choice < reset_choice; ++choice) {
     const int turn = choice / choices_a_turn - 1;
     const int movement = choice % choices_a_turn - longest_choice;
@@ -204,7 +204,7 @@ void ContestBatch::move(Contest& contest, int choice) const {
     contest.heading = static_cast<std::uint8_t>(facts.start_heading);
     return;
   }
-  const Move& asked = moves[static_cast<unsigned>(choice)];
+  const Effect& asked = moves[static_cast<unsigned>(choice)];
   contest.direction = (contest.heading + asked.direction) & 3U;
   contest.heading = (contest.heading + asked.turn) & 3U;
   const int open = corridor(corridors(contest), static_cast<Heading>(contest.direction));

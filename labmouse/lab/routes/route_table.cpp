@@ -78,9 +78,9 @@ std::string percent(const std::optional<double>& share) {
 
 /// The columns of a line: the fastest route, without diagonals and its gain, with small turns and its gain, cells,
 /// fewest cells, and how much slower a route with the fewest cells is.
-using Numbers = std::array<std::string, 8>;
+using SummaryColumns = std::array<std::string, 8>;
 
-std::string summary_line(const Numbers& numbers, const std::string& maze) {
+std::string summary_line(const SummaryColumns& numbers, const std::string& maze) {
   std::string line;
   for (const std::string& number : numbers) line += fmt::format("{}{:>8}", line.empty() ? "" : " ", number);
   return line + (maze.empty() ? "" : "  ") + maze + "\n";
