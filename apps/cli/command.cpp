@@ -77,6 +77,15 @@ void apply(const Places& places, NamedMaze& maze) {
 
 /// Where print() writes: standard error once a file is written to standard output.
 std::FILE* printed = stdout;
+/// The words of the command line.
+std::vector<std::string> words_given;
+/// The files that are there and that the command will replace.
+std::vector<Output> replaced;
+
+void refuse_to_replace(const Output& output) {
+  throw UsageError(fmt::format("error: {} would replace {}, which the command reads; use another file", output.option,
+                               shown(output.path)));
+}
 
 void write_out(std::string_view text, std::FILE* stream, bool at_once = true) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
@@ -157,6 +166,8 @@ void add_places(Command& command, Places& places) {
       ->take_all();
 }
 
+void note_words(std::vector<std::string> words) { words_given = std::move(words); }
+
 void tell(const std::string& text) {
   // A failure cannot be reported anywhere, so it is ignored; fmt::print() would throw.
   std::fwrite(text.data(), 1, text.size(), stderr);
@@ -178,6 +189,8 @@ std::vector<std::string> separated(const std::vector<std::string>& paths) {
 
 MazeCollection find_mazes(const std::vector<std::string>& names, const Places& places, const ReadChoice& choice) {
   const std::vector<std::string> paths = separated(names);
+  if (std::find(paths.begin(), paths.end(), "") != paths.end())
+    throw UsageError("error: the name of a maze is empty; write names between commas, and none at the end");
   MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths, choice);
   for (const SkippedFile& file : collection.errors) refuse_other_file(file.path);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));
@@ -186,6 +199,9 @@ MazeCollection find_mazes(const std::vector<std::string>& names, const Places& p
   if (collection.mazes.empty())
     throw UsageError("error: no mazes found; name a maze file, or omit the paths to use the built-in mazes");
   for (NamedMaze& maze : collection.mazes) apply(places, maze);
+  for (const Output& output : replaced)
+    for (const NamedMaze& maze : collection.mazes)
+      if (maze.name.find('/') != std::string::npos && is_same_file(maze.name, output.path)) refuse_to_replace(output);
   return collection;
 }
 
@@ -223,12 +239,28 @@ namespace {
 /// Whether writing one of the files would destroy the other.
 bool collide(const Output& one, const Output& other) {
   using Kind = Output::Kind;
-  if (one.path.empty() || other.path.empty() || (one.kind == Kind::input && other.kind == Kind::input)) return false;
+  if (one.path.empty() || other.path.empty()) return false;
   if (one.kind == Kind::file && other.kind == Kind::file) return is_same_file(one.path, other.path);
   // A path such as `-` is a stream for one option and may be a file name for the other. Reading a stream destroys
   // nothing.
   const bool streams = descriptor_to_write(one.path) || descriptor_to_write(other.path);
   return !streams && !is_stream(one.path) && is_same_file(one.path, other.path);
+}
+
+/// How many words of the command line name that file, alone or as a part, as in `a=program:python3 mouse.py`.
+std::size_t times_named(const std::string& file) {
+  constexpr std::string_view separators = " ,:='\"";
+  std::size_t times = 0;
+  for (const std::string& word : words_given) {
+    bool names = is_same_file(word, file);
+    for (std::size_t begin = 0; !names && begin < word.size();) {
+      const std::size_t end = std::min(word.find_first_of(separators, begin), word.size());
+      names = end > begin && is_same_file(word.substr(begin, end - begin), file);
+      begin = end + 1;
+    }
+    times += names ? 1 : 0;
+  }
+  return times;
 }
 
 /// Refuses an SVG file under the name of a picture of another kind.
@@ -252,6 +284,11 @@ void expect_outputs(std::initializer_list<Output> outputs) {
     if (output.option == "--svg") refuse_other_pictures(output.path);
     require_writable(output.path);
     if (descriptor_to_write(output.path) == standard_output) printed = stderr;
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(output.path, unknown)) continue;
+    // Once as the file to write.
+    if (times_named(output.path) > 1) refuse_to_replace(output);
+    replaced.push_back(output);
   }
 }
 

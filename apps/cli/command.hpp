@@ -52,6 +52,9 @@ DriveRules find_rules_or_refuse(const std::string& name);
 /// Adds --robot; `robot` has its default.
 void add_robot_option(Command& command, std::string& robot);
 
+/// The words of the command line, which may name files that the command reads; for expect_outputs().
+void note_words(std::vector<std::string> words);
+
 /// Writes to standard output, or to standard error where a file is written to standard output. Throws UsageError on
 /// failure.
 void print(const std::string& text);
@@ -76,14 +79,15 @@ struct Output {
   enum class Kind {
     file,   ///< written by save()
     other,  ///< written in another way, such as a store; only checked not to be the file of another option
-    input   ///< read by the command, so it must not be overwritten
+    input   ///< read by the command; needed only beside an output whose path is not on the command line
   };
 
   std::string_view option;
   std::string path;
   Kind kind = Kind::file;
 };
-/// Call this before long work. Throws UsageError where a file cannot be written now, or two are the same. If a file
+/// Call this before long work, and before find_mazes(). Throws UsageError where a file cannot be written now, two are
+/// the same, or a file that is there is named by another word of the command line or is one of the mazes. If a file
 /// goes to standard output, print() uses standard error from now on, so that programs can read that file.
 void expect_outputs(std::initializer_list<Output> outputs);
 

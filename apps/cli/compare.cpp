@@ -48,8 +48,6 @@ MazeSource source_of(const CompareOptions& options, Entry& entry) {
   for (const char* option : {"--start", "--goal"})
     if (!listed && options.command->count(option) > 0)
       throw UsageError(fmt::format("error: {} is for given mazes; add --mazes", option));
-  if (options.command->count("--external-runs") > 0)
-    throw UsageError("error: --external-runs cannot be used here: compare runs one contest of each mouse in a maze");
   if (listed) {
     source.list = find_mazes_of(entry, options.contests).mazes;
     return source;
@@ -148,7 +146,7 @@ void add_compare(Command& app, int& exit) {
       ->capture_default_str();
   options->generated.add_to(*command);
   add_world_and_seed(*command, options->contests);
-  add_racing_options(*command, options->external_mice);
+  add_stored_mouse_options(*command, options->external_mice);
   command->group(groups::output);
   command->add_option("--format", options->format, "What is printed")
       ->check(one_of({"table", "json"}))

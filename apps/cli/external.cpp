@@ -82,13 +82,17 @@ void add_external_options(Command& command, ExternalOptions& external_mice) {
       ->capture_default_str();
 }
 
-void add_racing_options(Command& command, ExternalOptions& external_mice) {
+void add_stored_mouse_options(Command& command, ExternalOptions& external_mice) {
   add_python(command, external_mice);
   add_external_options(command, external_mice);
   command
       .add_option("--label", external_mice.label,
                   "In a store of contests, stands for the files of external mice: the same label is the same mouse")
       ->type_name("TEXT");
+}
+
+void add_racing_options(Command& command, ExternalOptions& external_mice) {
+  add_stored_mouse_options(command, external_mice);
   command
       .add_option("--external-runs", external_mice.runs,
                   "Contests in each maze for each external mouse, for stochastic ones")

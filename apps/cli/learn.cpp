@@ -25,8 +25,8 @@ Lesson hold(std::vector<NamedMaze> mazes) {
 }
 
 int learn(const LearnOptions& options) {
-  MazeCollection mazes = find_mazes(options.mazes, options.places);
   expect_outputs({{"-o", options.out}});
+  MazeCollection mazes = find_mazes(options.mazes, options.places);
   const Lesson lesson = hold(std::move(mazes.mazes));
   if (!lesson.error.empty()) throw UsageError("error: " + lesson.error);
   // An incomplete prior does not replace an earlier file.

@@ -1,6 +1,7 @@
 // labmouse: the command line. Each subcommand has its own file; labmouse/lab does the work.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdio>
@@ -94,6 +95,7 @@ int main(int argc, char** argv) {
   add_report(app, exit);
   add_store(app, exit);
   add_bench(app, exit);
+  note_words({argv + std::min(argc, 1), argv + argc});
   try {
     return line.run(argc, argv) ? exit_good : exit;
   } catch (const UsageError& error) {

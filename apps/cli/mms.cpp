@@ -91,8 +91,8 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
 }
 
 int mms(const MmsCommandOptions& options) {
-  const NamedMaze maze = find_maze(options.maze, {});
   expect_outputs({{"--record", options.record}});
+  const NamedMaze maze = find_maze(options.maze, {});
   const MmsRun run = host(options, maze);
   print(report_of(options.command, maze, run));
   if (run.outcome == MmsOutcome::interrupted) return exit_interrupted();

@@ -20,7 +20,7 @@ constexpr const char* fit_in_python = R"python(import sys
 try:
     from labmouse.fit import _commands
 except ImportError as missing:
-    hint = "" if "pip install" in str(missing) else "; run pip install '.[fit]' in the source folder of labmouse"
+    hint = "" if "pip install" in str(missing) else "; run pip install -v '.[fit]' in the source folder of labmouse"
     print(f"error: labmouse robot {sys.argv[1]} needs labmouse for Python: {missing}{hint} ({sys.executable})", file=sys.stderr)
     sys.exit(2)
 sys.exit(getattr(_commands, sys.argv[1])(sys.argv[2:])))python";

@@ -40,7 +40,7 @@ void Estimator::put(const Position& position, const Direction& ahead) {
   nominal_slip_ = felt_slip_ = slip_variance_ = speed_ = speeding_ = turning_ = 0.0;
   rejected_ = 0;
   const auto own = [&](State state, double deviation) { return any_ ? covariance_[state][state] : square(deviation); };
-  constexpr double root_of_half = 0.70710678118654752;
+  constexpr double root_of_half = way_of_eighths(1).x;
   const double scale = own(at_scale, variation.encoder_scale), gyro = own(at_gyro, variation.gyro_scale),
                mismatch = own(at_bias, root_of_half * variation.encoder_scale / hardware_.chassis.half_track);
   covariance_ = {};

@@ -64,8 +64,8 @@ bool same_variable(std::string_view one, std::string_view other) {
 std::vector<char*> environment_of(const Launch& launch) {
   std::vector<char*> variables;
   for (char** variable = environ; *variable != nullptr; ++variable)
-    // In `_` a shell leaves the path of labmouse.
-    if (!std::string_view(*variable).starts_with("_=") &&
+    // In `_` a shell leaves the path of labmouse; what is named after labmouse is for its users and may name mazes.
+    if (!std::string_view(*variable).starts_with("_=") && !std::string_view(*variable).starts_with("LABMOUSE_") &&
         std::none_of(launch.environment.begin(), launch.environment.end(),
                      [&](const std::string& own) { return same_variable(own, *variable); }))
       variables.push_back(*variable);

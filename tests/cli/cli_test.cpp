@@ -218,6 +218,7 @@ TEST_F(AUser, IsToldInOneLineWhatIsWrong) {
   is_refused({"race", "--mice", "flod"}, "'flod'", "'flood'");
   is_refused({"race", "--mice", "flood:stride=99"}, "'99'", "'stride'", "'flood'");
   is_refused({"race", "--mazes", "capston-1"}, "capston-1", "'capstone-1'");
+  is_refused({"race", "--mazes", "capstone-1,"}, "error: the name of a maze", "empty");
   is_refused({"race", "--runs", "0"}, "--runs");
   is_refused({"race", "--jobs", "many"}, "--jobs");
   is_refused({"race", "--format", "xml"}, "--format");

@@ -1,6 +1,7 @@
 // External mice of the capstone world, raced as a user does.
 #include <thread>
 
+#include "tests/busy_machine.hpp"
 #include "tests/cli/user.hpp"
 #include "tests/external/bad_programs.hpp"
 
@@ -9,6 +10,7 @@ namespace {
 
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// The SPEC of an external mouse that misbehaves in that way; see tests/external/bad/bad_program.cpp.
 std::string bad(const std::string& how) { return "program:\"" LABMOUSE_BAD_PROGRAM "\" \"" + how + "\" " + tag(); }
@@ -48,6 +50,49 @@ TEST_F(AHostOfPrograms, FailsARaceInWhichOneNeverStarted) {
   EXPECT_THAT(ended.out, HasSubstr("flood"));
   EXPECT_THAT(ended.err, Says("program:python3 mute.py", "start", "exit code 2"));
   EXPECT_EQ(race_in_the_corridor({"--mice", "flood,mms:python3 mute.py", "--world", "each"}).code, 1);
+  const Ended swept = labmouse({"sweep", "program:python3 mute.py {speed}", "--vary", "speed=1,2", "--mazes",
+                                "corridor.txt", "--format", "table"});
+  EXPECT_EQ(swept.code, 1);
+  EXPECT_THAT(swept.out, Not(HasSubstr("Lowest"))) << "no value is better than another";
+}
+
+TEST_F(AHostOfPrograms, HasTheSameResultsOnABusyMachine) {
+  // Limits of half a second, and an import that takes some of it.
+  file("slow.py", "import decimal, email, json, unittest\nprint('labmouse 1', flush=True)\n");
+  const auto results = [this] {
+    const Ended ended = labmouse({"race",
+                                  "--format",
+                                  "json",
+                                  "--mazes",
+                                  "corridor.txt",
+                                  "--start-limit",
+                                  "0.5",
+                                  "--silence-limit",
+                                  "0.5",
+                                  "--contest-limit",
+                                  "0.5",
+                                  "--mice",
+                                  "program:python3 slow.py",
+                                  "--mice",
+                                  bad("turn"),
+                                  "--mice",
+                                  bad("work at the start"),
+                                  "--mice",
+                                  bad("hang at the start"),
+                                  "--mice",
+                                  bad("hang"),
+                                  "--mice",
+                                  bad("burn")});
+    const auto json = nlohmann::json::parse(ended.out);
+    auto outcomes = nlohmann::json::object();
+    for (const auto& mouse : json["groups"][0]["mice"])
+      outcomes[std::string(mouse["name"])] = mouse["results"][0]["outcome"];
+    return outcomes;
+  };
+  const auto idle = results();
+  EXPECT_EQ(idle.size(), 6U);
+  const BusyMachine busy;
+  EXPECT_EQ(results(), idle);
 }
 
 TEST_F(AHostOfPrograms, ShowsTheirLastWordsAfterARun) {

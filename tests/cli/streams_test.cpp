@@ -140,11 +140,36 @@ TEST_F(AShellUser, KeepsWhatACommandReads) {
   labmouse({"run", "flood", "corridor.txt", "--record", "walk.jsonl"});
   const std::string record = content("walk.jsonl");
   std::filesystem::create_hard_link(folder_ / "walk.jsonl", folder_ / "same");
-  is_refused({"show", "--record", "walk.jsonl", "--svg", "./walk.jsonl"}, "--record", "--svg");
-  is_refused({"replay", "walk.jsonl", "--svg", "same"}, "record", "--svg");
-  is_refused({"show", "corridor.txt", "--svg", "./corridor.txt"}, "maze", "--svg");
+  is_refused({"show", "--record", "walk.jsonl", "--svg", "./walk.jsonl"}, "--svg", "walk.jsonl");
+  is_refused({"replay", "walk.jsonl", "--svg", "same"}, "--svg", "same");
+  is_refused({"replay", "walk.jsonl", "--maze", "corridor.txt", "--svg", "corridor.txt"}, "--svg", "corridor.txt");
+  is_refused({"show", "corridor.txt", "--svg", "./corridor.txt"}, "--svg", "corridor.txt");
+  is_refused({"run", "flood", "corridor.txt", "--record", "corridor.txt"}, "--record", "corridor.txt");
+  is_refused({"route", "corridor.txt", "--svg", "corridor.txt"}, "--svg", "corridor.txt");
+  is_refused({"learn", "corridor.txt", "--out", "corridor.txt"}, "corridor.txt");
+  is_refused({"mms", "true", "corridor.txt", "--record", "corridor.txt"}, "--record", "corridor.txt");
+  for (const char* output : {"--junit", "--curves"})
+    is_refused({"race", "--mazes", "corridor.txt", output, "corridor.txt"}, output, "corridor.txt");
+  is_refused({"race", "--mazes=contest-01,corridor.txt", "--junit=corridor.txt"}, "--junit", "corridor.txt");
+  is_refused({"study", "--mice", "flood,certify", "--mazes", "corridor.txt", "--csv", "corridor.txt"}, "--csv",
+             "corridor.txt");
+  is_refused({"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "corridor.txt"}, "--csv");
+  is_refused({"tune", "flood", "--params", "stride", "--mazes", "corridor.txt", "--log", "corridor.txt"}, "--log");
+  is_refused({"failure-rates", "--mazes", "corridor.txt", "--save", "corridor.txt"}, "--save", "corridor.txt");
+  is_refused({"drive", "--mazes", "corridor.txt", "--runs", "1", "--log", "corridor.txt"}, "--log", "corridor.txt");
+  // Also one of a folder, and a program.
+  std::filesystem::create_directory(folder_ / "mazes");
+  file("mazes/other.txt", corridor);
+  is_refused({"race", "--mazes", "mazes", "--junit", "mazes/other.txt"}, "--junit", "mazes/other.txt");
+  file("mouse.py", "mouse");
+  is_refused({"run", "program:python3 mouse.py", "corridor.txt", "--record", "mouse.py"}, "--record", "mouse.py");
   EXPECT_EQ(content("walk.jsonl"), record);
   EXPECT_EQ(content("corridor.txt"), corridor);
+  EXPECT_EQ(content("mazes/other.txt"), corridor);
+  EXPECT_EQ(content("mouse.py"), "mouse");
+  // An earlier result is replaced.
+  for (int time = 0; time < 2; ++time)
+    EXPECT_EQ(labmouse({"run", "flood", "corridor.txt", "--record", "walk.jsonl"}).code, 0);
 }
 
 TEST_F(AShellUser, ReplacesNoPipeAndNoDevice) {

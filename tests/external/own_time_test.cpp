@@ -1,21 +1,15 @@
 // Limits of time on a machine that is busy with other work.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <csignal>
-#include <ctime>
 #include <thread>
-#include <vector>
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/external/external_strategy.hpp"
 #include "labmouse/external/mms/run.hpp"
 #include "labmouse/external/patience.hpp"
 #include "labmouse/external/sandbox.hpp"
+#include "tests/busy_machine.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/external/bad_programs.hpp"
 #include "tests/external/mms_fixture.hpp"
@@ -24,32 +18,6 @@ namespace labmouse {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// Two processes for each processor that do nothing but work, as long as it lives.
-class BusyMachine {
- public:
-  BusyMachine() {
-    for (unsigned i = 0; i < 2 * std::max(1U, std::thread::hardware_concurrency()); ++i) {
-      const pid_t child = fork();
-      if (child == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
-        for (;;) static_cast<void>(std::clock());
-      }
-      children_.push_back(child);
-    }
-  }
-  BusyMachine(const BusyMachine&) = delete;
-  BusyMachine& operator=(const BusyMachine&) = delete;
-  ~BusyMachine() {
-    for (const pid_t child : children_) {
-      kill(child, SIGKILL);
-      waitpid(child, nullptr, 0);
-    }
-  }
-
- private:
-  std::vector<pid_t> children_;
-};
 
 Maze corridor() {
   return test::drawn(R"(
@@ -69,7 +37,7 @@ RunRecord contest(const Launch& launch) {
 
 TEST(OwnTime, IsNoShorterOnABusyMachine) {
   // It works for 0.1 s before its first word, which takes about three times as long here.
-  const BusyMachine busy;
+  const test::BusyMachine busy;
   Launch launch = test::bad_program("work at the start");
   launch.limits.start = 160ms;
   launch.limits.contest = 300ms;
@@ -80,7 +48,7 @@ TEST(OwnTime, IsNoShorterOnABusyMachine) {
 }
 
 TEST(OwnTime, PassesForThoseThatSleepOnABusyMachine) {
-  const BusyMachine busy;
+  const test::BusyMachine busy;
   Launch launch = test::bad_program("hang at the start");
   launch.limits.start = 60ms;
   EXPECT_EQ(contest(launch).steps.back().action.reason, ForfeitReason::hung);

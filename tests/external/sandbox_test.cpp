@@ -142,6 +142,14 @@ TEST_F(Sandbox, SeesNothingOfTheProcessThatStartedIt) {
   EXPECT_THAT(outside(script), HasSubstr("external_test"));
 }
 
+TEST_F(Sandbox, KnowsNoVariableOfLabmouse) {
+  ASSERT_EQ(setenv("LABMOUSE_MAZES", "/a/folder", 1), 0);
+  const std::string said = inside("env; echo ended");
+  ASSERT_EQ(unsetenv("LABMOUSE_MAZES"), 0);
+  EXPECT_THAT(said, HasSubstr("ended"));
+  EXPECT_THAT(said, Not(HasSubstr("LABMOUSE_MAZES")));
+}
+
 TEST_F(Sandbox, LeavesNoMountsBehind) {
   const auto mounts = [] {
     std::ifstream file("/proc/self/mountinfo");

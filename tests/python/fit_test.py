@@ -738,7 +738,7 @@ def test_without_scipy_the_package_says_how_to_get_it():
     program = "import sys, importlib.util as u; find = u.find_spec; u.find_spec = lambda n, *a: None if n == 'scipy' else find(n, *a); import labmouse.fit"
     ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, env=dict(os.environ))
     assert ran.returncode != 0
-    assert "pip install '.[fit]' in the source folder" in ran.stderr
+    assert "pip install -v '.[fit]' in the source folder" in ran.stderr
 
 
 def test_the_package_needs_neither_scipy_nor_matplotlib():

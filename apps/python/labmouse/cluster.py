@@ -1,6 +1,6 @@
 """Races, studies and sweeps on a Dask cluster: docs/how-to/clusters-and-stores.md.
 
-Needs Dask: run `pip install '.[cluster]'` in the source folder of labmouse.
+Needs Dask: run `pip install -v '.[cluster]'` in the source folder of labmouse.
 """
 
 import asyncio

@@ -38,7 +38,9 @@ bool holds_maze(const std::string& path) {
   if (begin.starts_with("SQLite format 3")) return true;
   // Records, and results of races.
   if (begin.starts_with('{') && begin.find("\"labmouse\"") != std::string_view::npos) return true;
-  if (path.ends_with(".svg")) return true;
+  // Pictures, reports, and what a build of labmouse makes.
+  for (const std::string_view end : {".svg", ".html", "/labmouse_core.wasm", "/builtin_mazes.cpp"})
+    if (path.ends_with(end)) return true;
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (error || size > longest_maze || (begin.find('\0') != std::string_view::npos && !is_binary_maze(size)))

@@ -1,4 +1,4 @@
-// Finds files that contain mazes: drawings, tables, records, results, stores, pictures.
+// Finds files that contain mazes: drawings, tables, records, results, stores, pictures, reports.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace labmouse {
 /// installed packages (.git, node_modules, virtual environments).
 void hide_mazes_in(const std::string& folder, HiddenFiles& hidden);
 
-/// Whether the file contains a maze, judged by its content and the extension `.svg`.
+/// Whether the file contains a maze, judged by its content; of pictures and pages by the extension, `.svg` or `.html`.
 bool holds_maze(const std::string& path);
 
 }  // namespace labmouse

@@ -54,8 +54,9 @@ class Taker {
     if (is_null("interval")) return *this;
     const ReadJson& ends = fields_.list("interval");
     if (ends.size() != 2 || !ends[0].is_number() || !ends[1].is_number())
-      return wrong("interval", "is not [low, high]"), *this;
-    out_["interval"] = ends;
+      wrong("interval", "is not [low, high]");
+    else
+      out_["interval"] = ends;
     return *this;
   }
   Taker& text_list(const char* key) {

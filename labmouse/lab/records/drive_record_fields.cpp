@@ -23,7 +23,7 @@ CellSet rows_in(JsonFields& fields, const char* key, Size size) {
     fields.fail(fmt::format("has {} rows, but the maze has {}", rows.size(), size.height));
   for (std::size_t y = 0; y < rows.size() && fields.error().empty(); ++y) {
     const auto bits = rows[y].is_string() ? parse_whole<std::uint64_t>(rows[y].get<std::string>(), 16) : std::nullopt;
-    if (!bits) return fields.fail("has a row that is not a hexadecimal number"), cells;
+    if (!bits) return fields.fail("has a row that is not a hexadecimal number", cells);
     cells.set_row(static_cast<int>(y), *bits);
   }
   return cells;
@@ -46,7 +46,10 @@ std::optional<std::uint16_t> find_turn(const DriveTables& tables, const std::str
 }  // namespace
 
 WallSet walls_in(const ReadJson& json, const char* key, Size size, JsonFields& outer) {
-  if (!outer.has(key)) return outer.reject(fmt::format("'{}' is missing", key)), WallSet();
+  if (!outer.has(key)) {
+    outer.reject(fmt::format("'{}' is missing", key));
+    return WallSet();
+  }
   JsonFields fields(json[key], key);
   const CellSet north = rows_in(fields, "north", size), east = rows_in(fields, "east", size);
   const WallSet all = WallSet::all(size);
@@ -64,7 +67,7 @@ WallSet walls_in(const ReadJson& json, const char* key, Size size, JsonFields& o
 
 Pose pose_in(JsonFields& fields, const char* key, Size size) {
   const ReadJson& pose = fields.list(key);
-  if (pose.size() != 3) return fields.fail(fmt::format("has a '{}' that is not [x, y, heading]", key)), Pose();
+  if (pose.size() != 3) return fields.fail(fmt::format("has a '{}' that is not [x, y, heading]", key), Pose());
   return {{fields.whole(pose[0], key, 0, size.width - 1), fields.whole(pose[1], key, 0, size.height - 1)},
           read_heading(pose[2], key, fields)};
 }
@@ -72,12 +75,12 @@ Pose pose_in(JsonFields& fields, const char* key, Size size) {
 DriveNode node_in(JsonFields& fields, const char* key, Size size) {
   const ReadJson& node = fields.list(key);
   if (node.size() != 4)
-    return fields.fail(fmt::format("has a '{}' that is not [x, y, heading, place]", key)), DriveNode();
+    return fields.fail(fmt::format("has a '{}' that is not [x, y, heading, place]", key), DriveNode());
   DriveNode read = {{fields.whole(node[0], key, 0, size.width - 1), fields.whole(node[1], key, 0, size.height - 1)},
                     read_heading(node[2], key, fields)};
   for (const Place place : all_places)
     if (node[3] == name_of(place)) return read.place = place, read;
-  return fields.fail(fmt::format("has a '{}' whose place is not one of centre, edge, left, right", key)), read;
+  return fields.fail(fmt::format("has a '{}' whose place is not one of centre, edge, left, right", key), read);
 }
 
 void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tables, DriveSegment& segment) {

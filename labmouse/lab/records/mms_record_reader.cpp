@@ -46,7 +46,7 @@ Compass read_compass(JsonFields& fields) {
 
 HalfPlace read_place(JsonFields& fields, Size size) {
   const ReadJson& place = fields.list("place");
-  if (place.size() != 2) return fields.fail("has a place that is not [x, y]"), HalfPlace();
+  if (place.size() != 2) return fields.fail("has a place that is not [x, y]", HalfPlace());
   return {fields.whole(place[0], "place", 0, 2 * size.width), fields.whole(place[1], "place", 0, 2 * size.height)};
 }
 

@@ -37,7 +37,7 @@ Json record_maze_json(const std::string& name, const Maze& maze) {
 std::optional<Maze> read_record_maze(JsonFields& fields) {
   std::string drawing;
   for (const ReadJson& row : fields.list("drawing")) {
-    if (!row.is_string()) return fields.fail("has a drawing with a line that is not a string"), std::nullopt;
+    if (!row.is_string()) return fields.fail("has a drawing with a line that is not a string", std::nullopt);
     drawing += row.get<std::string>() + "\n";
   }
   const ReadResult read = drawing_format.read(drawing);

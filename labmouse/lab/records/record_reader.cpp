@@ -57,7 +57,7 @@ Action read_action(const ReadJson& json, JsonFields& fields) {
   constexpr std::string_view forfeit = "forfeit: ";
   if (const std::string text = json.is_string() ? json.get<std::string>() : ""; text.starts_with(forfeit))
     if (const auto reason = forfeit_reason_of(text.substr(forfeit.size()))) return Action::forfeit(*reason);
-  return fields.fail("has an action that is neither [rotation, movement] nor reset nor forfeit"), Action();
+  return fields.fail("has an action that is neither [rotation, movement] nor reset nor forfeit", Action());
 }
 
 Run read_run(JsonFields& fields) {
@@ -69,7 +69,7 @@ Run read_run(JsonFields& fields) {
 
 Sighting read_reading(JsonFields& fields) {
   const ReadJson& reading = fields.list("reading");
-  if (reading.size() != 3) return fields.fail("has a reading that is not [left, ahead, right]"), Sighting();
+  if (reading.size() != 3) return fields.fail("has a reading that is not [left, ahead, right]", Sighting());
   const auto cells = [&](std::size_t direction) { return fields.whole(reading[direction], "reading", 0, max_side); };
   return {cells(0), cells(1), cells(2)};
 }

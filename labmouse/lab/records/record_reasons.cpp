@@ -29,7 +29,7 @@ Json candidate_json(const Candidate& candidate) {
 Wall read_wall(JsonFields& fields, Size size) {
   const ReadJson& wall = fields.list("wall");
   const bool named = wall.size() == 3 && (wall[2] == name_of(Heading::north) || wall[2] == name_of(Heading::east));
-  if (!named) return fields.fail("has a wall that is not [x, y, \"north\" or \"east\"]"), Wall();
+  if (!named) return fields.fail("has a wall that is not [x, y, \"north\" or \"east\"]", Wall());
   const Wall read = {fields.cell(ReadJson::array({wall[0], wall[1]}), "wall"),
                      wall[2] == "north" ? Heading::north : Heading::east};
   if (on_border(read, size)) fields.fail("has a wall that is not inside the maze");

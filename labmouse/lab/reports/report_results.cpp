@@ -23,18 +23,21 @@ class ResultReading {
   std::string text(const Json& json, const char* key, const std::string& path) {
     const Json& value = get(json, key, path);
     if (value.is_string()) return value.get<std::string>();
-    return wrong(path, key, "is not a string"), "";
+    wrong(path, key, "is not a string");
+    return "";
   }
   std::uint64_t number(const Json& json, const char* key, const std::string& path) {
     const Json& value = get(json, key, path);
     if (value.is_number_unsigned()) return value.get<std::uint64_t>();
-    return wrong(path, key, "is not a whole number of 0 or more"), 0;
+    wrong(path, key, "is not a whole number of 0 or more");
+    return 0;
   }
   const Json& list(const Json& json, const char* key, const std::string& path) {
     static const Json none = Json::array();
     const Json& value = get(json, key, path);
     if (value.is_array()) return value;
-    return wrong(path, key, "is not a list"), none;
+    wrong(path, key, "is not a list");
+    return none;
   }
 
   void refuse(const std::string& path, const char* key, const char* reason) { wrong(path, key, reason); }

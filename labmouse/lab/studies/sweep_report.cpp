@@ -79,7 +79,7 @@ std::string spread(const Sweep& sweep) {
   return fmt::format("over the {} runs in one maze", runs_text(sweep));
 }
 
-/// The lowest mean and its value, in words; empty where there is no mean.
+/// The lowest mean and its value, in words; empty where that is of failed contests alone.
 std::string lowest(const Sweep& sweep) {
   const SweepPoint* best = nullptr;
   std::size_t others = 0;
@@ -90,7 +90,7 @@ std::string lowest(const Sweep& sweep) {
     best = &point;
     others = 0;
   }
-  if (best == nullptr) return "";
+  if (best == nullptr || best->failures == best->runs) return "";
   return fmt::format("Lowest mean: {:.3f} at {}={}{}.", *best->mean, sweep.parameter, best->value,
                      others == 0 ? "" : " and " + counted(others, "other value", "other values"));
 }

@@ -1,6 +1,6 @@
 """Identifies robots from logs of a real mouse or from measured turns: docs/how-to/robot-from-a-log.md has the method.
 
-Needs SciPy, and matplotlib for plots: run `pip install '.[fit]'` in the source folder of labmouse.
+Needs SciPy, and matplotlib for plots: run `pip install -v '.[fit]'` in the source folder of labmouse.
 
     log = read_log("run.csv", "time=ms,left=pwm_l/255,right=pwm_r/255,left_count=enc_l,right_count=enc_r,gyro=gz*0.00107")
     fit = fit_log(log, base_numbers("kerise"))
@@ -10,7 +10,7 @@ Needs SciPy, and matplotlib for plots: run `pip install '.[fit]'` in the source 
 from importlib.util import find_spec
 
 if find_spec("scipy") is None:
-    raise ImportError("labmouse.fit needs SciPy: run pip install '.[fit]' in the source folder of labmouse")
+    raise ImportError("labmouse.fit needs SciPy: run pip install -v '.[fit]' in the source folder of labmouse")
 
 from ._comparison import Comparison, compare_log
 from ._counts import CountFit, fit_count

@@ -19,7 +19,7 @@ def _figure(panels: int) -> tuple[Any, Any]:
     try:
         figures: Any = import_module("matplotlib.figure")
     except ImportError as error:
-        raise Error("plots need matplotlib: run pip install '.[fit]' in the source folder of labmouse") from error
+        raise Error("plots need matplotlib: run pip install -v '.[fit]' in the source folder of labmouse") from error
     figure = figures.Figure(figsize=(9.0, 2.6 * panels), layout="constrained")
     return figure, figure.subplots(panels, 1, squeeze=False)[:, 0]
 

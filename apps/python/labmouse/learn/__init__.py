@@ -6,7 +6,7 @@ Importing this package registers the environment ``labmouse/Contest-v0``.
 try:
     import gymnasium
 except ImportError as error:  # pragma: no cover - depends on what is installed
-    raise ImportError("labmouse.learn needs gymnasium: run pip install '.[learn]' in the source folder of labmouse") from error
+    raise ImportError("labmouse.learn needs gymnasium: run pip install -v '.[learn]' in the source folder of labmouse") from error
 
 from .._native import split_of
 from .environment import ContestEnv

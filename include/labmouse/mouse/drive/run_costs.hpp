@@ -9,7 +9,7 @@
 // so that it takes little more memory than the result. What cannot be part of a run below the limit is left out:
 // forwards by a lower bound of the rest, backwards by A.
 //
-// Limits: runs of 65.5 s or more are left out; prices count in steps of 4, and up to 1020 in all.
+// Limits: runs of 65.5 s or more are left out; prices count in steps of 4, and up to 1020 on each side of a cell.
 #pragma once
 
 #include <cstddef>
