@@ -23,7 +23,7 @@ class BusyMachine {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         for (;;) static_cast<void>(std::clock());
       }
-      children_.push_back(child);
+      if (child > 0) children_.push_back(child);
     }
   }
   BusyMachine(const BusyMachine&) = delete;

@@ -190,7 +190,7 @@ std::vector<std::string> separated(const std::vector<std::string>& paths) {
 MazeCollection find_mazes(const std::vector<std::string>& names, const Places& places, const ReadChoice& choice) {
   const std::vector<std::string> paths = separated(names);
   if (std::find(paths.begin(), paths.end(), "") != paths.end())
-    throw UsageError("error: the name of a maze is empty; write names between commas, and none at the end");
+    throw UsageError("error: the name of a maze is empty; remove the extra comma");
   MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths, choice);
   for (const SkippedFile& file : collection.errors) refuse_other_file(file.path);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));
@@ -199,9 +199,12 @@ MazeCollection find_mazes(const std::vector<std::string>& names, const Places& p
   if (collection.mazes.empty())
     throw UsageError("error: no mazes found; name a maze file, or omit the paths to use the built-in mazes");
   for (NamedMaze& maze : collection.mazes) apply(places, maze);
-  for (const Output& output : replaced)
+  for (const Output& output : replaced) {
     for (const NamedMaze& maze : collection.mazes)
-      if (maze.name.find('/') != std::string::npos && is_same_file(maze.name, output.path)) refuse_to_replace(output);
+      if (is_same_file(maze.name, output.path)) refuse_to_replace(output);
+    for (const SkippedFile& file : collection.skipped)
+      if (is_same_file(file.path, output.path)) refuse_to_replace(output);
+  }
   return collection;
 }
 
@@ -239,7 +242,7 @@ namespace {
 /// Whether writing one of the files would destroy the other.
 bool collide(const Output& one, const Output& other) {
   using Kind = Output::Kind;
-  if (one.path.empty() || other.path.empty()) return false;
+  if (one.path.empty() || other.path.empty() || (one.kind == Kind::input && other.kind == Kind::input)) return false;
   if (one.kind == Kind::file && other.kind == Kind::file) return is_same_file(one.path, other.path);
   // A path such as `-` is a stream for one option and may be a file name for the other. Reading a stream destroys
   // nothing.
@@ -247,20 +250,36 @@ bool collide(const Output& one, const Output& other) {
   return !streams && !is_stream(one.path) && is_same_file(one.path, other.path);
 }
 
-/// How many words of the command line name that file, alone or as a part, as in `a=program:python3 mouse.py`.
-std::size_t times_named(const std::string& file) {
+/// Whether that word gives the path of an output: `--svg PATH`, `--svg=PATH` or `-oPATH`.
+bool gives_output(std::size_t word, const std::string& path) {
+  const std::string& text = words_given[word];
+  if (text == path) return words_given[word - 1].starts_with('-');
+  return text.starts_with('-') && text.ends_with(path);
+}
+
+/// Whether a part of the word between separators names that file, as in `a=program:python3 mouse.py`. Names without a
+/// dot or slash do not count: they are mostly those of mice, worlds and robots.
+bool names_file(std::string_view word, const std::string& file) {
   constexpr std::string_view separators = " ,:='\"";
-  std::size_t times = 0;
-  for (const std::string& word : words_given) {
-    bool names = is_same_file(word, file);
-    for (std::size_t begin = 0; !names && begin < word.size();) {
-      const std::size_t end = std::min(word.find_first_of(separators, begin), word.size());
-      names = end > begin && is_same_file(word.substr(begin, end - begin), file);
-      begin = end + 1;
+  const auto is_end = [&](std::size_t at) {
+    return at >= word.size() || separators.find(word[at]) != std::string_view::npos;
+  };
+  for (std::size_t begin = 0; begin < word.size(); ++begin) {
+    if (begin > 0 && !is_end(begin - 1)) continue;
+    for (std::size_t end = begin + 1; end <= word.size(); ++end) {
+      const std::string_view part = word.substr(begin, end - begin);
+      if (is_end(end) && part.find_first_of("./") != std::string_view::npos && is_same_file(std::string(part), file))
+        return true;
     }
-    times += names ? 1 : 0;
   }
-  return times;
+  return false;
+}
+
+/// Whether a word of the command line, after the command, names that file for another purpose.
+bool is_named(const Output& output) {
+  for (std::size_t word = 1; word < words_given.size(); ++word)
+    if (!gives_output(word, output.path) && names_file(words_given[word], output.path)) return true;
+  return false;
 }
 
 /// Refuses an SVG file under the name of a picture of another kind.
@@ -285,9 +304,8 @@ void expect_outputs(std::initializer_list<Output> outputs) {
     require_writable(output.path);
     if (descriptor_to_write(output.path) == standard_output) printed = stderr;
     std::error_code unknown;
-    if (!std::filesystem::is_regular_file(output.path, unknown)) continue;
-    // Once as the file to write.
-    if (times_named(output.path) > 1) refuse_to_replace(output);
+    if (is_stream(output.path) || !std::filesystem::is_regular_file(output.path, unknown)) continue;
+    if (is_named(output)) refuse_to_replace(output);
     replaced.push_back(output);
   }
 }

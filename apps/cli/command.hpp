@@ -79,7 +79,7 @@ struct Output {
   enum class Kind {
     file,   ///< written by save()
     other,  ///< written in another way, such as a store; only checked not to be the file of another option
-    input   ///< read by the command; needed only beside an output whose path is not on the command line
+    input   ///< read by the command, so it must not be overwritten
   };
 
   std::string_view option;

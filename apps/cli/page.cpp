@@ -37,7 +37,9 @@ void tell_notes(const std::vector<std::string>& notes) {
 
 void report(const PageOptions& options) {
   const std::string page = find_page(options);
-  expect_outputs({{"-o", options.out}});
+  expect_outputs({{"the results", options.results, Output::Kind::input},
+                  {"--page", options.page, Output::Kind::input},
+                  {"--out", options.out}});
   const ReportPage report = make_report(options.results, page);
   if (!report.error.empty()) throw UsageError(report.error);
   tell_notes(report.notes);

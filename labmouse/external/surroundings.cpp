@@ -155,13 +155,15 @@ void add_program(const std::string& path, Collection& all, int depth = 0) {
     add_program(program_of_script(path), all, depth + 1);
 }
 
-/// Adds the folders of a variable such as PYTHONPATH.
-void add_listed(const std::string& list, const std::string& directory, Collection& all) {
+/// The folders in a list such as PYTHONPATH.
+std::vector<std::string> listed(const std::string& list, const std::string& directory) {
+  std::vector<std::string> folders;
   for (std::string_view rest = list; !rest.empty();) {
     const std::string_view each = rest.substr(0, rest.find(':'));
-    if (!each.empty()) all.add(absolute(each, directory));
+    if (!each.empty()) folders.push_back(absolute(each, directory));
     rest.remove_prefix(std::min(rest.size(), each.size() + 1));
   }
+  return folders;
 }
 
 /// Adds the node_modules of a folder and of those above it, from which Node imports.
@@ -213,10 +215,14 @@ Surroundings surroundings_of(const Launch& launch, const std::string& program) {
     if (!names_file(word) || word == launch.words.front()) continue;
     const std::string path = absolute(word, start);
     // A word such as the root or a home folder does not make all of it visible.
-    if (!lies_in(start, path)) all.add(path);
+    if (!lies_in(start, path)) around.named.push_back(path);
   }
-  for (const char* name : {"PYTHONPATH", "LD_LIBRARY_PATH", "NODE_PATH", "PYTHONHOME", "PYENV_ROOT", "NVM_DIR"})
-    add_listed(environment_value(launch, name), start, all);
+  for (const char* name : {"PYTHONPATH", "NODE_PATH"})
+    for (const std::string& folder : listed(environment_value(launch, name), start)) around.named.push_back(folder);
+  for (const std::string& path : around.named) all.add(path);
+  std::erase_if(around.named, [](const std::string& path) { return !is_folder(path); });
+  for (const char* name : {"LD_LIBRARY_PATH", "PYTHONHOME", "PYENV_ROOT", "NVM_DIR"})
+    for (const std::string& folder : listed(environment_value(launch, name), start)) all.add(folder);
   if (const char* home = std::getenv("HOME"); home != nullptr)
     for (const std::string& packages : matches_of(std::string(home) + "/.local/lib/python*")) all.add(packages);
   if (!around.folder.empty()) add_node_modules(around.folder, all);

@@ -20,6 +20,8 @@ struct Surroundings {
   /// Folders and files that it may read: the system's, those of its interpreter, and those that its command names.
   /// Sorted, so that each follows its parent folders; none lies in the own folder.
   std::vector<std::string> visible;
+  /// The folders among these that its command, PYTHONPATH or NODE_PATH names.
+  std::vector<std::string> named;
   /// Links on the way to them, with their targets.
   std::vector<std::pair<std::string, std::string>> links;
   /// Parts of these that are hidden: the labmouse program, libraries and Python package, which contain the built-in

@@ -91,6 +91,8 @@ TEST_F(AHostOfPrograms, HasTheSameResultsOnABusyMachine) {
   };
   const auto idle = results();
   EXPECT_EQ(idle.size(), 6U);
+  EXPECT_EQ(idle["program:python3 slow.py"], "forfeit: ended early");
+  for (const char* how : {"turn", "work at the start"}) EXPECT_EQ(idle[bad(how)], "out of steps");
   const BusyMachine busy;
   EXPECT_EQ(results(), idle);
 }
@@ -204,6 +206,26 @@ TEST_F(ACheat, FindsNoMazesAndRemembersNothing) {
     EXPECT_EQ(said.find("race"), std::string::npos);
   }
   EXPECT_FALSE(std::filesystem::exists(folder_ / "memory.txt"));
+}
+
+TEST_F(ACheat, FindsNoMazesInFoldersThatItNames) {
+  if (!has_sandboxes()) GTEST_SKIP() << "no sandboxes here";
+  for (const char* folder : {"own", "named", "imported"}) std::filesystem::create_directory(folder_ / folder);
+  file("own/cheat.sh",
+       "echo labmouse 1\nwhile read -r word rest; do [ $word != begin ] || break; done\n"
+       "for folder in \"$1\" \"$PYTHONPATH\"; do ls $folder >&2; cat $folder/*.txt 2> /dev/null | head -c 300 >&2; "
+       "done\n");
+  for (const char* folder : {"named", "imported"}) {
+    file(std::string(folder) + "/copy.txt", corridor);
+    file(std::string(folder) + "/code_" + folder, "code");
+  }
+  const std::string imported = (folder_ / "imported").string();
+  ASSERT_EQ(setenv("PYTHONPATH", imported.c_str(), 1), 0);
+  const auto json = race({"--mice", "program:sh own/cheat.sh named", "--mazes", "corridor.txt"});
+  ASSERT_EQ(unsetenv("PYTHONPATH"), 0);
+  const std::string said = json["groups"][0]["mice"][0]["results"][0]["last_words"];
+  EXPECT_THAT(said, Says("code_named", "code_imported"));
+  EXPECT_EQ(said.find("o---o"), std::string::npos) << said;
 }
 
 TEST_F(ACheat, IsToldOfWhereItIsNotKeptFromThat) {

@@ -140,16 +140,15 @@ TEST_F(AShellUser, KeepsWhatACommandReads) {
   labmouse({"run", "flood", "corridor.txt", "--record", "walk.jsonl"});
   const std::string record = content("walk.jsonl");
   std::filesystem::create_hard_link(folder_ / "walk.jsonl", folder_ / "same");
-  is_refused({"show", "--record", "walk.jsonl", "--svg", "./walk.jsonl"}, "--svg", "walk.jsonl");
-  is_refused({"replay", "walk.jsonl", "--svg", "same"}, "--svg", "same");
+  is_refused({"show", "--record", "walk.jsonl", "--svg", "./walk.jsonl"}, "--record", "--svg");
+  is_refused({"replay", "walk.jsonl", "--svg", "same"}, "record", "--svg");
   is_refused({"replay", "walk.jsonl", "--maze", "corridor.txt", "--svg", "corridor.txt"}, "--svg", "corridor.txt");
-  is_refused({"show", "corridor.txt", "--svg", "./corridor.txt"}, "--svg", "corridor.txt");
+  is_refused({"show", "corridor.txt", "--svg", "./corridor.txt"}, "maze", "--svg");
   is_refused({"run", "flood", "corridor.txt", "--record", "corridor.txt"}, "--record", "corridor.txt");
   is_refused({"route", "corridor.txt", "--svg", "corridor.txt"}, "--svg", "corridor.txt");
   is_refused({"learn", "corridor.txt", "--out", "corridor.txt"}, "corridor.txt");
   is_refused({"mms", "true", "corridor.txt", "--record", "corridor.txt"}, "--record", "corridor.txt");
-  for (const char* output : {"--junit", "--curves"})
-    is_refused({"race", "--mazes", "corridor.txt", output, "corridor.txt"}, output, "corridor.txt");
+  is_refused({"race", "--mazes", "corridor.txt", "--junit", "corridor.txt"}, "--junit", "corridor.txt");
   is_refused({"race", "--mazes=contest-01,corridor.txt", "--junit=corridor.txt"}, "--junit", "corridor.txt");
   is_refused({"study", "--mice", "flood,certify", "--mazes", "corridor.txt", "--csv", "corridor.txt"}, "--csv",
              "corridor.txt");
@@ -167,9 +166,20 @@ TEST_F(AShellUser, KeepsWhatACommandReads) {
   EXPECT_EQ(content("corridor.txt"), corridor);
   EXPECT_EQ(content("mazes/other.txt"), corridor);
   EXPECT_EQ(content("mouse.py"), "mouse");
-  // An earlier result is replaced.
-  for (int time = 0; time < 2; ++time)
-    EXPECT_EQ(labmouse({"run", "flood", "corridor.txt", "--record", "walk.jsonl"}).code, 0);
+  // Names with blanks, patterns, words that hold the option and its value.
+  file("a b.txt", corridor);
+  is_refused({"race", "--mice", "flood", "--mazes", "a b.txt,corridor.txt", "--junit", "a b.txt"}, "--junit",
+             "a b.txt");
+  is_refused({"show", "a b.txt", "--svg=a b.txt"}, "--svg");
+  is_refused({"route", "a*.txt", "--svg", "a b.txt"}, "--svg", "a b.txt");
+  is_refused({"learn", "corridor.txt", "-ocorridor.txt"}, "--out", "corridor.txt");
+  EXPECT_EQ(content("a b.txt"), corridor);
+  EXPECT_EQ(content("corridor.txt"), corridor);
+  // An earlier result is replaced, also where it is named like a mouse or a command; a stream is none.
+  for (const char* file_name : {"walk.jsonl", "run", "flood"})
+    for (int time = 0; time < 2; ++time)
+      EXPECT_EQ(labmouse({"run", "flood", "corridor.txt", "--record", file_name}).code, 0) << file_name;
+  EXPECT_EQ(shell("labmouse show - --svg /dev/stdout < corridor.txt > out.svg").code, 0);
 }
 
 TEST_F(AShellUser, ReplacesNoPipeAndNoDevice) {

@@ -10,7 +10,7 @@
 namespace labmouse {
 namespace {
 
-// Of a choice. Turn and direction are in quarter turns clockwise from the heading before the step.
+// Effect of each choice. Turn and direction are in quarter turns clockwise from the heading before the step.
 struct Effect {
   std::uint8_t turn = 0;
   std::uint8_t direction = 0;

@@ -199,11 +199,12 @@ std::string runner_identity(const Launch& launch, InstalledPackages& packages) {
   return text;
 }
 
-/// The files that a mouse sees in its sandbox. Hides files with mazes in its folder.
+/// The files that a mouse sees in its sandbox. Hides files with mazes in its folder, and in those that it names.
 std::shared_ptr<const Surroundings> surroundings_for(const Launch& launch, HiddenFiles& hidden) {
   auto around = std::make_shared<const Surroundings>(
       surroundings_of(launch, program_path(launch.words.front(), launch.directory)));
   hide_mazes_in(around->folder, hidden);
+  for (const std::string& folder : around->named) hide_mazes_in(folder, hidden);
   return around;
 }
 

@@ -7,9 +7,9 @@
 
 namespace labmouse {
 
-/// Hides from an external mouse the files in its folder that contain mazes; many capstone robots are kept beside the
-/// mazes of the project. Each folder is searched once. At most 4000 files are read, none in hidden folders or in
-/// installed packages (.git, node_modules, virtual environments).
+/// Hides from an external mouse the files in a folder that it sees that contain mazes; many capstone robots are kept
+/// beside the mazes of the project. Each folder is searched once. At most 4000 files are read, none in hidden folders
+/// or in installed packages (.git, node_modules, virtual environments).
 void hide_mazes_in(const std::string& folder, HiddenFiles& hidden);
 
 /// Whether the file contains a maze, judged by its content; of pictures and pages by the extension, `.svg` or `.html`.

@@ -63,7 +63,8 @@ constexpr std::array keys = {
     of("body.half_width", "from its middle to its side", "mm", 1.0, 500.0,
        [](HardwareNumbers& n) -> double& { return n.hardware.chassis.half_width; }),
     of("body.half_track",
-       "from its middle to where a wheel rolls; with four wheels, which slide in turns, travel of a wheel for each rad",
+       "from its middle to where a wheel rolls; with four wheels, which slide in turns, travel of a wheel for each rad "
+       "of turning",
        "mm", 1.0, 500.0, [](HardwareNumbers& n) -> double& { return n.hardware.chassis.half_track; }),
     added_later(of("body.rounding",
                    "radius of the corners of its chassis; of a round chassis that of the circle; default 0", "mm", 0.0,

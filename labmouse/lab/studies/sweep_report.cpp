@@ -79,7 +79,7 @@ std::string spread(const Sweep& sweep) {
   return fmt::format("over the {} runs in one maze", runs_text(sweep));
 }
 
-/// The lowest mean and its value, in words; empty where that is of failed contests alone.
+/// The lowest mean and its value, in words; empty if all its contests failed.
 std::string lowest(const Sweep& sweep) {
   const SweepPoint* best = nullptr;
   std::size_t others = 0;

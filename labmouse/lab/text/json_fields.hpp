@@ -31,9 +31,9 @@ class JsonFields {
   }
   /// The same, and returns the value that stands for the wrong one.
   template <class Value>
-  Value&& fail(const std::string& reason, Value&& instead) {
+  Value fail(const std::string& reason, const Value& instead) {
     fail(reason);
-    return std::forward<Value>(instead);
+    return instead;
   }
   /// Records a whole sentence as the error, such as one from another reader. An empty one changes nothing.
   void reject(const std::string& error) {
@@ -119,10 +119,12 @@ class JsonFields {
   }
   /// The same, and returns the value that stands for the wrong one.
   template <class Value>
-  Value&& wrong(const char* key, std::string_view reason, Value&& instead) {
+  const Value& wrong(const char* key, std::string_view reason, const Value& instead) {
     wrong(key, reason);
-    return std::forward<Value>(instead);
+    return instead;
   }
+  /// Not for a list or object that is gone when it is returned.
+  const ReadJson& wrong(const char* key, std::string_view reason, const ReadJson&& instead) = delete;
 
   const ReadJson& json_;
   std::string path_;
