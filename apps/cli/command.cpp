@@ -261,15 +261,18 @@ bool gives_output(std::size_t word, const std::string& path) {
 /// dot or slash do not count: they are mostly those of mice, worlds and robots.
 bool names_file(std::string_view word, const std::string& file) {
   constexpr std::string_view separators = " ,:='\"";
+  constexpr int most_within = 8;  // more are no name, but a long list
   const auto is_end = [&](std::size_t at) {
     return at >= word.size() || separators.find(word[at]) != std::string_view::npos;
   };
   for (std::size_t begin = 0; begin < word.size(); ++begin) {
     if (begin > 0 && !is_end(begin - 1)) continue;
-    for (std::size_t end = begin + 1; end <= word.size(); ++end) {
+    int within = 0;  // separators in the part
+    for (std::size_t end = begin + 1; end <= word.size() && within <= most_within; ++end) {
+      if (!is_end(end)) continue;
       const std::string_view part = word.substr(begin, end - begin);
-      if (is_end(end) && part.find_first_of("./") != std::string_view::npos && is_same_file(std::string(part), file))
-        return true;
+      if (part.find_first_of("./") != std::string_view::npos && is_same_file(std::string(part), file)) return true;
+      ++within;
     }
   }
   return false;
