@@ -39,7 +39,9 @@ bool holds_maze(const std::string& path) {
   // Records, and results of races.
   if (begin.starts_with('{') && begin.find("\"labmouse\"") != std::string_view::npos) return true;
   // Pictures, reports, and what a build of labmouse makes.
-  for (const std::string_view end : {".svg", ".html", "/labmouse_core.wasm", "/builtin_mazes.cpp"})
+  for (const std::string_view start : {"<svg", "<!doctype html"})
+    if (begin.starts_with(start)) return true;
+  for (const std::string_view end : {".svg", "/labmouse_core.wasm", "/builtin_mazes.cpp"})
     if (path.ends_with(end)) return true;
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);

@@ -12,7 +12,8 @@ namespace labmouse {
 /// or in installed packages (.git, node_modules, virtual environments).
 void hide_mazes_in(const std::string& folder, HiddenFiles& hidden);
 
-/// Whether the file contains a maze, judged by its content; of pictures and pages by the extension, `.svg` or `.html`.
+/// Whether the file contains a maze, judged by its content; pictures and pages always count, and two files of a build
+/// of labmouse are known by their names.
 bool holds_maze(const std::string& path);
 
 }  // namespace labmouse

@@ -39,9 +39,12 @@ TEST_F(MazeHolders, AreKnownByTheirContent) {
   EXPECT_TRUE(holds_maze(file("maze.maz", std::string(256, '\x0f'))));
   EXPECT_TRUE(holds_maze(file("record.jsonl", R"({"labmouse":"record","format":1})")));
   EXPECT_TRUE(holds_maze(file("results.db", std::string("SQLite format 3\0 and more", 25))));
-  EXPECT_TRUE(holds_maze(file("walk.svg", "<svg/>")));
+  EXPECT_TRUE(holds_maze(file("walk.svg", "<?xml version='1.0'?><svg/>")));
   EXPECT_TRUE(holds_maze(file("report.html", "<!doctype html>")));
+  EXPECT_TRUE(holds_maze(file("report.htm", "<!doctype html>")));
+  EXPECT_TRUE(holds_maze(file("picture.SVG", "<svg/>")));
   EXPECT_TRUE(holds_maze(file("labmouse_core.wasm", "asm")));
+  EXPECT_TRUE(holds_maze(file("builtin_mazes.cpp", "// Mazes")));
   EXPECT_FALSE(holds_maze(file("robot.py", "class Robot(object):\n    pass\n")));
   EXPECT_FALSE(holds_maze(file("settings.json", R"({"speed": 3})")));
   EXPECT_FALSE(holds_maze(file("program", std::string("\x7f\x45LF\0\0\0", 7))));

@@ -96,7 +96,7 @@ def _fit(options: argparse.Namespace) -> int:
         raise Error("name one of --turns and --log, which say what to fit")
     if options.plot and len(paths) > 1:
         raise Error("--plot shows one log; name one")
-    _check_outputs([*paths, options.turns], [options.out, options.plot])
+    _check_outputs([*paths, options.turns, options.base], [options.out, options.plot])
     path = options.turns or ", ".join(paths)
     fitted = _of_turns(options) if options.turns else _of_logs(options, paths)
     if options.plot and not fitted.fits:
@@ -136,7 +136,7 @@ def compare(words: Sequence[str]) -> int:
 
 
 def _compare(options: argparse.Namespace) -> int:
-    _check_outputs([options.log], [options.svg])
+    _check_outputs([options.log, options.robot], [options.svg])
     comparison = compare_log(_log(options.log, options), options.robot)
     print(comparison)
     if options.svg:
