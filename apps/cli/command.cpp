@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
@@ -77,15 +78,9 @@ void apply(const Places& places, NamedMaze& maze) {
 
 /// Where print() writes: standard error once a file is written to standard output.
 std::FILE* printed = stdout;
-/// The words of the command line.
-std::vector<std::string> words_given;
-/// The files that are there and that the command will replace.
-std::vector<Output> replaced;
 
-void refuse_to_replace(const Output& output) {
-  throw UsageError(fmt::format("error: {} would replace {}, which the command reads; use another file", output.option,
-                               shown(output.path)));
-}
+/// Where incomplete results are saved.
+std::string partial(const std::string& path) { return path + ".partial"; }
 
 void write_out(std::string_view text, std::FILE* stream, bool at_once = true) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
@@ -166,8 +161,6 @@ void add_places(Command& command, Places& places) {
       ->take_all();
 }
 
-void note_words(std::vector<std::string> words) { words_given = std::move(words); }
-
 void tell(const std::string& text) {
   // A failure cannot be reported anywhere, so it is ignored; fmt::print() would throw.
   std::fwrite(text.data(), 1, text.size(), stderr);
@@ -199,12 +192,6 @@ MazeCollection find_mazes(const std::vector<std::string>& names, const Places& p
   if (collection.mazes.empty())
     throw UsageError("error: no mazes found; name a maze file, or omit the paths to use the built-in mazes");
   for (NamedMaze& maze : collection.mazes) apply(places, maze);
-  for (const Output& output : replaced) {
-    for (const NamedMaze& maze : collection.mazes)
-      if (is_same_file(maze.name, output.path)) refuse_to_replace(output);
-    for (const SkippedFile& file : collection.skipped)
-      if (is_same_file(file.path, output.path)) refuse_to_replace(output);
-  }
   return collection;
 }
 
@@ -218,6 +205,13 @@ void print(const std::string& text) { write_out(text, printed); }
 
 void print_part(std::string_view part) { write_out(part, printed, false); }
 
+void refuse_to_replace(std::string_view option, const std::string& path) {
+  throw UsageError(
+      fmt::format("{}: error: {} would replace this file, which is of another kind; use another name, or "
+                  "remove the file",
+                  path, option));
+}
+
 void save(const std::string& path, const std::string& content) {
   if (descriptor_to_write(path) == standard_output) return write_out(content, stdout);
   if (const auto error = write_file(path, content); !error.empty())
@@ -226,9 +220,8 @@ void save(const std::string& path, const std::string& content) {
 
 void save_partial(const std::string& path, const std::string& content) {
   if (is_stream(path)) return save(path, content);
-  const std::string partial = path + ".partial";
-  save(partial, content);
-  tell(fmt::format("Stopped early: {} has the results so far.\n", shown(partial)));
+  save(partial(path), content);
+  tell(fmt::format("Stopped early: {} has the results so far.\n", shown(partial(path))));
 }
 
 void require_writable(const std::string& path) {
@@ -241,48 +234,22 @@ namespace {
 
 /// Whether writing one of the files would destroy the other.
 bool collide(const Output& one, const Output& other) {
-  using Kind = Output::Kind;
-  if (one.path.empty() || other.path.empty() || (one.kind == Kind::input && other.kind == Kind::input)) return false;
-  if (one.kind == Kind::file && other.kind == Kind::file) return is_same_file(one.path, other.path);
+  if (one.path.empty() || other.path.empty()) return false;
+  if (!one.begin.empty() && !other.begin.empty()) return is_same_file(one.path, other.path);
   // A path such as `-` is a stream for one option and may be a file name for the other. Reading a stream destroys
   // nothing.
   const bool streams = descriptor_to_write(one.path) || descriptor_to_write(other.path);
   return !streams && !is_stream(one.path) && is_same_file(one.path, other.path);
 }
 
-/// Whether that word gives the path of an output: `--svg PATH`, `--svg=PATH` or `-oPATH`.
-bool gives_output(std::size_t word, const std::string& path) {
-  const std::string& text = words_given[word];
-  if (text == path) return words_given[word - 1].starts_with('-');
-  return text.starts_with('-') && text.ends_with(path);
-}
-
-/// Whether a part of the word between separators names that file, as in `a=program:python3 mouse.py`. Names without a
-/// dot or slash do not count: they are mostly those of mice, worlds and robots.
-bool names_file(std::string_view word, const std::string& file) {
-  constexpr std::string_view separators = " ,:='\"";
-  constexpr int most_within = 8;  // more are no name, but a long list
-  const auto is_end = [&](std::size_t at) {
-    return at >= word.size() || separators.find(word[at]) != std::string_view::npos;
-  };
-  for (std::size_t begin = 0; begin < word.size(); ++begin) {
-    if (begin > 0 && !is_end(begin - 1)) continue;
-    int within = 0;  // separators in the part
-    for (std::size_t end = begin + 1; end <= word.size() && within <= most_within; ++end) {
-      if (!is_end(end)) continue;
-      const std::string_view part = word.substr(begin, end - begin);
-      if (part.find_first_of("./") != std::string_view::npos && is_same_file(std::string(part), file)) return true;
-      ++within;
-    }
-  }
-  return false;
-}
-
-/// Whether a word of the command line, after the command, names that file for another purpose.
-bool is_named(const Output& output) {
-  for (std::size_t word = 1; word < words_given.size(); ++word)
-    if (!gives_output(word, output.path) && names_file(words_given[word], output.path)) return true;
-  return false;
+/// Throws UsageError where there is a file that the option cannot have written: it may be a maze or a mouse.
+void keep_other_files(const Output& output, const std::string& path) {
+  std::error_code unknown;
+  if (is_stream(path) || !std::filesystem::is_regular_file(path, unknown)) return;
+  std::string begin(output.begin.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (file.gcount() > 0 && begin != output.begin) refuse_to_replace(output.option, path);
 }
 
 /// Refuses an SVG file under the name of a picture of another kind.
@@ -302,14 +269,12 @@ void expect_outputs(std::initializer_list<Output> outputs) {
         throw UsageError(
             fmt::format("error: {} and {} name the same file; use two different files", other->option, one->option));
   for (const Output& output : outputs) {
-    if (output.path.empty() || output.kind != Output::Kind::file) continue;
-    if (output.option == "--svg") refuse_other_pictures(output.path);
+    if (output.path.empty() || output.begin.empty()) continue;
+    if (output.begin == begin_of_svg) refuse_other_pictures(output.path);
     require_writable(output.path);
+    keep_other_files(output, output.path);
+    keep_other_files(output, partial(output.path));
     if (descriptor_to_write(output.path) == standard_output) printed = stderr;
-    std::error_code unknown;
-    if (is_stream(output.path) || !std::filesystem::is_regular_file(output.path, unknown)) continue;
-    if (is_named(output)) refuse_to_replace(output);
-    replaced.push_back(output);
   }
 }
 

@@ -52,9 +52,6 @@ DriveRules find_rules_or_refuse(const std::string& name);
 /// Adds --robot; `robot` has its default.
 void add_robot_option(Command& command, std::string& robot);
 
-/// The words of the command line, which may name files that the command reads; for expect_outputs().
-void note_words(std::vector<std::string> words);
-
 /// Writes to standard output, or to standard error where a file is written to standard output. Throws UsageError on
 /// failure.
 void print(const std::string& text);
@@ -74,21 +71,22 @@ void refuse_other_kind(const std::string& path, std::string_view text, FileKind 
 /// Throws UsageError if save() would fail now. Call it before long work. An empty path is accepted.
 void require_writable(const std::string& path);
 
-/// A file that a command writes: its option, and its path (empty if not requested).
-struct Output {
-  enum class Kind {
-    file,   ///< written by save()
-    other,  ///< written in another way, such as a store; only checked not to be the file of another option
-    input   ///< read by the command, so it must not be overwritten
-  };
+/// Throws UsageError for a file that is there, and is of another kind than the option writes.
+[[noreturn]] void refuse_to_replace(std::string_view option, const std::string& path);
 
+/// A file of the command line that must not be the file of another option.
+struct Output {
   std::string_view option;
-  std::string path;
-  Kind kind = Kind::file;
+  std::string path;  ///< empty if not requested
+  /// How the file begins that save() writes there; empty for one that is read, or written in another way.
+  std::string_view begin = {};
 };
-/// Call this before long work, and before find_mazes(). Throws UsageError where a file cannot be written now, two are
-/// the same, or a file that is there is named by another word of the command line or is one of the mazes. If a file
-/// goes to standard output, print() uses standard error from now on, so that programs can read that file.
+/// How files of several commands begin.
+inline constexpr std::string_view begin_of_svg = "<svg", begin_of_record = R"({"labmouse":)", begin_of_log = "time,",
+                                  begin_of_page = "<!doctype html>";
+/// Call this before long work. Throws UsageError where a file cannot be written now, two are the same, or a file is
+/// there that begins in another way: so no input is lost, wherever it is named. If a file goes to standard output,
+/// print() uses standard error from now on, so that programs can read that file.
 void expect_outputs(std::initializer_list<Output> outputs);
 
 /// Whether to colour printed text: it goes to a terminal, and NO_COLOR is not set.

@@ -91,7 +91,7 @@ Compared hold(const CompareOptions& options, Entry entry, MazeSource source) {
 }
 
 int compare(const CompareOptions& options) {
-  expect_outputs({{"--store", options.contests.store_path, Output::Kind::other}});
+  expect_outputs({{"--store", options.contests.store_path}});
   Entry entry = entry_of(options);
   MazeSource source = source_of(options, entry);
   const Compared compared = hold(options, std::move(entry), std::move(source));
@@ -146,7 +146,7 @@ void add_compare(Command& app, int& exit) {
       ->capture_default_str();
   options->generated.add_to(*command);
   add_world_and_seed(*command, options->contests);
-  add_stored_mouse_options(*command, options->external_mice);
+  add_program_options(*command, options->external_mice);
   command->group(groups::output);
   command->add_option("--format", options->format, "What is printed")
       ->check(one_of({"table", "json"}))

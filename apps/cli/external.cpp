@@ -82,7 +82,7 @@ void add_external_options(Command& command, ExternalOptions& external_mice) {
       ->capture_default_str();
 }
 
-void add_stored_mouse_options(Command& command, ExternalOptions& external_mice) {
+void add_program_options(Command& command, ExternalOptions& external_mice) {
   add_python(command, external_mice);
   add_external_options(command, external_mice);
   command
@@ -92,7 +92,7 @@ void add_stored_mouse_options(Command& command, ExternalOptions& external_mice) 
 }
 
 void add_racing_options(Command& command, ExternalOptions& external_mice) {
-  add_stored_mouse_options(command, external_mice);
+  add_program_options(command, external_mice);
   command
       .add_option("--external-runs", external_mice.runs,
                   "Contests in each maze for each external mouse, for stochastic ones")

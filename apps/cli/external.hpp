@@ -13,7 +13,7 @@ void add_external_options(Command& command, ExternalOptions& external_mice);
 void add_python(Command& command, ExternalOptions& external_mice);
 
 /// Adds all of these, and --label, for commands with a store of contests.
-void add_stored_mouse_options(Command& command, ExternalOptions& external_mice);
+void add_program_options(Command& command, ExternalOptions& external_mice);
 
 /// Adds all of these, and --external-runs, for commands that run several contests in a maze.
 void add_racing_options(Command& command, ExternalOptions& external_mice);

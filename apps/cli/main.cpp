@@ -95,7 +95,6 @@ int main(int argc, char** argv) {
   add_report(app, exit);
   add_store(app, exit);
   add_bench(app, exit);
-  note_words({argv + std::min(argc, 1), argv + argc});
   try {
     return line.run(argc, argv) ? exit_good : exit;
   } catch (const UsageError& error) {

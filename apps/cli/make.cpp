@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "generated.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/streams.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/maze/generators/generator.hpp"
@@ -34,6 +35,12 @@ void write(const Maze& maze, const std::string& path, const std::string& format_
   if (!result.content)
     throw UsageError(
         fmt::format("{}: error: the format {} cannot hold this maze: {}", path, format.name, result.reason));
+  std::error_code unknown;
+  if (!is_stream(path) && std::filesystem::is_regular_file(path, unknown)) {
+    const FileContent replaced = read_file(path);
+    if (replaced.content.empty() ? !replaced.error.empty() : kind_of_file(replaced.content) != FileKind::maze)
+      refuse_to_replace("OUT", path);
+  }
   save(path, *result.content);
 }
 
@@ -54,6 +61,7 @@ struct ConvertOptions {
 };
 
 void convert(const ConvertOptions& options) {
+  expect_outputs({{"IN", options.in}, {"OUT", options.out}});
   ReadChoice choice = options.choice;
   if (!options.from.empty()) choice.format = &format_named(options.from);
   const NamedMaze maze = find_maze(options.in, {}, choice);

@@ -37,9 +37,7 @@ void tell_notes(const std::vector<std::string>& notes) {
 
 void report(const PageOptions& options) {
   const std::string page = find_page(options);
-  expect_outputs({{"the results", options.results, Output::Kind::input},
-                  {"--page", options.page, Output::Kind::input},
-                  {"--out", options.out}});
+  expect_outputs({{"--page", options.page}, {"--out", options.out, begin_of_page}});
   const ReportPage report = make_report(options.results, page);
   if (!report.error.empty()) throw UsageError(report.error);
   tell_notes(report.notes);
@@ -59,7 +57,9 @@ void add_page(Command& app, int& exit) {
   add_page_options(*command, *options);
   command->footer("Example: labmouse page -o labmouse.html");
   command->callback([options, &exit] {
-    save(options->out, find_page(*options));
+    const std::string page = find_page(*options);
+    expect_outputs({{"--page", options->page}, {"--out", options->out, begin_of_page}});
+    save(options->out, page);
     exit = exit_good;
   });
 }

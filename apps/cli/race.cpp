@@ -227,11 +227,11 @@ std::string results_path(const RaceOptions& options) {
 }
 
 int race(const RaceOptions& options) {
-  expect_outputs({{"--curves", options.curves},
-                  {"--junit", options.junit},
-                  {"--store", options.contests.store_path, Output::Kind::other},
-                  {"--out", results_path(options), Output::Kind::other},
-                  {"--baseline", options.baseline, Output::Kind::input}});
+  expect_outputs({{"--curves", options.curves, begin_of_svg},
+                  {"--junit", options.junit, "<?xml"},
+                  {"--store", options.contests.store_path},
+                  {"--out", results_path(options)},
+                  {"--baseline", options.baseline}});
   std::optional<Holding> holding(options);
   std::vector<Entry> entries = options.contests.world.enter(find_contestants(
       with_mice_files(options.mice, options.mice_files), options.contests.world, options.external_mice));

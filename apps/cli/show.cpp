@@ -129,10 +129,7 @@ int show_record(const ShowOptions& options) {
 }
 
 int show(const ShowOptions& options) {
-  expect_outputs({{"the maze", options.maze, Output::Kind::input},
-                  {"--against", options.against, Output::Kind::input},
-                  {"--record", options.record, Output::Kind::input},
-                  {"--svg", options.svg}});
+  expect_outputs({{"--svg", options.svg, begin_of_svg}});
   const bool places = !options.places.start.empty() || !options.places.goals.empty();
   if (options.maze.empty() == options.record.empty())
     throw UsageError("error: `labmouse show` takes either a maze or --record FILE");

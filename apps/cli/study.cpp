@@ -33,8 +33,9 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, con
 
 int study(const StudyOptions& options) {
   if (options.mice.empty() && options.mice_files.empty()) throw UsageError("error: --mice or --mice-file is required");
-  expect_outputs(
-      {{"--csv", options.csv}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
+  expect_outputs({{"--csv", options.csv, "maze,fold,"},
+                  {"--svg", options.svg, begin_of_svg},
+                  {"--store", options.contests.store_path}});
   Entry entry = options.contests.world.enter_one(find_contestants(with_mice_files(options.mice, options.mice_files),
                                                                   options.contests.world, options.external_mice));
   MazeCollection mazes = find_mazes_of(entry, options.contests);

@@ -72,8 +72,9 @@ Sweep hold(const SweepOptions& options, const Planned& plan, const RaceOrder& or
 }
 
 int sweep(const SweepOptions& options) {
-  expect_outputs(
-      {{"--csv", options.csv}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
+  expect_outputs({{"--csv", options.csv, "value,mean,"},
+                  {"--svg", options.svg, begin_of_svg},
+                  {"--store", options.contests.store_path}});
   const Planned plan = planned(options);
   const RaceOrder order = options.contests.order_in(plan.entry.world);
   const Sweep result = hold(options, plan, order);

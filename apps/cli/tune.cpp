@@ -60,8 +60,9 @@ Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges,
 }
 
 int tune(const TuneOptions& options) {
-  expect_outputs(
-      {{"--log", options.log}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
+  expect_outputs({{"--log", options.log, "evaluation,"},
+                  {"--svg", options.svg, begin_of_svg},
+                  {"--store", options.contests.store_path}});
   const std::vector<ParameterRange> ranges = find_ranges(options);
   Entry entry = options.contests.world.enter_one(corners(options.mouse, ranges));
   const MazeCollection mazes = find_mazes_of(entry, options.contests);

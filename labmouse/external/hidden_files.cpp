@@ -32,6 +32,16 @@ bool HiddenFiles::is_new_folder(const std::string& folder) {
   return folders_.insert(folder).second;
 }
 
+void HiddenFiles::note_unsearched(const std::string& folder) {
+  const std::lock_guard lock(mutex_);
+  unsearched_.insert(folder);
+}
+
+std::vector<std::string> HiddenFiles::unsearched() const {
+  const std::lock_guard lock(mutex_);
+  return {unsearched_.begin(), unsearched_.end()};
+}
+
 HiddenFiles::Paths HiddenFiles::paths() const {
   const std::lock_guard lock(mutex_);
   if (!paths_) paths_ = std::make_shared<const std::vector<std::string>>(all_.begin(), all_.end());

@@ -244,8 +244,9 @@ ExternalEvent ExternalProcess::wait(Clock::time_point deadline) {
     if (stop_ != nullptr && stop_->load()) return ExternalEvent::interrupted;
     if (status_ && output_ >= 0 && read_output()) return ExternalEvent::output;
     if (exceeded_ != TreeLimit::none) return ExternalEvent::exceeded;
-    // The program's pipe ends are closed when it has ended, so an open one belongs to another process.
-    if (status_ || keeper_ < 0) return output_ < 0 ? ExternalEvent::ended : ExternalEvent::left;
+    if (keeper_ < 0 || (status_ && output_ < 0)) return ExternalEvent::ended;
+    // Where nothing that it started is left, the keeper of another mouse, forked just now, has the pipe for a moment.
+    if (status_ && survey(sandboxed_ ? child_ : keeper_, 1, false).processes > 0) return ExternalEvent::left;
     const auto now = Clock::now();
     if (now >= closed_due_) return ExternalEvent::closed;
     if (now >= deadline) return ExternalEvent::timeout;

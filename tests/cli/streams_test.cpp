@@ -135,51 +135,76 @@ TEST_F(AShellUser, CannotNameOneFileInTwoWays) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a"));
 }
 
-TEST_F(AShellUser, KeepsWhatACommandReads) {
+TEST_F(AShellUser, KeepsFilesOfOtherKinds) {
   file("corridor.txt", corridor);
   labmouse({"run", "flood", "corridor.txt", "--record", "walk.jsonl"});
   const std::string record = content("walk.jsonl");
   std::filesystem::create_hard_link(folder_ / "walk.jsonl", folder_ / "same");
-  is_refused({"show", "--record", "walk.jsonl", "--svg", "./walk.jsonl"}, "--record", "--svg");
-  is_refused({"replay", "walk.jsonl", "--svg", "same"}, "record", "--svg");
-  is_refused({"replay", "walk.jsonl", "--maze", "corridor.txt", "--svg", "corridor.txt"}, "--svg", "corridor.txt");
-  is_refused({"show", "corridor.txt", "--svg", "./corridor.txt"}, "maze", "--svg");
-  is_refused({"run", "flood", "corridor.txt", "--record", "corridor.txt"}, "--record", "corridor.txt");
-  is_refused({"route", "corridor.txt", "--svg", "corridor.txt"}, "--svg", "corridor.txt");
-  is_refused({"learn", "corridor.txt", "--out", "corridor.txt"}, "corridor.txt");
-  is_refused({"mms", "true", "corridor.txt", "--record", "corridor.txt"}, "--record", "corridor.txt");
-  is_refused({"race", "--mazes", "corridor.txt", "--junit", "corridor.txt"}, "--junit", "corridor.txt");
-  is_refused({"race", "--mazes=contest-01,corridor.txt", "--junit=corridor.txt"}, "--junit", "corridor.txt");
-  is_refused({"study", "--mice", "flood,certify", "--mazes", "corridor.txt", "--csv", "corridor.txt"}, "--csv",
-             "corridor.txt");
-  is_refused({"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "corridor.txt"}, "--csv");
-  is_refused({"tune", "flood", "--params", "stride", "--mazes", "corridor.txt", "--log", "corridor.txt"}, "--log");
-  is_refused({"failure-rates", "--mazes", "corridor.txt", "--save", "corridor.txt"}, "--save", "corridor.txt");
-  is_refused({"drive", "--mazes", "corridor.txt", "--runs", "1", "--log", "corridor.txt"}, "--log", "corridor.txt");
-  // Also one of a folder, and a program.
-  std::filesystem::create_directory(folder_ / "mazes");
-  file("mazes/other.txt", corridor);
-  is_refused({"race", "--mazes", "mazes", "--junit", "mazes/other.txt"}, "--junit", "mazes/other.txt");
+  is_refused({"show", "--record", "walk.jsonl", "--svg", "./walk.jsonl"}, "walk.jsonl: error: --svg");
+  is_refused({"replay", "walk.jsonl", "--svg", "same"}, "same: error: --svg");
+  is_refused({"replay", "walk.jsonl", "--maze", "corridor.txt", "--log", "corridor.txt"}, "corridor.txt: error: --log");
+  is_refused({"show", "corridor.txt", "--svg", "./corridor.txt"}, "corridor.txt: error: --svg");
+  is_refused({"run", "flood", "corridor.txt", "--record", "corridor.txt"}, "corridor.txt: error: --record");
+  is_refused({"route", "corridor.txt", "--svg", "corridor.txt"}, "corridor.txt: error: --svg");
+  is_refused({"learn", "corridor.txt", "--out", "corridor.txt"}, "corridor.txt: error: --out");
+  is_refused({"mms", "true", "corridor.txt", "--record", "corridor.txt"}, "corridor.txt: error: --record");
+  is_refused({"race", "--mazes", "corridor.txt", "--junit", "corridor.txt"}, "corridor.txt: error: --junit");
+  is_refused({"study", "--mice", "flood,certify", "--mazes", "corridor.txt", "--csv", "corridor.txt"},
+             "corridor.txt: error: --csv");
+  is_refused({"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "corridor.txt"},
+             "corridor.txt: error: --csv");
+  is_refused({"tune", "flood", "--params", "stride", "--evaluations", "9", "--log", "corridor.txt"},
+             "corridor.txt: error: --log");
+  is_refused({"failure-rates", "--mazes", "corridor.txt", "--save", "corridor.txt"}, "corridor.txt: error: --save");
+  is_refused({"drive", "--mazes", "corridor.txt", "--runs", "1", "--log", "corridor.txt"},
+             "corridor.txt: error: --log");
+  is_refused({"convert", "corridor.txt", "./corridor.txt", "--transpose"}, "IN", "OUT");
+  is_refused({"convert", "corridor.txt", "walk.jsonl", "--format", "drawing"}, "walk.jsonl: error: OUT");
+  is_refused({"make", "contest", "--out", "walk.jsonl", "--format", "drawing"}, "walk.jsonl: error: OUT");
+  // Whatever names the file: a pattern, standard input, a folder, a mouse.
+  is_refused({"route", "corr*.txt", "--svg", "corridor.txt"}, "corridor.txt: error: --svg");
+  EXPECT_EQ(shell("labmouse show - --svg corridor.txt < corridor.txt").code, 2);
+  labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "results"});
+  const std::string results = content("results/results.json");
+  is_refused({"report", "results", "--out", "results/results.json"}, "results.json: error: --out");
   file("mouse.py", "mouse");
-  is_refused({"run", "program:python3 mouse.py", "corridor.txt", "--record", "mouse.py"}, "--record", "mouse.py");
+  for (const char* mouse : {"program:python3 mouse.py", "program:python3 -m mouse"})
+    is_refused({"run", mouse, "corridor.txt", "--record", "mouse.py"}, "mouse.py: error: --record");
+  file("page.html.partial", "kept");
+  is_refused({"page", "--out", "page.html"}, "page.html.partial: error: --out");
   EXPECT_EQ(content("walk.jsonl"), record);
   EXPECT_EQ(content("corridor.txt"), corridor);
-  EXPECT_EQ(content("mazes/other.txt"), corridor);
+  EXPECT_EQ(content("results/results.json"), results);
   EXPECT_EQ(content("mouse.py"), "mouse");
-  // Names with blanks, patterns, words that hold the option and its value.
-  file("a b.txt", corridor);
-  is_refused({"race", "--mice", "flood", "--mazes", "a b.txt,corridor.txt", "--junit", "a b.txt"}, "--junit",
-             "a b.txt");
-  is_refused({"show", "a b.txt", "--svg=a b.txt"}, "--svg");
-  is_refused({"route", "a*.txt", "--svg", "a b.txt"}, "--svg", "a b.txt");
-  is_refused({"learn", "corridor.txt", "-ocorridor.txt"}, "--out", "corridor.txt");
-  EXPECT_EQ(content("a b.txt"), corridor);
-  EXPECT_EQ(content("corridor.txt"), corridor);
-  // An earlier result is replaced, also where it is named like a mouse or a command; a stream is none.
-  for (const char* file_name : {"walk.jsonl", "run", "flood"})
-    for (int time = 0; time < 2; ++time)
-      EXPECT_EQ(labmouse({"run", "flood", "corridor.txt", "--record", file_name}).code, 0) << file_name;
-  EXPECT_EQ(shell("labmouse show - --svg /dev/stdout < corridor.txt > out.svg").code, 0);
+  // What a command has written, it replaces.
+  const std::vector<std::vector<std::string>> commands = {
+      {"run", "flood", "corridor.txt", "--world", "physical", "--record", "a.jsonl", "--svg", "a.svg", "--log",
+       "a.csv"},
+      {"mms", "true", "corridor.txt", "--record", "a.jsonl"},
+      {"replay", "walk.jsonl", "--svg", "a.svg"},
+      {"show", "corridor.txt", "--svg", "a.svg"},
+      {"robot", "show", "beginner", "--svg", "a.svg"},
+      {"route", "contest-01", "--svg", "a.svg"},
+      {"drive", "--mazes", "corridor.txt", "--runs", "1", "--log", "a.csv"},
+      {"learn", "corridor.txt", "--out", "a.prior"},
+      {"failure-rates", "--mazes", "corridor.txt", "--runs", "1", "--save", "a.json"},
+      {"race", "--mice", "flood", "--mazes", "corridor.txt", "--fail-above", "99", "--junit", "a.xml"},
+      {"race", "--mice", "flood", "--mazes", "corridor.txt", "--world", "failures", "--variation", "0,1", "--curves",
+       "a.svg"},
+      {"study", "--mice", "flood,certify", "--mazes", "contest-01", "contest-02", "--folds", "2", "--csv", "b.csv",
+       "--svg", "a.svg"},
+      {"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "c.csv", "--svg", "a.svg"},
+      {"tune", "flood", "--params", "stride", "--evaluations", "8", "--mazes", "corridor.txt", "--log", "d.csv",
+       "--svg", "a.svg"},
+      {"page", "--out", "a.html"},
+      {"report", "results", "--out", "a.html"},
+      {"convert", "contest-01", "a.maz"},
+      {"make", "contest", "--out", "a.txt"}};
+  for (const auto& command : commands)
+    for (int time = 0; time < 2; ++time) {
+      const Ended ended = labmouse(command);
+      EXPECT_LT(ended.code, 2) << command.front() << ": " << ended.err;
+    }
 }
 
 TEST_F(AShellUser, ReplacesNoPipeAndNoDevice) {
@@ -190,12 +215,12 @@ TEST_F(AShellUser, ReplacesNoPipeAndNoDevice) {
 
 TEST_F(AShellUser, IsToldWhyAFileCannotBeWritten) {
   file("corridor.txt", corridor);
-  file("kept.svg", "kept");
+  file("kept.svg", "<svg>kept");
   is_refused({"convert", "corridor.txt", "/dev/full"}, "/dev/full: error: ", "no space");
   const Ended limited = shell("ulimit -f 1; labmouse show contest-01 --svg kept.svg");
   EXPECT_EQ(limited.code, 2);
   EXPECT_THAT(limited.err, HasSubstr("ulimit"));
-  EXPECT_EQ(content("kept.svg"), "kept");
+  EXPECT_EQ(content("kept.svg"), "<svg>kept");
   const Ended tuned = shell(
       "ulimit -f 1; labmouse tune visit-counter --params coverage --mazes corridor.txt --evaluations 1000000 "
       "--log kept.csv | tail -c 400");

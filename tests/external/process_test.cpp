@@ -1,6 +1,8 @@
 #include "labmouse/external/process.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -34,6 +36,20 @@ TEST(ExternalProcess, HandsOutAllThatAProgramSaidBeforeItEnded) {
   EXPECT_EQ(exhaust(process, lines), ExternalEvent::ended);
   EXPECT_EQ(lines, 100'000);
   EXPECT_EQ(process.status(), (ExitStatus{7, 0}));
+}
+
+TEST(ExternalProcess, HasLeftNothingBehindWhereAnotherHoldsItsOutput) {
+  // As the keeper of another mouse does for a moment, if it is forked while the pipes of this one are opened.
+  ExternalProcess process(launch_of({"/bin/sh", "-c", "echo $$; read line"}));
+  ASSERT_EQ(process.wait(ExternalProcess::Clock::now() + 20s), ExternalEvent::output);
+  const std::string output = "/proc/" + std::string(process.lines().next().value_or("")) + "/fd/1";
+  const int held = open(output.c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(held, 0);
+  process.send("end\n");
+  while (!process.status()) ASSERT_EQ(process.wait(ExternalProcess::Clock::now() + 1ms), ExternalEvent::timeout);
+  EXPECT_EQ(process.wait(ExternalProcess::Clock::now() + 1ms), ExternalEvent::timeout);
+  close(held);
+  EXPECT_EQ(process.wait(ExternalProcess::Clock::now() + 20s), ExternalEvent::ended);
 }
 
 TEST(ExternalProcess, TakesMoreThanAPipeHolds) {

@@ -29,13 +29,18 @@ class HiddenFiles {
   /// @param folder its path; other spellings count as other folders.
   /// @return whether this is the first call for that folder, so that its contents still have to be searched.
   bool is_new_folder(const std::string& folder);
+  /// Notes that a folder has too many files to search, so that some with mazes may not be hidden.
+  /// @param folder as of is_new_folder().
+  void note_unsearched(const std::string& folder);
+  /// @return the folders of note_unsearched(), sorted.
+  std::vector<std::string> unsearched() const;
   /// All paths so far.
   /// @return absolute, sorted, without duplicates; never null. It is the same list until a path is added.
   Paths paths() const;
 
  private:
   mutable std::mutex mutex_;
-  std::set<std::string> all_, folders_;
+  std::set<std::string> all_, folders_, unsearched_;
   mutable Paths paths_;
 };
 

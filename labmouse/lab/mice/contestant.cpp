@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/mice/maze_holders.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
 namespace labmouse {
 
 bool Contestant::walks() const {
@@ -31,11 +34,16 @@ std::string freedom_note(const std::vector<Contestant>& mice) {
   std::string note;
   if (const auto free = find([](const Contestant& mouse) { return mouse.sandboxed == false; }); free != mice.end())
     note += fmt::format(
-        "External mice ran without a sandbox{}: they could do whatever you can.\nNot protected against reading mazes, "
-        "nor "
-        "against remembering earlier contests.\n",
+        "External mice ran without a sandbox{}: they could do whatever you can.\n"
+        "Not protected against reading mazes, nor against remembering earlier contests.\n",
         free->why_no_sandbox.empty() ? ""
                                      : fmt::format(", which this system does not offer ({})", free->why_no_sandbox));
+  const auto hides = [](const Contestant& mouse) { return mouse.sandboxed == true && mouse.hidden != nullptr; };
+  if (const auto hidden = find(hides); hidden != mice.end())
+    for (const std::string& folder : hidden->hidden->unsearched())
+      note += fmt::format(
+          "Not protected against reading mazes in {}: of its files only {} were searched for mazes to hide.\n",
+          shown(folder), most_searched);
   const auto keeps = [](const Contestant& mouse) { return mouse.sandboxed == true && mouse.keeps_folder; };
   if (find(keeps) != mice.end())
     note += "External mice kept their folders (--keep-folder): they may remember earlier contests.\n";

@@ -54,16 +54,15 @@ bool holds_maze(const std::string& path) {
 }
 
 void hide_mazes_in(const std::string& folder, HiddenFiles& hidden) {
-  constexpr int most_files = 4000;
   if (folder.empty() || !hidden.is_new_folder(folder)) return;
   std::error_code error;
   int files = 0;
   for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
-       !error && entry != end && files < most_files; entry.increment(error)) {
+       !error && entry != end; entry.increment(error)) {
     std::error_code unknown;
     if (entry->is_directory(unknown) && is_installed_or_hidden(entry->path())) entry.disable_recursion_pending();
     if (!entry->is_regular_file(unknown)) continue;
-    ++files;
+    if (++files > most_searched) return hidden.note_unsearched(folder);
     if (holds_maze(entry->path().string())) hidden.add(entry->path().string());
   }
 }

@@ -6,7 +6,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
+
+#include "labmouse/lab/mice/contestant.hpp"
 
 namespace labmouse {
 namespace {
@@ -65,6 +68,23 @@ TEST_F(MazeHolders, AreHiddenWhereverTheyLieInAFolder) {
   hide_mazes_in(folder_.string(), hidden);
   EXPECT_EQ(hidden.paths(), before);
   hide_mazes_in("", hidden);
+  EXPECT_THAT(hidden.unsearched(), testing::IsEmpty());
+}
+
+TEST_F(MazeHolders, AreNotAllFoundAmongTooManyFiles) {
+  for (int i = 0; i < most_searched; ++i) file("data/" + std::to_string(i), "x");
+  HiddenFiles hidden;
+  hide_mazes_in((folder_ / "data").string(), hidden);
+  EXPECT_THAT(hidden.unsearched(), testing::IsEmpty());
+  file("one-more", "x");
+  hide_mazes_in(folder_.string(), hidden);
+  EXPECT_THAT(hidden.unsearched(), testing::ElementsAre(folder_.string()));
+  Contestant mouse;
+  mouse.sandboxed = true;
+  mouse.hidden = std::make_shared<HiddenFiles>();
+  EXPECT_EQ(freedom_note({mouse}), "");
+  mouse.hidden->note_unsearched("/home/class");
+  EXPECT_THAT(freedom_note({mouse}), testing::HasSubstr("/home/class"));
 }
 
 }  // namespace

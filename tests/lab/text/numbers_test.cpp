@@ -67,6 +67,10 @@ TEST(NumbersInJson, ThatADoubleCannotHoldMakeItNone) {
     EXPECT_FALSE(read_json(good).is_discarded()) << good;
 }
 
+TEST(NumbersInJson, AreMissingFromAnEmptyText) {
+  for (const char* empty : {"", " \r\n\t"}) EXPECT_THAT(json_problem(empty), ProblemAt(0, 0, "JSON", "empty"));
+}
+
 TEST(NumbersInJson, DoNotHideAMistakeBeforeThem) {
   EXPECT_THAT(json_problem("[1,, 1e309]"), ProblemAt(1, 4, "JSON"));
   EXPECT_THAT(json_problem("[1, 1e309,, 2]"), ProblemAt(1, 5, "JSON", "'1e309'"));
