@@ -407,11 +407,11 @@ TEST_F(AUser, KeepsARecordOfEachMazeWhereTwoHaveOneName) {
 }
 
 TEST_F(AUser, KeepsALinkWhenItsTargetIsWritten) {
-  file("target.txt", "old");
+  file("target.txt", corridor);
   std::filesystem::create_symlink("target.txt", folder_ / "link.txt");
   EXPECT_EQ(labmouse({"make", "empty", "--size", "2x2", "-o", "link.txt"}).code, 0);
   EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.txt"));
-  EXPECT_THAT(content("target.txt"), HasSubstr("o---o"));
+  EXPECT_THAT(content("target.txt"), AllOf(HasSubstr("o---o"), Not(HasSubstr(corridor))));
 }
 
 TEST_F(AUser, WritesIntoADeviceWithoutReplacingIt) {
@@ -563,7 +563,7 @@ TEST_F(AUser, SeesTheSweepWhoseFilesCannotBeWritten) {
 
 TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {
   file("corridor.txt", corridor);
-  file("results.csv", "kept");
+  file("results.csv", "value,mean,kept");
   const test::Program program(folder_, {"sweep", "random", "--vary", "stride=1:8:1", "--mazes", "corridor.txt",
                                         "--runs", "500000", "--jobs", "1", "--csv", "results.csv"});
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -572,7 +572,7 @@ TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130) << ended.err;
   EXPECT_THAT(ended.out, Says("Stopped", "0 of 8 values"));
-  EXPECT_EQ(content("results.csv"), "kept");
+  EXPECT_EQ(content("results.csv"), "value,mean,kept");
 }
 
 TEST_F(AUser, SeesHowMuchOfTheMazesWasSeen) {

@@ -101,7 +101,7 @@ TEST_F(AUser, IsToldWhatLearningLeavesOut) {
 }
 
 TEST_F(AUser, WhoInterruptsLearningKeepsAnEarlierPrior) {
-  file("my.prior", "kept");
+  file("my.prior", "// labmouse prior kept");
   std::filesystem::create_directories(folder_ / "mazes");
   // More to explore than a short while holds, and different.
   ASSERT_EQ(labmouse({"make", "prim", "--size", "64x64", "-o", "large.txt"}).code, 0);
@@ -120,7 +120,7 @@ TEST_F(AUser, WhoInterruptsLearningKeepsAnEarlierPrior) {
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130) << ended.err << ended.out;
   EXPECT_THAT(ended.out, Says("Stopped", "no prior"));
-  EXPECT_EQ(content("my.prior"), "kept");
+  EXPECT_EQ(content("my.prior"), "// labmouse prior kept");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ Problem problem_behind(std::string_view before, std::string reason) {
 }  // namespace
 
 Problem json_problem(std::string_view text) {
-  if (text.find_first_not_of(" \t\r\n") == text.npos) return {0, 0, "not valid JSON: it is empty"};
+  if (text.find_first_not_of(" \t\r\n") == text.npos) return {1, 1, "not valid JSON: it is empty"};
   if (is_too_deep(text))
     return {0, 0, fmt::format("not valid JSON: its lists and objects are nested more than {} deep", most_json_depth)};
   const std::string_view number = bad_json_number(text);

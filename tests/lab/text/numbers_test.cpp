@@ -68,7 +68,7 @@ TEST(NumbersInJson, ThatADoubleCannotHoldMakeItNone) {
 }
 
 TEST(NumbersInJson, AreMissingFromAnEmptyText) {
-  for (const char* empty : {"", " \r\n\t"}) EXPECT_THAT(json_problem(empty), ProblemAt(0, 0, "JSON", "empty"));
+  for (const char* empty : {"", " \r\n\t"}) EXPECT_THAT(json_problem(empty), ProblemAt(1, 1, "JSON", "empty"));
 }
 
 TEST(NumbersInJson, DoNotHideAMistakeBeforeThem) {
