@@ -57,7 +57,10 @@ int score_file(const ScoreOptions& options) {
 }  // namespace
 
 void add_log(Command& command, std::string& log) {
-  command.add_option("--log", log, "In physical: save the sensor readings, duties and true position of each ms as CSV")
+  command
+      .add_option(
+          "--log", log,
+          "Save the sensor readings, duties and true position of each ms as CSV, if a controller drove the mouse")
       ->type_name("FILE");
 }
 

@@ -33,10 +33,14 @@ NAME_A_WORLD = {
     "labmouse/lab/page/external_calls.cpp": "asks programs for steps",
     "apps/python/briefing.cpp": "tells a mouse what it decides in",
     "apps/python/labmouse/learn/mouse.py": "learns in steps alone",
+    "apps/web/page/src/home/pairs.ts": "has examples",
+    "apps/web/page/src/player/layers.ts": "has a layer of what programs for mms draw",
+    "apps/web/page/src/player/legend.tsx": "has a layer of what programs for mms draw",
 }
 NAMES = "steps|strides|seconds|physical|failures|mms"
-TEXT = re.compile(r"\"((?:[^\"\\]|\\.)*)\"|'((?:[^'\\]|\\.)*)'")
-WORLD_NAME = re.compile(rf"^(strides|physical|failures|mms)$|\b({NAMES}) world\b|\bworld (?:in |of )?({NAMES})\b")
+TEXT = re.compile(r"\"((?:[^\"\\]|\\.)*)\"|'((?:[^'\\]|\\.)*)'|`([^`]*)`")
+WORLD_NAME = re.compile(rf"^(strides|physical|failures|mms)$|\b({NAMES}) world\b|\bworld (?:in |of )?({NAMES})\b|^In ({NAMES}):")
+WORLD_VALUE = re.compile(rf"\bworld\W{{1,5}}[\"']({NAMES})[\"']")
 EXAMPLE = re.compile(r"\blabmouse [a-z]+ ")
 # A variable that outlives its function: one that the compiler has not fixed is state that strategies could share, and often
 # takes memory when it is first met. A function has a parenthesis before any of `=;{`, and no values in it.
@@ -174,21 +178,27 @@ def serves_all_worlds(name):
     parts = name.split("/")
     if name in NAME_A_WORLD or (parts[:2] == ["apps", "cli"] and Path(name).stem in COMMANDS_ABOUT_WORLDS):
         return False
+    if name.endswith("core/types.ts"):
+        return False  # written by the core
     return parts[0] == "apps" or parts[2] not in ABOUT_WORLDS
 
 
 def names_of_worlds(line):
     """The names of worlds in the texts of a line of code; commands to type are none."""
     code = line.split("//")[0]
-    for text in (match[1] or match[2] or "" for match in TEXT.finditer(code)):
+    for text in (match[1] or match[2] or match[3] or "" for match in TEXT.finditer(code)):
         found = WORLD_NAME.search(text)
         if found and not EXAMPLE.search(text):
             yield next(name for name in found.groups() if name)
+    for found in WORLD_VALUE.finditer(code):
+        if found[1] in ("steps", "seconds"):  # the others are names wherever they stand
+            yield found[1]
 
 
 def world_violations(root):
-    """Library, command line and Python serve all worlds: they include none and say none's name."""
-    paths = [*library(root, "lab"), *sources(root / "apps/cli"), *sources(root / "apps/python")]
+    """Library, command line, Python and page serve all worlds: they include none and say none's name."""
+    paths = [*library(root, "lab"), *sources(root / "apps/cli"), *sources(root / "apps/python"),
+             *sorted((root / "apps/web/page/src").rglob("*.ts*"))]
     for path in paths:
         if not serves_all_worlds(name_of(path, root)):
             continue

@@ -126,6 +126,9 @@ class Architecture(unittest.TestCase):
             "labmouse/lab/page/open.cpp": 'return "only in the physical world";\n',
             "apps/cli/race.cpp": '#include "labmouse/lab/drive/seconds_world.hpp"\n',
             "apps/cli/sweep.cpp": 'fail("name the world mms");\n',
+            "apps/cli/replay.cpp": 'option("In physical: saves the log");\n',
+            "apps/web/page/src/race/chart.ts": "const unit = 'seconds';\nconst race = { world: 'seconds' };\n",
+            "apps/web/page/src/race/form.tsx": "tell(`only in the physical world`);\n",
             "apps/python/race.cpp": 'held("waited for some seconds", "world seconds");\n',
             "labmouse/lab/worlds/list.cpp": '#include "labmouse/lab/steps/steps_entry.hpp"\n',
             "apps/cli/robot.cpp": '#include "labmouse/lab/steps/steps_world.hpp"\n',
@@ -135,8 +138,11 @@ class Architecture(unittest.TestCase):
              "labmouse/lab/store/store.cpp:1: error: what serves all worlds must not name that of failures",
              "apps/cli/race.cpp:1: error: what serves all worlds must not include "
              "labmouse/lab/drive/seconds_world.hpp",
+             "apps/cli/replay.cpp:1: error: what serves all worlds must not name that of physical",
              "apps/cli/sweep.cpp:1: error: what serves all worlds must not name that of mms",
-             "apps/python/race.cpp:1: error: what serves all worlds must not name that of seconds"])
+             "apps/python/race.cpp:1: error: what serves all worlds must not name that of seconds",
+             "apps/web/page/src/race/chart.ts:2: error: what serves all worlds must not name that of seconds",
+             "apps/web/page/src/race/form.tsx:1: error: what serves all worlds must not name that of physical"])
 
     def test_files_that_need_each_other(self):
         self.assertEqual(violations_of({

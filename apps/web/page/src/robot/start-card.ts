@@ -28,7 +28,7 @@ export function createStartCard(
   const save = () => page.save(`${nameOf(name.value) || 'robot'}.toml`, draft.text, 'application/toml');
   function use(view: 'live' | 'race') {
     location.hash = view;
-    page.tell(`${name.value} can be chosen under Robot, in the world of seconds.`);
+    page.tell(`${name.value} can be chosen under Robot, in worlds in which robots drive.`);
   }
   const uses = [
     button('Save as TOML', save),

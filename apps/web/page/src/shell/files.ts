@@ -49,7 +49,7 @@ export function fileTaker(core: Page['core'], notices: Notices, takers: Takers):
   const open: Open = (file, maze) => core.call('open', { name: file.name, ...(maze && { maze }) }, file.bytes);
 
   /** Says what is wrong with a file; where it is a record for a maze at hand, offers that. */
-  async function refuse({ file, error }: SortedOut['failures'][number]) {
+  async function refuse({ file, error }: SortedOut['refused'][number]) {
     const places = takers.atHand();
     const found = await openIn(
       file,
@@ -79,7 +79,7 @@ export function fileTaker(core: Page['core'], notices: Notices, takers: Takers):
       open,
     );
     for (const one of contents) if (one.status === 'rejected') notices.complain(one.reason);
-    for (const failure of sorted.failures) await refuse(failure);
+    for (const failure of sorted.refused) await refuse(failure);
     if (sorted.mazes.length > 0) takers.mazes(sorted.mazes);
     if (sorted.results.length > 0) takers.results(sorted.results[sorted.results.length - 1]);
     if (sorted.plays.length > 0) takers.plays(sorted.plays.slice(0, 2));

@@ -14,7 +14,7 @@ export interface SortedOut {
   plays: { play: Play; record: string }[];
   results: RaceResults[];
   robots: { name: string; text: string }[];
-  failures: { file: OneFile; error: unknown }[];
+  refused: { file: OneFile; error: unknown }[];
 }
 
 export type Open = (file: OneFile, maze?: MazeData) => Promise<Opened>;
@@ -43,8 +43,8 @@ export async function openIn(
 
 /** Opens all; a record that lacks its maze takes one that was dropped with it. */
 export async function sortOut(files: OneFile[], open: Open): Promise<SortedOut> {
-  const sorted: SortedOut = { mazes: [], notes: [], plays: [], results: [], robots: [], failures: [] };
-  const failed: SortedOut['failures'] = [];
+  const sorted: SortedOut = { mazes: [], notes: [], plays: [], results: [], robots: [], refused: [] };
+  const failed: SortedOut['refused'] = [];
   for (const file of files)
     await open(file).then(
       (opened) => add(sorted, file, opened),
@@ -53,7 +53,7 @@ export async function sortOut(files: OneFile[], open: Open): Promise<SortedOut> 
   for (const failure of failed) {
     const found = await openIn(failure.file, sorted.mazes, open);
     if (found) add(sorted, failure.file, found.opened);
-    else sorted.failures.push(failure);
+    else sorted.refused.push(failure);
   }
   return sorted;
 }

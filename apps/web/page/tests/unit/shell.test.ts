@@ -52,13 +52,13 @@ describe('dropped files', () => {
     expect(summary(sorted)).toContain('home: it has a gap.');
     expect(sorted.plays).toEqual([{ play: { mouse: 'record' }, record: 'text of record' }]);
     expect(sorted.results).toHaveLength(1);
-    expect(sorted.failures.map(({ file: { name }, error }) => [name, String(error)])).toEqual([
+    expect(sorted.refused.map(({ file: { name }, error }) => [name, String(error)])).toEqual([
       ['bad', 'Error: bad is nothing'],
     ]);
   });
   it('help each other: a record takes a maze that came with it', async () => {
     const sorted = await sortOut(['lost', 'other', 'home'].map(file), open);
-    expect(sorted.failures).toEqual([]);
+    expect(sorted.refused).toEqual([]);
     expect(sorted.plays[0].play.mouse).toBe('lost');
   });
   it('find the maze that fits among those at hand, or none', async () => {
