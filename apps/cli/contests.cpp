@@ -88,7 +88,7 @@ void add_world_and_seed(Command& command, Contests& contests) {
 RaceOrder Contests::order_in(std::shared_ptr<const World> chosen) const {
   RaceOrder held = order;
   held.world = std::move(chosen);
-  held.runs = runs.value_or(find_world(held.world->name())->usual_runs);
+  held.runs = runs.value_or(find_world(held.world->traits().name)->usual_runs);
   if (store_path.empty()) return held;
   held.files.push_back(store_path);
   if (!store_) store_ = std::make_shared<Store>(store_path);
@@ -123,7 +123,7 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
   std::vector<Contestant> mice = residents_of(*world.world());
   if (mice.empty())
     throw UsageError(fmt::format("error: labmouse has no built-in mice for the world {}; name your own with --mice",
-                                 world.world()->name()));
+                                 world.world()->traits().name));
   return mice;
 }
 
@@ -156,9 +156,10 @@ std::vector<std::string> with_mice_files(std::vector<std::string> specs, const s
 MazeCollection find_mazes_of(Entry& entry, const Contests& contests, bool again) {
   const World& world = *entry.world;
   const Places& places = contests.places;
-  if (const auto fixed = world.fixed_places(); !fixed.empty() && (!places.start.empty() || !places.goals.empty()))
+  if (const auto fixed = world.traits().fixed_places;
+      !fixed.empty() && (!places.start.empty() || !places.goals.empty()))
     throw UsageError(
-        fmt::format("error: --start and --goal cannot be used in the world {}, which {}", world.name(), fixed));
+        fmt::format("error: --start and --goal cannot be used in the world {}, which {}", world.traits().name, fixed));
   MazeCollection mazes = find_mazes(contests.mazes, places);
   const auto before = static_cast<std::ptrdiff_t>(mazes.skipped.size());
   if (const std::string refused = leave_out(world, separated(contests.mazes), mazes); !refused.empty())
@@ -166,7 +167,7 @@ MazeCollection find_mazes_of(Entry& entry, const Contests& contests, bool again)
   if (!again) tell_skipped({mazes.skipped.begin() + before, mazes.skipped.end()});
   if (mazes.mazes.empty())
     throw UsageError(
-        fmt::format("error: no mazes to race on: none of these can be used in the world {}", world.name()));
+        fmt::format("error: no mazes to race on: none of these can be used in the world {}", world.traits().name));
   const std::string remark = suit_defaults(entry, mazes.mazes);
   // Who named no mazes did not ask for those of one class.
   if (!remark.empty() && !again && !contests.mazes.empty()) tell_remarks({remark});

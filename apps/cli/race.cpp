@@ -151,8 +151,8 @@ void report_curves(const RaceOptions& options, const std::vector<Race>& races) {
   if (options.format == "table") print("\n" + table_of(curves, races.back().world()));
   if (options.curves.empty()) return;
   const Race& race = races.back();
-  const std::string title =
-      fmt::format("Contests finished: world {}, {}", race.world().name(), counted(race.mazes.size(), "maze", "mazes"));
+  const std::string title = fmt::format("Contests finished: world {}, {}", race.world().traits().name,
+                                        counted(race.mazes.size(), "maze", "mazes"));
   const bool stopped = std::any_of(races.begin(), races.end(), [](const Race& each) { return each.stopped; });
   (stopped ? save_partial : save)(options.curves, draw_curves(curves, title));
 }
@@ -185,7 +185,9 @@ std::string above_limit(const RaceOptions& options, const Race& race) {
   std::string text;
   const World& world = race.world();
   const std::string counting =
-      world.failure_score() ? "" : fmt::format(" (failed contests at {:g} {})", world.limit_score(), world.unit());
+      world.traits().failure_score
+          ? ""
+          : fmt::format(" (failed contests at {:g} {})", world.traits().limit_score, world.traits().unit);
   for (const Standing& standing : standings_of(race)) {
     const Contestant& mouse = race.mice[standing.mouse];
     if (!mouse.reference && standing.mean_at_limit && *standing.mean_at_limit > options.fail_above)
@@ -200,7 +202,7 @@ std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entr
                              std::vector<SkippedFile>& skipped) {
   std::vector<Field> fields;
   for (Entry& entry : entries) {
-    const bool again = !fields.empty() && fields.back().entry.world->name() == entry.world->name();
+    const bool again = !fields.empty() && fields.back().entry.world->traits().name == entry.world->traits().name;
     MazeCollection mazes = find_mazes_of(entry, options.contests, again);
     skipped = std::move(mazes.skipped);
     fields.push_back({std::move(entry), std::move(mazes.mazes)});

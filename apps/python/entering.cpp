@@ -141,7 +141,7 @@ Field enter(Choice choice, const std::atomic<bool>* stop) {
   // A built-in maze that was not named is left out, as on the command line.
   if (mazes.mazes.empty())
     throw UserError(refused.empty() ? fmt::format("no mazes to race on: none of these can be used in the world {}",
-                                                  field.entry.world->name())
+                                                  field.entry.world->traits().name)
                                     : refused);
   field.mazes = std::move(mazes.mazes);
   if (const std::string remark = suit_defaults(field.entry, field.mazes); !remark.empty())

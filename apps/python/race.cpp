@@ -69,7 +69,7 @@ class RunningRace {
     held_->skipped = std::move(field.skipped);
     RaceOrder order;
     order.world = field.entry.world;
-    order.runs = runs.value_or(find_world(order.world->name())->usual_runs);
+    order.runs = runs.value_or(find_world(order.world->traits().name)->usual_runs);
     order.seed = seed;
     order.jobs = jobs;
     order.store = store_.emplace(store).shown();
@@ -171,20 +171,20 @@ nb::dict contests(const HeldRace& held) {
   std::vector<const ContestResult*> done;
   for (const ContestResult& contest : held.race.results)
     if (contest.done) done.push_back(&contest);
-  return columns_of(held.race.world().fields().csv, done, [&](const ContestField& field, const ContestResult* contest) {
-    return field.of(held.race, *contest);
-  });
+  return columns_of(
+      held.race.world().traits().fields->csv, done,
+      [&](const ContestField& field, const ContestResult* contest) { return field.of(held.race, *contest); });
 }
 
 nb::dict standings(const HeldRace& held) {
-  return columns_of(held.race.world().fields().mouse, standings_of(held.race),
+  return columns_of(held.race.world().traits().fields->mouse, standings_of(held.race),
                     [&](const MouseField& field, const Standing& standing) { return field.of(held.race, standing); });
 }
 
 nb::dict mazes(const HeldRace& held) {
   std::vector<std::size_t> places(held.race.mazes.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
-  return columns_of(held.race.world().fields().maze, places,
+  return columns_of(held.race.world().traits().fields->maze, places,
                     [&](const MazeField& field, std::size_t maze) { return field.of(held.race, maze); });
 }
 
@@ -200,7 +200,7 @@ std::size_t position(const Race& race, const std::string& mouse) {
 nb::dict compare(const HeldRace& held, const std::string& mouse, const std::string& against) {
   const MousePair pair =
       pair_of(maze_scores(held.race, position(held.race, mouse)), maze_scores(held.race, position(held.race, against)),
-              !held.race.world().failure_score(), held.race.order.seed);
+              !held.race.world().traits().failure_score, held.race.order.seed);
   const PairedDifference& found = pair.scores;
   nb::dict fields;
   fields["mouse"] = mouse;
@@ -239,7 +239,7 @@ std::int64_t merge(const std::vector<std::string>& paths, const std::string& tar
 void bind_races(nb::module_& module) {
   nb::class_<HeldRace>(module, "HeldRace")
       .def_prop_ro("complete", [](const HeldRace& held) { return !held.race.stopped; })
-      .def_prop_ro("world", [](const HeldRace& held) { return std::string(held.race.world().name()); })
+      .def_prop_ro("world", [](const HeldRace& held) { return std::string(held.race.world().traits().name); })
       .def_prop_ro("seed", [](const HeldRace& held) { return held.race.order.seed; })
       .def_prop_ro("mice", [](const HeldRace& held) { return names(held, true); })
       .def_prop_ro("mazes", [](const HeldRace& held) { return names(held, false); })

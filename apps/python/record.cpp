@@ -101,7 +101,7 @@ nb::object steps_of(const HeldContest& held) {
 
 nb::dict figures(const HeldContest& held) {
   nb::dict found;
-  for (const ContestField& field : held.race.world().fields().contest) {
+  for (const ContestField& field : held.race.world().traits().fields->contest) {
     const Value value = field.of(held.race, held.result());
     if (!std::holds_alternative<std::monostate>(value))
       found[nb::str(field.key.data(), field.key.size())] = object_of(value);
@@ -114,7 +114,7 @@ nb::dict figures(const HeldContest& held) {
 void bind_records(nb::module_& module) {
   nb::class_<HeldContest>(module, "HeldContest")
       .def_prop_ro("complete", [](const HeldContest& held) { return held.result().done; })
-      .def_prop_ro("world", [](const HeldContest& held) { return std::string(held.race.world().name()); })
+      .def_prop_ro("world", [](const HeldContest& held) { return std::string(held.race.world().traits().name); })
       .def_prop_ro("mouse", [](const HeldContest& held) { return held.race.mice.front().name; })
       .def_prop_ro("maze", [](const HeldContest& held) { return held.race.mazes.front(); })
       .def_prop_ro("seed", [](const HeldContest& held) { return held.result().seed; })

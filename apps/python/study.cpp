@@ -55,7 +55,7 @@ class RunningStudy {
     held_ = std::make_shared<HeldStudy>();
     held_->skipped = std::move(field.skipped);
     order.race.world = field.entry.world;
-    order.race.runs = runs.value_or(find_world(order.race.world->name())->usual_runs);
+    order.race.runs = runs.value_or(find_world(order.race.world->traits().name)->usual_runs);
     order.race.store = store_.emplace(store).shown();
     order.race.files = {std::get<0>(store)};
     work_.start([this, order, field = std::move(field)]() mutable {

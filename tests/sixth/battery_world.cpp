@@ -37,14 +37,15 @@ constexpr std::array rows = {
 class BatteryWorld final : public DriveWorld {
  public:
   BatteryWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, BatteryConditions conditions)
-      : DriveWorld(rules, std::move(model)), conditions_(std::move(conditions)) {}
+      : DriveWorld({.name = "battery",
+                    .conditions = conditions_of(rows, conditions),
+                    .fields = &seconds_fields(),
+                    .is_stochastic = true},
+                   rules, std::move(model)),
+        conditions_(std::move(conditions)) {}
 
-  std::string_view name() const override { return "battery"; }
-  std::vector<Condition> conditions() const override { return conditions_of(rows, conditions_); }
   std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
   using DriveWorld::refuse;
-  bool is_stochastic() const override { return true; }
-  const WorldFields& fields() const override { return seconds_fields(); }
   std::string notes(const Race&) const override { return score_note(*this); }
 
  private:

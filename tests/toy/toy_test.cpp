@@ -248,9 +248,10 @@ TEST(ToyWorld, IsSwept) {
 TEST(ToyWorld, IsEnteredByNameAndRefusesWhoCannotWalk) {
   const EntriesResult entered = enter(read_specs("flood").contestants, "toy", {});
   ASSERT_EQ(entered.error, "");
-  EXPECT_EQ(entered.entries.front().world->name(), "toy");
+  EXPECT_EQ(entered.entries.front().world->traits().name, "toy");
   EXPECT_THAT(enter(read_specs("mms:true").contestants, "toy", {}).error, HasSubstr("cannot walk"));
-  EXPECT_EQ(enter(read_specs("flood").contestants, "", {}).entries.front().world->name(), all_worlds().front()->name);
+  EXPECT_EQ(enter(read_specs("flood").contestants, "", {}).entries.front().world->traits().name,
+            all_worlds().front()->name);
 }
 
 TEST(ToyWorld, StopsWhereItIsToldTo) {

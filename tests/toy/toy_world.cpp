@@ -60,16 +60,18 @@ constexpr std::array rows = {
 // 3. The world: who may enter, what a maze allows, what one contest is, and what it comes to.
 class ToyWorld final : public World {
  public:
-  explicit ToyWorld(const ToyConditions& conditions) : conditions_(conditions) {}
-  std::string_view name() const override { return "toy"; }
-  std::string formula() const override { return "the best of three runs in which the mouse did not stumble"; }
-  std::string_view unit() const override { return "steps"; }
-  std::vector<Condition> conditions() const override { return conditions_of(rows, conditions_); }
+  explicit ToyWorld(const ToyConditions& conditions)
+      : World({.name = "toy",
+               .formula = "the best of three runs in which the mouse did not stumble",
+               .conditions = conditions_of(rows, conditions),
+               .fields = &all_fields,
+               .is_stochastic = true,
+               .unit = "steps",
+               .limit_score = Rules().failure_score}),
+        conditions_(conditions) {}
   std::string refuse(const Contestant& mouse) const override {
     return mouse.walks() ? "" : fmt::format("mouse '{}' cannot walk", mouse.name);
   }
-  bool is_stochastic() const override { return true; }
-  double limit_score() const override { return Rules().failure_score; }
   MazeFacts facts(const Maze& maze) const override { return {bound_of(maze, Rules()).score, {}, {}}; }
 
   ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {
@@ -87,7 +89,7 @@ class ToyWorld final : public World {
       result.score = value;
       if (!keep.record) continue;
       RecordFile file = record_file_of(race.mice[result.mouse], race.mazes[result.maze], Rules(), result.seed, record);
-      file.world = name();
+      file.world = traits().name;
       held.record = write_record(file);
     }
     result.outcome = result.score ? "finished" : "stumbled";
@@ -98,7 +100,6 @@ class ToyWorld final : public World {
     return held;
   }
 
-  const WorldFields& fields() const override { return all_fields; }
   std::string notes(const Race&) const override { return score_note(*this); }
 
  private:

@@ -23,6 +23,18 @@ DriveBound bound_in(const MazeFacts& facts) {
   return bound;
 }
 
+/// Adds what depends on the rules alone.
+WorldTraits with_rules(WorldTraits its, const DriveRules& rules) {
+  its.formula = formula_of(rules);
+  its.unit = unit_of(rules.counts);
+  its.score_place = {.key = "score", .inner = "value", .unit = 1e-6, .least = -in_seconds(rules.untouched_bonus)};
+  its.limit_score = in_seconds(rules.time_limit);
+  if (rules.counts == Counted::dead_end) its.score_place.most = its.limit_score = rules.marks;
+  its.tie_breaker = "search_us";
+  its.why_no_bound = "in which no mouse could score";
+  return its;
+}
+
 /// Fills in the figures that all worlds have.
 void add_figures(const DrivenContest& driven, const DriveScore& score, const DriveBound& bound, DriveFigures& figures) {
   const DriveRunScore counting = score.best ? score.runs[*score.best] : DriveRunScore();
@@ -45,10 +57,8 @@ void add_figures(const DrivenContest& driven, const DriveScore& score, const Dri
 
 }  // namespace
 
-DriveWorld::DriveWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model)
-    : rules_(rules), model_(sharing_tables(std::move(model))) {}
-
-std::string DriveWorld::formula() const { return formula_of(rules_); }
+DriveWorld::DriveWorld(WorldTraits its, const DriveRules& rules, std::shared_ptr<const DriveModel> model)
+    : World(with_rules(std::move(its), rules)), rules_(rules), model_(sharing_tables(std::move(model))) {}
 
 std::string DriveWorld::refuse(const Maze& maze) const { return refuse_to_drive_in(maze, rules_, *model_); }
 
@@ -89,25 +99,18 @@ std::string DriveWorld::refuse_in_laps(const Contestant& mouse) const {
 }
 
 std::string DriveWorld::bound_words(const Race& race) const {
-  if (counts_dead_ends()) return "No mouse loses 0 marks, as each dead end costs steps.";
+  if (rules_.counts == Counted::dead_end) return "No mouse loses 0 marks, as each dead end costs steps.";
   return fmt::format("Best possible: {} s on average, {}.", columns::number(mean_bound(race), 3),
                      rules_.counts == Counted::lap ? "the fastest lap without errors"
-                     : is_stochastic() ? "by a mouse without errors that knows the maze but must first search a route"
-                                       : "by a mouse that knows the maze but must first search a route");
+                     : traits().is_stochastic
+                         ? "by a mouse without errors that knows the maze but must first search a route"
+                         : "by a mouse that knows the maze but must first search a route");
 }
 
-std::vector<Condition> DriveWorld::drive_conditions(RobotParts parts) const {
-  return {{"rules", JsonText{rules_json(rules_).dump()}},
-          {"robot", JsonText{robot_json(model_->robot, parts).dump()}},
-          {"tables", hash_text(model_->tables.hash)}};
-}
-
-double DriveWorld::limit_score() const { return counts_dead_ends() ? rules_.marks : in_seconds(rules_.time_limit); }
-
-ScorePlace DriveWorld::score_place() const {
-  ScorePlace place = {"score", "value", 1e-6, -in_seconds(rules_.untouched_bonus)};
-  if (counts_dead_ends()) place.most = rules_.marks;
-  return place;
+std::vector<Condition> drive_conditions(const DriveRules& rules, const DriveModel& model, RobotParts parts) {
+  return {{"rules", JsonText{rules_json(rules).dump()}},
+          {"robot", JsonText{robot_json(model.robot, parts).dump()}},
+          {"tables", hash_text(model.tables.hash)}};
 }
 
 ContestOutput DriveWorld::kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven,

@@ -29,32 +29,27 @@ struct DrivenContest {
   bool started = true;
 };
 
+/// Rules and robot, with those of its parts on which results depend in a world.
+std::vector<Condition> drive_conditions(const DriveRules& rules, const DriveModel& model, RobotParts parts);
+
 class DriveWorld : public World {
  public:
-  DriveWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model);
+  /// `its`: what all these worlds have alike is added.
+  DriveWorld(WorldTraits its, const DriveRules& rules, std::shared_ptr<const DriveModel> model);
 
-  std::string formula() const override;
   std::string refuse(const Maze& maze) const override;
   using World::refuse;
   Settings settings(const Contestant& mouse) const override;
-  std::string_view unit() const override { return unit_of(rules_.counts); }
   MazeFacts facts(const Maze& maze) const override;
   ContestOutput hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override;
-  double limit_score() const override;
-  std::string_view tie_breaker() const override { return "search_us"; }
-  ScorePlace score_place() const override;
-  std::string_view why_no_bound() const override { return "in which no mouse could score"; }
 
  protected:
   const DriveRules& rules() const { return rules_; }
   /// Why a mouse does not race by rules that count laps, in which nobody decides; empty where it does.
   std::string refuse_in_laps(const Contestant& mouse) const;
-  bool counts_dead_ends() const { return rules_.counts == Counted::dead_end; }
   const DriveModel& model() const { return *model_; }
   /// What the best possible score is, as a sentence.
   std::string bound_words(const Race& race) const;
-  /// Rules and robot, with those of its parts on which results depend in this world.
-  std::vector<Condition> drive_conditions(RobotParts parts) const;
 
   /// Runs the contest. `reachable`: the cells of the maze that a mouse can reach; `traced`: whether to keep where it
   /// was between its moves, for a record or a picture.

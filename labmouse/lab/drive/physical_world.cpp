@@ -44,19 +44,22 @@ RunEnd end_of(const DriveRecord& record, const PhysicalNotes& notes) {
   return RunEnd::out_of_time;
 }
 
+WorldTraits traits_of(const DriveRules& rules, const DriveModel& model, const PhysicalConditions& conditions) {
+  WorldTraits traits = {.name = "physical",
+                        .edition = physical_edition,
+                        .conditions = drive_conditions(rules, model, RobotParts::with_body),
+                        .fields = &physical_fields(),
+                        .heading = ", " + text_of(conditions.errors),
+                        .is_stochastic = true};
+  for (Condition& each : conditions_of(physical_rows, conditions)) traits.conditions.push_back(std::move(each));
+  return traits;
+}
+
 class PhysicalWorld : public DriveWorld {
  public:
-  PhysicalWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions)
-      : DriveWorld(rules, std::move(model)), conditions_(conditions) {}
-
-  std::string_view name() const override { return "physical"; }
-  std::vector<Condition> conditions() const override {
-    std::vector<Condition> all = drive_conditions(RobotParts::with_body);
-    for (Condition& each : conditions_of(physical_rows, conditions_)) all.push_back(std::move(each));
-    return all;
-  }
-  int edition() const override { return physical_edition; }
-  std::string heading() const override { return ", " + text_of(conditions_.errors); }
+  PhysicalWorld(WorldTraits its, const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+                const PhysicalConditions& conditions)
+      : DriveWorld(std::move(its), rules, std::move(model)), conditions_(conditions) {}
 
   std::string refuse(const Contestant& mouse) const override {
     if (std::holds_alternative<ControllerProgram>(mouse.kind))
@@ -71,16 +74,13 @@ class PhysicalWorld : public DriveWorld {
   }
   using DriveWorld::refuse;
 
-  bool is_stochastic() const override { return true; }
-  const WorldFields& fields() const override { return physical_fields(); }
-
   std::string notes(const Race& race) const override {
     return fmt::format(
         "Rules {}: {}. Lower is better; mice that finished more contests come first.\nRobot {}, cells of {:g} mm, {}. "
         "'score' is the mean of finished contests; 'failures at limit' counts the others as {:g} {}.\nCrashes: the "
         "tyres slipped, the mouse lost its position, or it hit a wall that its map had as open.\n{}\n",
-        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, text_of(conditions_.errors),
-        limit_score(), unit(), bound_words(race));
+        shown(rules().name), traits().formula, shown(model().robot.name), model().tables.cell,
+        text_of(conditions_.errors), traits().limit_score, traits().unit, bound_words(race));
   }
 
  protected:
@@ -133,7 +133,8 @@ class PhysicalWorld : public DriveWorld {
   DrivenContest driven_of(PhysicalRecord record, const PhysicalConditions& conditions) const {
     DrivenContest driven;
     driven.record = std::move(record.drive);
-    driven.physical = PhysicalPart{conditions, std::move(static_cast<PhysicalNotes&>(record)), edition(), "", ""};
+    driven.physical =
+        PhysicalPart{conditions, std::move(static_cast<PhysicalNotes&>(record)), traits().edition, "", ""};
     complete(*driven.physical);
     return driven;
   }
@@ -157,7 +158,7 @@ class PhysicalWorld : public DriveWorld {
       figures->contradictions = notes.contradictions;
     }
     figures->severity = notes.severity;
-    figures->par1 = score.value() ? in_seconds(*score.value()) : limit_score();
+    figures->par1 = score.value() ? in_seconds(*score.value()) : traits().limit_score;
     if (!score.best) figures->ended_by = name_of(end_of(record, notes));
     return figures;
   }
@@ -168,21 +169,13 @@ class PhysicalWorld : public DriveWorld {
 /// The failure model: the same contests with random failures in place of body and controller.
 class FailureWorld final : public PhysicalWorld {
  public:
-  FailureWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions,
-               const FailureFile& failure_rates)
-      : PhysicalWorld(rules, std::move(model), conditions),
+  FailureWorld(WorldTraits its, const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+               const PhysicalConditions& conditions, const FailureFile& failure_rates)
+      : PhysicalWorld(std::move(its), rules, std::move(model), conditions),
         rates_name_(failure_rates.name),
         rates_hash_(failure_rates.hash),
         rates_(rates_of(failure_rates)) {}
 
-  std::string_view name() const override { return "failures"; }
-  std::vector<Condition> conditions() const override {
-    std::vector<Condition> all = PhysicalWorld::conditions();
-    all.push_back({"failure_rates", rates_name_});
-    all.push_back({"failure_rates_hash", rates_hash_});
-    return all;
-  }
-  int edition() const override { return failures_edition; }
   std::string refuse(const Contestant& mouse) const override {
     const std::string reason = refuse_in_laps(mouse);
     return reason.empty() ? refuse_to_drive({&mouse, 1}, Driving::with_errors) : reason;
@@ -208,12 +201,17 @@ class FailureWorld final : public PhysicalWorld {
 
 std::shared_ptr<const World> failure_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
                                            const PhysicalConditions& conditions, const FailureFile& failure_rates) {
-  return std::make_shared<FailureWorld>(rules, std::move(model), conditions, failure_rates);
+  WorldTraits traits = traits_of(rules, *model, conditions);
+  traits.name = "failures";
+  traits.edition = failures_edition;
+  traits.conditions.push_back({"failure_rates", failure_rates.name});
+  traits.conditions.push_back({"failure_rates_hash", failure_rates.hash});
+  return std::make_shared<FailureWorld>(std::move(traits), rules, std::move(model), conditions, failure_rates);
 }
 
 std::shared_ptr<const World> physical_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
                                             const PhysicalConditions& conditions) {
-  return std::make_shared<PhysicalWorld>(rules, std::move(model), conditions);
+  return std::make_shared<PhysicalWorld>(traits_of(rules, *model, conditions), rules, std::move(model), conditions);
 }
 
 }  // namespace labmouse

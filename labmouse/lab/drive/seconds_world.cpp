@@ -16,10 +16,11 @@ namespace {
 
 class SecondsWorld final : public DriveWorld {
  public:
-  using DriveWorld::DriveWorld;
-
-  std::string_view name() const override { return "seconds"; }
-  std::vector<Condition> conditions() const override { return drive_conditions(RobotParts::limits); }
+  SecondsWorld(const DriveRules& rules, const std::shared_ptr<const DriveModel>& model)
+      : DriveWorld({.name = "seconds",
+                    .conditions = drive_conditions(rules, *model, RobotParts::limits),
+                    .fields = &seconds_fields()},
+                   rules, model) {}
 
   std::string refuse(const Contestant& mouse) const override {
     const std::string reason = refuse_in_laps(mouse);
@@ -27,13 +28,11 @@ class SecondsWorld final : public DriveWorld {
   }
   using DriveWorld::refuse;
 
-  const WorldFields& fields() const override { return seconds_fields(); }
-
   std::string notes(const Race& race) const override {
     return fmt::format(
         "Rules {}: {}. Lower is better; mice that finished more contests come first.\nRobot {}, cells of {:g} mm. "
         "{}\n{}\n",
-        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell,
+        shown(rules().name), traits().formula, shown(model().robot.name), model().tables.cell,
         rules().counts == Counted::lap
             ? "All mice know the course and drive the same laps."
             : "The search run ends when the first speed run begins; best runs are timed from rest to the centre.",
@@ -65,7 +64,7 @@ class SecondsWorld final : public DriveWorld {
 }  // namespace
 
 std::shared_ptr<const World> seconds_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model) {
-  return std::make_shared<SecondsWorld>(rules, std::move(model));
+  return std::make_shared<SecondsWorld>(rules, model);
 }
 
 }  // namespace labmouse

@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 2> scales = {"noise", "variation"};
 
 /// That scale of a world; nullopt where it has none.
 std::optional<double> scale_of(const World& world, std::string_view scale) {
-  for (const Condition& condition : world.conditions())
+  for (const Condition& condition : world.traits().conditions)
     if (condition.key == scale) return number_of(condition.value);
   return std::nullopt;
 }
@@ -123,10 +123,11 @@ FinishCurves finish_curves(std::span<const Race> races) {
 
 std::string table_of(const FinishCurves& curves, const World& world) {
   std::string text = lines_of(curves, "Finished, % of contests (95 %)", finished_text);
-  text += "\n" +
-          lines_of(curves,
-                   fmt::format("Mean score in {0}; a failed contest counts {1:g}", world.unit(), world.limit_score()),
-                   [](const FinishPoint& point) { return point.par1 ? fmt::format("{:.3f}", *point.par1) : "-"; });
+  text +=
+      "\n" + lines_of(curves,
+                      fmt::format("Mean score in {0}; a failed contest counts {1:g}", world.traits().unit,
+                                  world.traits().limit_score),
+                      [](const FinishPoint& point) { return point.par1 ? fmt::format("{:.3f}", *point.par1) : "-"; });
   for (const RunEnd end : all_run_ends) {
     const auto place = static_cast<std::size_t>(end);
     const auto any = [&](const FinishCurve& curve) {

@@ -62,21 +62,29 @@ std::shared_ptr<const Figures> figures_of(const MmsRun& run, const MazeFacts& fa
   return figures;
 }
 
+WorldTraits traits_of(const MmsOptions& options) {
+  const double failed = decimal(MmsStatistics().score);
+  return {.name = "mms",
+          .edition = 2,
+          .formula = mms_formula,
+          .conditions = conditions_of(mms_rows, options),
+          .fields = &mms_fields(),
+          .fixed_places = "starts at (0,0) and has its goal in the centre",
+          .numbers_runs = false,
+          .unit = "points",
+          .failure_score = failed,
+          .limit_score = failed,
+          .why_no_bound = "whose centre cannot be reached"};
+}
+
 class MmsWorld final : public World {
  public:
-  explicit MmsWorld(const MmsOptions& options) : options_(options) {}
-
-  std::string_view name() const override { return "mms"; }
-  int edition() const override { return 2; }
-  std::string formula() const override { return mms_formula; }
-  std::vector<Condition> conditions() const override { return conditions_of(mms_rows, options_); }
+  explicit MmsWorld(const MmsOptions& options) : World(traits_of(options)), options_(options) {}
 
   std::string refuse(const Contestant& mouse) const override {
     if (std::holds_alternative<MmsProgram>(mouse.kind)) return "";
     return fmt::format("mouse '{}' is not a program for mms; write mms:COMMAND", mouse.name);
   }
-
-  std::string_view unit() const override { return "points"; }
 
   MazeFacts facts(const Maze& maze) const override {
     const MmsBound bound = mms_bound_of(maze);
@@ -102,14 +110,8 @@ class MmsWorld final : public World {
     return held;
   }
 
-  std::string_view fixed_places() const override { return "starts at (0,0) and has its goal in the centre"; }
-  bool numbers_runs() const override { return false; }
-  std::optional<double> failure_score() const override { return limit_score(); }
-  double limit_score() const override { return decimal(MmsStatistics().score); }
-  const WorldFields& fields() const override { return mms_fields(); }
   std::string notes(const Race& race) const override { return mms_notes(race); }
   std::string remarks(const Race& race) const override { return mms_remarks(race); }
-  std::string_view why_no_bound() const override { return "whose centre cannot be reached"; }
 
  private:
   MmsOptions options_;

@@ -99,9 +99,9 @@ Json worlds() {
     if (mice.empty()) continue;
     list.push_back({{"name", entry->name},
                     {"summary", entry->summary},
-                    {"in_steps", world->rules_in_steps().has_value()},
+                    {"in_steps", world->traits().rules_in_steps.has_value()},
                     {"plays", entry->records != nullptr},
-                    {"is_stochastic", world->is_stochastic()},
+                    {"is_stochastic", world->traits().is_stochastic},
                     {"usual_runs", entry->usual_runs},
                     {"settings", std::move(settings)},
                     {"mice", std::move(mice)}});

@@ -46,8 +46,9 @@ PageReply answer_contest(const ReadJson& json, std::string_view) {
   ContestResult result;
   result.seed = seed;
   ContestOutput held = world->hold(race, result, {.record = true, .reasons = true}, nullptr);
-  const OpenedRecord opened = find_world(world->name())->records->open(held.record, nullptr);
-  if (!opened.replay) return failed(fmt::format("the page plays no single contests in the world {}", world->name()));
+  const OpenedRecord opened = find_world(world->traits().name)->records->open(held.record, nullptr);
+  if (!opened.replay)
+    return failed(fmt::format("the page plays no single contests in the world {}", world->traits().name));
   Json play = opened.replay->play();
   play["again"] = again_json(*world);
   return answered({{"play", std::move(play)}, {"record", std::move(held.record)}});

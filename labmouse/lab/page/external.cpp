@@ -42,7 +42,7 @@ void read_contest(PageRequest& request, const ReadJson& json, const Contestant& 
   ReplayResult replayed = replay(*read.file, *read.file->maze);
   if (!replayed.disagreement.empty())
     return request.reject(fmt::format("a record of {} does not match its maze", mouse.name));
-  if (read.file->mouse != mouse.name || read.file->rules != order.world->rules_in_steps())
+  if (read.file->mouse != mouse.name || read.file->rules != order.world->traits().rules_in_steps)
     return request.reject(fmt::format("a record of {} is not of this race", mouse.name));
   contest.record = std::move(replayed.run);
   contests[{read.file->maze_name, read.file->seed}] = std::move(contest);
@@ -86,8 +86,8 @@ std::vector<Contestant> read_played_mice(PageRequest& request, const std::vector
   if (!request.has("played")) return mice;
   for (const ReadJson& each : request.list("played")) {
     if (!request.error().empty()) break;
-    if (!order.world->rules_in_steps())
-      request.reject(fmt::format("your own mice race in steps only, not in the world {}", order.world->name()));
+    if (!order.world->traits().rules_in_steps)
+      request.reject(fmt::format("your own mice race in steps only, not in the world {}", order.world->traits().name));
     mice.push_back(read_mouse(request, each, mazes, order));
     const auto same = [&](const Contestant& mouse) { return mouse.name == mice.back().name; };
     if (std::count_if(mice.begin(), mice.end(), same) > 1)

@@ -51,7 +51,8 @@ Json again_json(const World& world) {
   Json mice = Json::array();
   for (const Contestant& mouse : all_contestants())
     if (entry_of(mouse) != nullptr && world.refuse(mouse).empty()) mice.push_back(mouse.name);
-  return {{"with", {{"world", world.name()}, {"conditions", conditions_json(world)}}}, {"mice", std::move(mice)}};
+  return {{"with", {{"world", world.traits().name}, {"conditions", conditions_json(world)}}},
+          {"mice", std::move(mice)}};
 }
 
 Json play_of(const Replay& replay) {

@@ -21,17 +21,17 @@ Json column_json(const Column& column) {
 /// The table of a world without its name; default values are left out, to keep the page small.
 Json table_json(const WorldEntry& entry) {
   const auto world = entry.make({}).world;
-  const ScorePlace place = world->score_place();
-  const WorldFields& fields = world->fields();
-  Json json = {{"unit", world->unit()},
-               {"failure_score", world->failure_score() ? Json(*world->failure_score()) : Json(nullptr)},
+  const ScorePlace place = world->traits().score_place;
+  const WorldFields& fields = *world->traits().fields;
+  Json json = {{"unit", world->traits().unit},
+               {"failure_score", world->traits().failure_score ? Json(*world->traits().failure_score) : Json(nullptr)},
                {"bound", fields.bound},
                {"bound_meaning", fields.bound_meaning},
                {"columns", Json::array()}};
   for (const Column& column : fields.columns)
     if (!column.key.empty()) json["columns"].push_back(column_json(column));
   if (!place.inner.empty()) json["score"] = {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}};
-  if (world->rules_in_steps()) json["in_steps"] = true;
+  if (world->traits().rules_in_steps) json["in_steps"] = true;
   if (entry.records != nullptr && !residents_of(*world).empty()) json["plays"] = true;
   return json;
 }

@@ -12,9 +12,9 @@ namespace labmouse {
 namespace {
 
 int runs_of(const Contestant& mouse, const RaceOrder& order) {
-  if (!order.world->numbers_runs()) return 1;
+  if (!order.world->traits().numbers_runs) return 1;
   if (mouse.runs > 0) return mouse.runs;
-  return mouse.uses_chance || order.world->is_stochastic() ? order.runs : 1;
+  return mouse.uses_chance || order.world->traits().is_stochastic ? order.runs : 1;
 }
 
 bool is_stopped(const RaceHooks& hooks) { return hooks.stop != nullptr && hooks.stop->load(); }
@@ -43,7 +43,7 @@ void list_contests(Race& race) {
         contest.run = run;
         contest.told = seed_of_program(race.order.first_told ? *race.order.first_told + maze : race.order.seed, run);
         // In a stochastic world the random draws differ between mazes.
-        contest.seed = race.mice[mouse].external && !race.world().is_stochastic()
+        contest.seed = race.mice[mouse].external && !race.world().traits().is_stochastic
                            ? contest.told
                            : contest_seed(race.order.seed, race.mazes[maze].name, run);
       }
@@ -131,7 +131,7 @@ bool counts(const Race& race, const ContestResult& contest) {
 }
 
 Value figure_of(const Race& race, const ContestResult& contest, std::string_view key) {
-  for (const ContestField& field : race.world().fields().contest)
+  for (const ContestField& field : race.world().traits().fields->contest)
     if (field.key == key) return field.of(race, contest);
   return {};
 }

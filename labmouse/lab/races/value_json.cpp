@@ -21,7 +21,7 @@ Json json_of(const Value& value) {
 
 Json conditions_json(const World& world) {
   Json json = Json::object();
-  for (const Condition& condition : world.conditions()) json[condition.key] = json_of(condition.value);
+  for (const Condition& condition : world.traits().conditions) json[condition.key] = json_of(condition.value);
   return json;
 }
 

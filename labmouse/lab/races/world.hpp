@@ -3,6 +3,8 @@
 // docs/how-to/add-a-world.md builds one.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -13,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "labmouse/contest/record.hpp"
@@ -150,66 +153,67 @@ struct ScorePlace {
   double most = std::numeric_limits<double>::infinity();  ///< no score is above
 };
 
-class World {
- public:
-  virtual ~World() = default;
-
-  /// As in --world and in JSON.
-  virtual std::string_view name() const = 0;
-  /// How it scores, in one line without its end.
-  virtual std::string formula() const = 0;
-  virtual std::vector<Condition> conditions() const = 0;
+/// What is known of a world without a contest.
+struct WorldTraits {
+  std::string_view name;  ///< as in --world and in JSON
   /// Increase it when a change gives the same contest another result or other figures: contests of earlier editions in
   /// stores are then run again.
-  virtual int edition() const { return 1; }
-  /// What the heading of the leaderboard begins with, such as "world mms, "; and what it ends with, such as
-  /// ", budget 500". Empty where nothing has to be said.
-  virtual std::string title() const { return "world " + std::string(name()) + ", "; }
-  virtual std::string heading() const { return ""; }
+  int edition = 1;
+  std::string formula = {};  ///< how it scores, in one line without its end
+  std::vector<Condition> conditions = {};
+  const WorldFields* fields = nullptr;  ///< never null
+  bool is_unnamed = false;              ///< whether headings leave out its name
+  std::string heading = {};             ///< what the heading of the leaderboard ends with, such as ", budget 500"
+  /// Where its contests start and end, whatever a maze says: "starts at (0,0) ..."; empty where they keep to the maze.
+  std::string_view fixed_places = {};
+  /// The rules of contests that are one run in steps each; nothing in other worlds.
+  std::optional<Rules> rules_in_steps = {};
+  bool is_stochastic = false;  ///< whether contests depend on their seeds even if the mouse is deterministic
+  bool numbers_runs = true;    ///< whether a mouse may have several contests in a maze; then their files are numbered
+  std::string_view unit = {};  ///< of scores, for axes
+  ScorePlace score_place = {};
+  /// What a contest without a score counts in means over all; nothing where it has no place there.
+  std::optional<double> failure_score = {};
+  /// What a contest without a score counts where mice are compared, where it always has to count: the score at the time
+  /// limit (PAR-1), or the failure score.
+  double limit_score = 0.0;
+  /// The figure that breaks ties between mice with equal mean scores, by its mean over finished contests; may be empty.
+  std::string_view tie_breaker = {};
+  /// What a maze without a bound is like, behind "1 maze".
+  std::string_view why_no_bound = "whose goal cannot be reached";
+};
+
+class World {
+ public:
+  explicit World(WorldTraits traits) : traits_(std::move(traits)) {}
+  virtual ~World() = default;
+
+  const WorldTraits& traits() const { return traits_; }
+  /// What the heading of the leaderboard begins with, such as "world mms, ".
+  std::string title() const { return traits_.is_unnamed ? "" : fmt::format("world {}, ", traits_.name); }
 
   /// Why a mouse cannot enter; empty where it can.
   virtual std::string refuse(const Contestant& mouse) const = 0;
   /// Why it holds no contests in a maze, whatever mice; empty where it does.
   virtual std::string refuse(const Maze&) const { return ""; }
-  /// Where its contests start and end, whatever a maze says: "starts at (0,0) ..."; empty where they keep to the maze.
-  virtual std::string_view fixed_places() const { return ""; }
   /// The parameters of a mouse that count here.
   virtual Settings settings(const Contestant& mouse) const { return mouse.settings; }
-
-  /// The rules of contests that are one run in steps each; nothing in other worlds.
-  virtual std::optional<Rules> rules_in_steps() const { return std::nullopt; }
-  /// The unit of scores, for axes.
-  virtual std::string_view unit() const = 0;
-
   virtual MazeFacts facts(const Maze& maze) const = 0;
   /// Runs the contest of `result.mouse` in `result.maze` with `result.seed`, and fills in what is left of the result.
   /// It is not done where `stop`, which may be null, ended it. Called from several threads at once.
   virtual ContestOutput hold(const Race& race, ContestResult& result, Keep keep,
                              const std::atomic<bool>* stop) const = 0;
-  /// Whether contests depend on their seeds even if the mouse is deterministic.
-  virtual bool is_stochastic() const { return false; }
-  /// Whether a mouse may have several contests in a maze; then their files are numbered.
-  virtual bool numbers_runs() const { return true; }
-  /// What a contest without a score counts in means over all; nothing where it has no place there.
-  virtual std::optional<double> failure_score() const { return std::nullopt; }
-  /// What a contest without a score counts where mice are compared, where it always has to count: the score at the time
-  /// limit (PAR-1), or the failure score.
-  virtual double limit_score() const = 0;
-  /// The figure that breaks ties between mice with equal mean scores, by its mean over finished contests; may be empty.
-  virtual std::string_view tie_breaker() const { return ""; }
-  virtual ScorePlace score_place() const { return {}; }
-
-  virtual const WorldFields& fields() const = 0;
   /// Below the leaderboard, in lines: what the score means; and, below the failures, what else a reader has to know.
   virtual std::string notes(const Race& race) const = 0;
   virtual std::string remarks(const Race&) const { return ""; }
-  /// What a maze without a bound is like, behind "1 maze": "whose goal cannot be reached".
-  virtual std::string_view why_no_bound() const { return "whose goal cannot be reached"; }
+
+ private:
+  WorldTraits traits_;
 };
 
 /// The second line of the heading of a column.
 inline std::string_view second_line_of(const Column& column, const World& world) {
-  return column.in_unit ? world.unit() : column.second;
+  return column.in_unit ? world.traits().unit : column.second;
 }
 
 }  // namespace labmouse

@@ -58,7 +58,7 @@ Found read_place(const RecordPlace& place) {
     return failed(place, fmt::format("does not belong to this race: it is of {} in {}{}", of.mouse, of.maze.name,
                                      of.seed ? fmt::format(" with seed {}", *of.seed) : ""));
   return {opened.replay->packed().dump(-1, ' ', false, Json::error_handler_t::replace), of.maze.maze, "",
-          world.make({}).world->fixed_places().empty()};
+          world.make({}).world->traits().fixed_places.empty()};
 }
 
 /// The path of a record, with or without the number of the run in its name; empty where there is no such file.

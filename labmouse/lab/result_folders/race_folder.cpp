@@ -16,7 +16,7 @@ std::string save_file(const std::string& path, const std::string& content) {
 }  // namespace
 
 RaceFolder::RaceFolder(std::string folder, const Race& race)
-    : paths_(std::move(folder), names_of(race.mice), names_of(race.mazes), race.world().numbers_runs()) {}
+    : paths_(std::move(folder), names_of(race.mice), names_of(race.mazes), race.world().traits().numbers_runs) {}
 
 std::string RaceFolder::save(const ContestResult& contest, const ContestOutput& held) const {
   const auto error = save_file(paths_.record(contest.mouse, contest.maze, contest.run), held.record);

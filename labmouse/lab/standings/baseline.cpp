@@ -36,9 +36,9 @@ std::optional<double> score_in(const ReadJson& result, const ScorePlace& place, 
 /// Reads one result of a mouse into its scores; false where it is none.
 bool read_result(const ReadJson& result, const World& world, Scores& scores) {
   bool good = false;
-  const std::optional<double> score = score_in(result, world.score_place(), good);
+  const std::optional<double> score = score_in(result, world.traits().score_place, good);
   if (!good || !result.contains("maze") || !result["maze"].is_string()) return false;
-  scores[result["maze"].get<std::string>()].add(score, score.value_or(world.limit_score()));
+  scores[result["maze"].get<std::string>()].add(score, score.value_or(world.traits().limit_score));
   return true;
 }
 
@@ -57,7 +57,7 @@ const MazeScores* find_scores(const Scores& scores, const std::string& maze) {
 }
 
 bool has_conditions_of(const ReadJson& group, const World& world) {
-  const auto conditions = world.conditions();
+  const auto conditions = world.traits().conditions;
   return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
     const auto* text = std::get_if<std::string>(&condition.value);
     const ReadJson value = text != nullptr ? ReadJson(*text) : ReadJson::parse(text_of(condition.value));
@@ -69,7 +69,7 @@ bool has_conditions_of(const ReadJson& group, const World& world) {
 const ReadJson* part_of(const ReadJson& json, const World& world) {
   const ReadJson* some = nullptr;
   for (const ReadJson& group : json["groups"]) {
-    if (!group.is_object() || !group.contains("world") || group["world"] != world.name()) continue;
+    if (!group.is_object() || !group.contains("world") || group["world"] != world.traits().name) continue;
     if (has_conditions_of(group, world)) return &group;
     if (some == nullptr) some = &group;
   }
@@ -105,7 +105,7 @@ MousePair pair_with(const Race& race, std::size_t mouse, const Scores& old) {
     const MazeScores* found = find_scores(old, maze.name);
     before.push_back(found != nullptr ? *found : MazeScores());
   }
-  return pair_of(maze_scores(race, mouse), before, !race.world().failure_score(), race.order.seed);
+  return pair_of(maze_scores(race, mouse), before, !race.world().traits().failure_score, race.order.seed);
 }
 
 std::string name_of(const Race& race, const Match& match) {
@@ -146,7 +146,9 @@ std::string nothing_in_common(const Race& race, const Match& match, const Scores
 /// What differences are of.
 std::string heading_of(const World& world) {
   const std::string failures =
-      world.failure_score() ? "" : fmt::format(", failed contests at {:g} {}", world.limit_score(), world.unit());
+      world.traits().failure_score
+          ? ""
+          : fmt::format(", failed contests at {:g} {}", world.traits().limit_score, world.traits().unit);
   return fmt::format("Change from the baseline (mean score over all{}, new - old, 95 % interval):\n", failures);
 }
 
@@ -165,11 +167,11 @@ ReadBaselineResult read_baseline(std::string_view json_text, const World& world)
     return no_race();
   const ReadJson* held = part_of(json, world);
   if (held == nullptr)
-    return {std::nullopt,
-            fmt::format("has no race in the world {}; make one with --world {}", world.name(), world.name())};
+    return {std::nullopt, fmt::format("has no race in the world {}; make one with --world {}", world.traits().name,
+                                      world.traits().name)};
   if (!held->contains("mice") || !(*held)["mice"].is_array()) return no_race();
   Baseline baseline;
-  for (const Condition& condition : world.conditions())
+  for (const Condition& condition : world.traits().conditions)
     if (held->contains(condition.key)) baseline.conditions[condition.key] = (*held)[condition.key].dump();
   for (const ReadJson& mouse : (*held)["mice"]) {
     if (!mouse.is_object() || !mouse.contains("name") || !mouse["name"].is_string()) return no_race();
@@ -183,7 +185,7 @@ ReadBaselineResult read_baseline(std::string_view json_text, const World& world)
 
 std::string compare_with_baseline(const Race& race, const Baseline& baseline) {
   std::string text = heading_of(race.world());
-  for (const Condition& condition : race.world().conditions()) text += change_of(condition, baseline);
+  for (const Condition& condition : race.world().traits().conditions) text += change_of(condition, baseline);
   std::vector<Match> matches;
   std::string missing;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {

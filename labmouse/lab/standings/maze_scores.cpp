@@ -21,7 +21,7 @@ std::optional<double> MazeScores::failed_share() const {
 }
 
 std::vector<MazeScores> maze_scores(const Race& race, std::size_t mouse) {
-  const double limit = race.world().limit_score();
+  const double limit = race.world().traits().limit_score;
   std::vector<MazeScores> scores(race.mazes.size());
   for (const ContestResult& contest : race.results)
     if (contest.mouse == mouse && counts(race, contest))

@@ -7,7 +7,7 @@ namespace {
 
 /// The field of that name; null where the world has none.
 const ContestField* field_of(const Race& race, std::string_view figure) {
-  for (const ContestField& field : race.world().fields().contest)
+  for (const ContestField& field : race.world().traits().fields->contest)
     if (field.key == figure) return &field;
   return nullptr;
 }

@@ -22,7 +22,7 @@ Json mazes_json(const Race& race) {
   Json mazes = Json::array();
   for (std::size_t maze = 0; maze < race.mazes.size(); ++maze) {
     Json& json = mazes.emplace_back(Json::object());
-    for (const MazeField& field : race.world().fields().maze) set(json, field.key, field.of(race, maze));
+    for (const MazeField& field : race.world().traits().fields->maze) set(json, field.key, field.of(race, maze));
   }
   return mazes;
 }
@@ -32,7 +32,8 @@ void write_results(const Race& race, std::size_t mouse, JsonStream& out) {
   for (const ContestResult& contest : race.results) {
     if (contest.mouse != mouse || !contest.done) continue;
     Json json = Json::object();
-    for (const ContestField& field : race.world().fields().contest) set(json, field.key, field.of(race, contest));
+    for (const ContestField& field : race.world().traits().fields->contest)
+      set(json, field.key, field.of(race, contest));
     out.value(json);
   }
   out.end();
@@ -52,7 +53,7 @@ void set_origin(const Contestant& mouse, Json& json) {
 /// without rare ones, which can be times that differ from race to race.
 std::vector<const Column*> own_columns(const Race& race) {
   std::vector<const Column*> own;
-  for (const Column& column : race.world().fields().columns)
+  for (const Column& column : race.world().traits().fields->columns)
     if (!column.rare && column.text != columns::finished && column.text != columns::mean_all) own.push_back(&column);
   return own;
 }
@@ -60,11 +61,11 @@ std::vector<const Column*> own_columns(const Race& race) {
 /// What a program that does not know this world needs to show its race.
 void describe_world(const Race& race, Json& json) {
   const World& world = race.world();
-  const ScorePlace place = world.score_place();
-  json["unit"] = world.unit();
+  const ScorePlace place = world.traits().score_place;
+  json["unit"] = world.traits().unit;
   json["score"] = {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}};
-  json["failure_score"] = world.failure_score() ? Json(*world.failure_score()) : Json(nullptr);
-  json["limit_score"] = world.limit_score();
+  json["failure_score"] = world.traits().failure_score ? Json(*world.traits().failure_score) : Json(nullptr);
+  json["limit_score"] = world.traits().limit_score;
   json["columns"] = Json::array();
   for (const Column* column : own_columns(race))
     json["columns"].push_back(columns::heading(column->first, second_line_of(*column, world)));
@@ -80,7 +81,7 @@ void write_mice(const Race& race, JsonStream& out) {
   out.begin_list("mice");
   for (const Standing& standing : standings_of(race)) {
     Json json = Json::object();
-    for (const MouseField& field : race.world().fields().mouse) set(json, field.key, field.of(race, standing));
+    for (const MouseField& field : race.world().traits().fields->mouse) set(json, field.key, field.of(race, standing));
     set_origin(race.mice[standing.mouse], json);
     json["cells"] = cells_json(race, standing);
     out.begin_object();
@@ -92,7 +93,7 @@ void write_mice(const Race& race, JsonStream& out) {
 }
 
 void set_conditions(const Race& race, Json& json) {
-  for (const Condition& condition : race.world().conditions()) set(json, condition.key, condition.value);
+  for (const Condition& condition : race.world().traits().conditions) set(json, condition.key, condition.value);
 }
 
 Json lines_of(std::string_view text) {
@@ -105,7 +106,7 @@ Json lines_of(std::string_view text) {
 }
 
 void write_group(const Race& race, JsonStream& out) {
-  Json json = {{"world", race.world().name()}, {"formula", race.world().formula()}};
+  Json json = {{"world", race.world().traits().name}, {"formula", race.world().traits().formula}};
   describe_world(race, json);
   set_conditions(race, json);
   json["stopped"] = race.stopped;
@@ -168,7 +169,7 @@ Json race_json(std::span<const Race> races, const std::vector<SkippedFile>& skip
 }
 
 void write_csv(const Race& race, const TextSink& sink) {
-  const auto fields = race.world().fields().csv;
+  const auto fields = race.world().traits().fields->csv;
   std::string line;
   for (const ContestField& field : fields) line += (line.empty() ? "" : ",") + std::string(field.key);
   sink(line + "\n");

@@ -12,8 +12,8 @@ namespace {
 /// Whether a race in the same world has another value of that condition.
 bool differs(std::span<const Race> races, const World& world, const Condition& condition) {
   return std::any_of(races.begin(), races.end(), [&](const Race& race) {
-    if (race.world().name() != world.name()) return false;
-    const std::vector<Condition> others = race.world().conditions();
+    if (race.world().traits().name != world.traits().name) return false;
+    const std::vector<Condition> others = race.world().traits().conditions;
     return std::any_of(others.begin(), others.end(), [&](const Condition& other) {
       return other.key == condition.key && text_of(other.value) != text_of(condition.value);
     });
@@ -32,7 +32,7 @@ std::string short_text(const Value& value) {
 }  // namespace
 
 std::string robot_name(const World& world) {
-  for (const Condition& condition : world.conditions())
+  for (const Condition& condition : world.traits().conditions)
     if (condition.key == "robot") return short_text(condition.value);
   return "";
 }
@@ -41,8 +41,8 @@ std::vector<std::string> race_names(std::span<const Race> races) {
   std::vector<std::string> names;
   for (const Race& race : races) {
     const World& world = race.world();
-    std::string name(world.name());
-    for (const Condition& condition : world.conditions()) {
+    std::string name(world.traits().name);
+    for (const Condition& condition : world.traits().conditions) {
       // The tables follow from the robot.
       if (condition.key == "tables" || !differs(races, world, condition)) continue;
       name += ", ";

@@ -104,12 +104,12 @@ std::string left_out_of(const Race& race) {
     if (race.facts[maze].found && !race.facts[maze].bound && closed++ == 0) first = shown(race.mazes[maze].name);
   if (closed == 0) return "";
   return fmt::format("Left out of all means: {} {} ({}{}).\n", counted(closed, "maze", "mazes"),
-                     race.world().why_no_bound(), first, closed > 1 ? ", ..." : "");
+                     race.world().traits().why_no_bound, first, closed > 1 ? ", ..." : "");
 }
 
 /// Whether its contests depend on their seeds. External mice get another one, the same in all mazes.
 bool uses_seeds(const Race& race) {
-  return race.world().is_stochastic() ||
+  return race.world().traits().is_stochastic ||
          std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.uses_chance; });
 }
 
@@ -159,15 +159,15 @@ std::string sandboxes_of(const Race& race) {
 }  // namespace
 
 std::string score_note(const World& world) {
-  const auto failed = world.failure_score();
+  const auto failed = world.traits().failure_score;
   return fmt::format(
-      "Score: {}; lower is better. {}\n", world.formula(),
+      "Score: {}; lower is better. {}\n", world.traits().formula,
       failed ? fmt::format("A failed contest counts {:g}.", *failed) : "Failed contests are left out of all means.");
 }
 
 std::string limit_note(const World& world) {
-  return fmt::format("Score: {}; lower is better. A failed contest counts {:g}.\n", world.formula(),
-                     world.limit_score());
+  return fmt::format("Score: {}; lower is better. A failed contest counts {:g}.\n", world.traits().formula,
+                     world.traits().limit_score);
 }
 
 std::string notes_of(const Race& race) {

@@ -21,7 +21,7 @@ namespace {
 
 std::vector<const Column*> columns_of(const Race& race, bool all) {
   std::vector<const Column*> columns;
-  for (const Column& column : race.world().fields().columns)
+  for (const Column& column : race.world().traits().fields->columns)
     if (all || !column.rare) columns.push_back(&column);
   return columns;
 }
@@ -31,7 +31,7 @@ std::vector<const Column*> columns_of(const Race& race, bool all) {
 std::string heading_of(const Race& race) {
   return fmt::format("labmouse {}: {}{}, {}, seed {}{}", version(), race.world().title(),
                      counted(race.mice.size(), "mouse", "mice"), counted(race.mazes.size(), "maze", "mazes"),
-                     race.order.seed, race.world().heading());
+                     race.order.seed, race.world().traits().heading);
 }
 
 std::vector<std::vector<std::string>> cells_of(const Race& race, bool all) {
@@ -95,9 +95,9 @@ std::string shares_of(const Race& race) {
 
 std::string worst_of(const Race& race, int count) {
   const World& world = race.world();
-  std::string text = world.failure_score()
-                         ? ""
-                         : fmt::format("Here a failed contest counts {:g} {}.\n", world.limit_score(), world.unit());
+  std::string text = world.traits().failure_score ? ""
+                                                  : fmt::format("Here a failed contest counts {:g} {}.\n",
+                                                                world.traits().limit_score, world.traits().unit);
   for (const Standing& standing : standings_of(race)) {
     std::vector<std::pair<double, std::size_t>> losses;
     std::vector<std::optional<double>> scores;

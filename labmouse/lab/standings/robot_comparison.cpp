@@ -21,8 +21,8 @@ using Group = std::vector<const Race*>;
 
 /// World and conditions besides the robot and the tables that follow from it.
 std::string other_conditions(const World& world) {
-  std::string text(world.name());
-  for (const Condition& condition : world.conditions())
+  std::string text(world.traits().name);
+  for (const Condition& condition : world.traits().conditions)
     if (condition.key != "robot" && condition.key != "tables")
       text += fmt::format("\n{} {}", condition.key, text_of(condition.value));
   return text;
@@ -74,7 +74,7 @@ std::string table_of(const Group& group) {
   const std::vector<MousePair> pairs = pairs_of(group, order);
   const std::vector<PairVerdicts> verdicts = verdicts_of(pairs);
   std::string text = fmt::format("Robots compared with {} in the same mazes{}\n{:<{}} {:<{}} {:>9} {:>8}{}\n",
-                                 robots.front(), first.world().heading(), "mouse", names.width, "robot", width,
+                                 robots.front(), first.world().traits().heading, "mouse", names.width, "robot", width,
                                  "finished", "mean", difference_heading());
   std::size_t next = 0;
   for (const Standing& standing : order)
@@ -98,7 +98,7 @@ std::string compare_robots(std::span<const Race> races) {
   return fmt::format(
       "{}In {}; a failed contest counts {:g}. A difference below 0 means that the robot is better than the first "
       "one.\n",
-      text, world.unit(), world.limit_score());
+      text, world.traits().unit, world.traits().limit_score);
 }
 
 }  // namespace labmouse

@@ -23,13 +23,13 @@ std::vector<MazeSum> sums_of(const std::vector<MazeScores>& scores, Of of) {
 void set_intervals(const Race& race, Standing& standing) {
   const std::vector<MazeScores> scores = maze_scores(race, standing.mouse);
   const auto at_limit = sums_of(scores, [](const MazeScores& maze) { return MazeSum{maze.sum, 1.0 * maze.contests}; });
-  const ScorePlace place = race.world().score_place();
+  const ScorePlace place = race.world().traits().score_place;
   const auto interval = [&](const std::vector<MazeSum>& sums, const std::optional<double>& mean) {
     if (!mean) return Interval();
     const Interval found = interval_of(sums, race.order.seed);
     return including(among_scores(found, place), *mean);
   };
-  const bool counts_failures = race.world().failure_score().has_value();
+  const bool counts_failures = race.world().traits().failure_score.has_value();
   if (standing.runs > 0) standing.mean_at_limit = counts_failures ? standing.mean_all : mean_of(at_limit);
   standing.interval_at_limit = interval(at_limit, standing.mean_at_limit);
   standing.interval = counts_failures ? standing.interval_at_limit
@@ -85,8 +85,8 @@ std::vector<std::optional<double>> scores_by_maze(const Race& race, std::size_t 
 std::vector<Standing> standings_of(const Race& race) {
   std::vector<Standing> standings;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) standings.push_back(standing_of(race, mouse));
-  const bool completeness = !race.world().failure_score();
-  const std::string_view tie = race.world().tie_breaker();
+  const bool completeness = !race.world().traits().failure_score;
+  const std::string_view tie = race.world().traits().tie_breaker;
   const auto rank = [&](const Standing& standing) {
     return std::tuple(completeness ? -standing.finished : 0, !standing.mean_all.has_value(),
                       standing.mean_all.value_or(0.0), tie.empty() ? std::nullopt : mean_finished(race, standing, tie));
@@ -98,7 +98,7 @@ std::vector<Standing> standings_of(const Race& race) {
 }
 
 Value figure_of(const Race& race, const Standing& standing, std::string_view key) {
-  for (const MouseField& field : race.world().fields().mouse)
+  for (const MouseField& field : race.world().traits().fields->mouse)
     if (field.key == key) return field.of(race, standing);
   return {};
 }

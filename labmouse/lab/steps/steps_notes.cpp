@@ -60,7 +60,7 @@ std::string steps_notes(const Race& race, const Rules& rules) {
   std::string notes = fmt::format(
       "Score: {}; lower is better.\n"
       "A failed contest counts {:g}.\n",
-      race.world().formula(), rules.failure_score);
+      race.world().traits().formula, rules.failure_score);
   if (finished_different_mazes(race))
     notes += "Different mice finished different mazes; 'mean score' counts all of them.\n";
   const auto dear = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {

@@ -98,25 +98,25 @@ std::shared_ptr<const Figures> figures_of(const RunRecord& record, const Score& 
   return figures;
 }
 
+WorldTraits traits_of(const Rules& rules) {
+  return {.name = "steps",
+          .formula = fmt::format("speed-run steps + search steps / {}", rules.search_factor),
+          .conditions = conditions_of(steps_rows, rules),
+          .fields = &steps_fields(),
+          .is_unnamed = true,
+          .heading = rules.budget == Rules().budget ? "" : fmt::format(", budget {}", rules.budget),
+          .rules_in_steps = rules,
+          .unit = "steps",
+          .failure_score = rules.failure_score,
+          .limit_score = rules.failure_score};
+}
+
 class StepsWorld final : public World {
  public:
-  explicit StepsWorld(const Rules& rules) : rules_(rules) {}
-
-  std::string_view name() const override { return "steps"; }
-  std::string formula() const override {
-    return fmt::format("speed-run steps + search steps / {}", rules_.search_factor);
-  }
-  std::vector<Condition> conditions() const override { return conditions_of(steps_rows, rules_); }
-  std::string title() const override { return ""; }
-  std::string heading() const override {
-    return rules_.budget == Rules().budget ? "" : fmt::format(", budget {}", rules_.budget);
-  }
+  explicit StepsWorld(const Rules& rules) : World(traits_of(rules)), rules_(rules) {}
 
   std::string refuse(const Contestant& mouse) const override { return refuse_to_walk(mouse); }
   Settings settings(const Contestant& mouse) const override { return settings_in_steps(mouse); }
-
-  std::optional<Rules> rules_in_steps() const override { return rules_; }
-  std::string_view unit() const override { return "steps"; }
 
   MazeFacts facts(const Maze& maze) const override {
     const Bound bound = bound_of(maze, rules_);
@@ -145,9 +145,6 @@ class StepsWorld final : public World {
     return kept(mouse, maze, rules_, result.seed, std::move(record), keep);
   }
 
-  std::optional<double> failure_score() const override { return rules_.failure_score; }
-  double limit_score() const override { return rules_.failure_score; }
-  const WorldFields& fields() const override { return steps_fields(); }
   std::string notes(const Race& race) const override { return steps_notes(race, rules_); }
   std::string remarks(const Race& race) const override { return steps_remarks(race); }
 

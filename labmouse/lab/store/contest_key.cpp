@@ -39,16 +39,18 @@ std::string conditions_text(const World& world) { return one_line(conditions_jso
 std::string key_of(const World& world) {
   // Uses the names of the first version, so that existing stores stay valid.
   std::string fields;
-  for (const ContestField& field : world.fields().contest) fields += fmt::format(" {}", former_key(field.key));
+  for (const ContestField& field : world.traits().fields->contest) fields += fmt::format(" {}", former_key(field.key));
   const Json conditions = with_names(conditions_json(world), former_key, former_value);
-  std::string formula = world.formula();
+  std::string formula = world.traits().formula;
   if (const auto place = formula.find("search steps"); place != std::string::npos)
     formula.replace(place, 6, "exploration");
-  const auto failure = world.failure_score();
-  const WorldEntry* entry = find_world(world.name());
-  const std::string_view name = entry != nullptr && !entry->former_name.empty() ? entry->former_name : world.name();
-  return fmt::format("world {}\nedition {}\nformula {}\nfailure {}\nconditions {}\nfields{}\n", name, world.edition(),
-                     formula, failure ? fmt::format("{}", *failure) : "none", one_line(conditions), fields);
+  const auto failure = world.traits().failure_score;
+  const WorldEntry* entry = find_world(world.traits().name);
+  const std::string_view name =
+      entry != nullptr && !entry->former_name.empty() ? entry->former_name : world.traits().name;
+  return fmt::format("world {}\nedition {}\nformula {}\nfailure {}\nconditions {}\nfields{}\n", name,
+                     world.traits().edition, formula, failure ? fmt::format("{}", *failure) : "none",
+                     one_line(conditions), fields);
 }
 
 std::string key_of(const World& world, const Contestant& mouse) {
@@ -56,7 +58,7 @@ std::string key_of(const World& world, const Contestant& mouse) {
   if (mouse.identity) {
     // The results of an external mouse that is driven depend on what drives it, too.
     const bool driven = mouse.external && !mouse.parts && !std::holds_alternative<ControllerProgram>(mouse.kind) &&
-                        has_robot(world.conditions());
+                        has_robot(world.traits().conditions);
     text =
         mouse.identity() + (driven ? fmt::format("driven {}\nsignature {}\n", driven_edition, build_signature()) : "");
     if (!mouse.parts) return text;

@@ -19,7 +19,7 @@ namespace {
 /// The fields of a contest's JSON that have no column of their own and are not timings.
 std::string fields_text(const Race& race, const ContestResult& result) {
   Json json = Json::object();
-  for (const ContestField& field : race.world().fields().contest) {
+  for (const ContestField& field : race.world().traits().fields->contest) {
     if (field.key == "maze" || field.key == "seed" || field.key == "outcome" || field.by_clock) continue;
     const Value value = field.of(race, result);
     if (!std::holds_alternative<std::monostate>(value)) json[std::string(field.key)] = json_of(value);
@@ -74,9 +74,9 @@ RaceRows rows_of(const Race& race) {
   const World& world = race.world();
   RaceRows rows;
   rows.world_key = key_of(world);
-  rows.world = world.name();
+  rows.world = world.traits().name;
   rows.conditions = conditions_text(world);
-  rows.unit = world.unit();
+  rows.unit = world.traits().unit;
   rows.race_seed = fmt::format("{}", race.order.seed);
   for (const Contestant& mouse : race.mice)
     rows.mice.push_back(
@@ -94,7 +94,7 @@ ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const 
   row.maze = result.maze;
   row.fields = fields_text(race, result);
   row.result = result;
-  const StoredFigures& stored = race.world().fields().figures;
+  const StoredFigures& stored = race.world().traits().fields->figures;
   std::vector<Value> timings, figures = stored.values_of(*result.figures);
   row.result.figures.reset();
   for (std::size_t i = 0; i < figures.size(); ++i)
@@ -106,7 +106,7 @@ ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const 
 }
 
 bool fill_in(const Statement& row, const World& world, ContestResult& result) {
-  const StoredFigures& stored = world.fields().figures;
+  const StoredFigures& stored = world.traits().fields->figures;
   auto values = read_figures(row.text("figures"));
   const auto race_seed = parse_whole<std::uint64_t>(row.text("race_seed"));
   if (!values || !race_seed) return false;

@@ -260,7 +260,7 @@ void remark_on_holes(StoredRaces& found) {
       found.remarks.push_back(
           fmt::format("world {}: the store has no contest for {} of {} pairs of a mouse and a maze, so means are not "
                       "over the same mazes",
-                      race.world().name(), holes, met.size()));
+                      race.world().traits().name, holes, met.size()));
   }
 }
 

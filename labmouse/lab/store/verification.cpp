@@ -74,7 +74,7 @@ std::vector<const ContestResult*> pick(Race& race, Rng& rng, const VerificationO
 
 /// All of a result but its timings, as text.
 std::string text_of(const World& world, const ContestResult& result) {
-  const StoredFigures& stored = world.fields().figures;
+  const StoredFigures& stored = world.traits().fields->figures;
   std::vector<Value> figures = stored.values_of(*result.figures);
   for (std::size_t i = 0; i < figures.size(); ++i)
     if (stored.all[i].by_clock) figures[i] = Value();

@@ -25,7 +25,8 @@ std::optional<double> share_of_best(const Race& race, const ContestResult& conte
 
 /// Whether one contest in each maze of the list is all that there is. Whether external mice are stochastic is unknown.
 bool is_exact(const std::vector<Contestant>& mice, const CompareOrder& order) {
-  return !order.mazes.list.empty() && order.mazes.list.size() <= order.most && !order.race.world->is_stochastic() &&
+  return !order.mazes.list.empty() && order.mazes.list.size() <= order.most &&
+         !order.race.world->traits().is_stochastic &&
          std::none_of(mice.begin(), mice.end(),
                       [](const Contestant& mouse) { return mouse.external || mouse.uses_chance; });
 }

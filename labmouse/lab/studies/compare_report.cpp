@@ -64,8 +64,8 @@ std::string table_of(const Compared& compared) {
   const World& world = *compared.order.race.world;
   std::size_t width = 9;
   for (const ComparedMouse& candidate : compared.candidates) width = std::max(width, shown(candidate.mouse).size());
-  std::string text =
-      fmt::format("labmouse {}, {}seed {}{}\n", version(), world.title(), compared.order.race.seed, world.heading());
+  std::string text = fmt::format("labmouse {}, {}seed {}{}\n", version(), world.title(), compared.order.race.seed,
+                                 world.traits().heading);
   text += fmt::format("Share of the best possible score against {}, in {}\n\n", shown(compared.first),
                       source_text(compared.order.mazes));
   text += fmt::format(
@@ -85,7 +85,7 @@ std::string json_of(const Compared& compared) {
   const World& world = *compared.order.race.world;
   const SequentialOrder& test = compared.order.test;
   Json json = {{"labmouse", version()},
-               {"world", world.name()},
+               {"world", world.traits().name},
                {"conditions", conditions_json(world)},
                {"seed", compared.order.race.seed},
                {"mazes", source_json(compared.order.mazes)},

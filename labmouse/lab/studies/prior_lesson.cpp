@@ -28,7 +28,7 @@ Lesson hold_lesson(std::vector<NamedMaze> mazes, const World& world, const Lesso
   if (all == 0) lesson.error = fmt::format("nothing to learn from: no maze with a route ({} given)", given);
   for (const NamedMaze& maze : lesson.selection.mazes) {
     if (hooks.stop != nullptr && hooks.stop->load()) break;
-    lesson.counts.explore(maze.maze, world.rules_in_steps().value_or(Rules()));
+    lesson.counts.explore(maze.maze, world.traits().rules_in_steps.value_or(Rules()));
     ++lesson.done;
     if (hooks.finished) hooks.finished(all);
   }

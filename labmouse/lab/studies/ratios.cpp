@@ -48,7 +48,7 @@ std::vector<FigureRatio> ratios_of(const Study& study, const Comparison& compari
   std::vector<FigureRatio> ratios;
   add("score", scores_by_maze(race, comparison.mouse), scores_by_maze(race, comparison.against), race.order.seed,
       ratios);
-  for (const ComparedFigure& figure : race.world().fields().compared)
+  for (const ComparedFigure& figure : race.world().traits().fields->compared)
     add(figure.name, figures_by_maze(race, comparison.mouse, figure.key),
         figures_by_maze(race, comparison.against, figure.key), race.order.seed, ratios);
   return ratios;

@@ -38,7 +38,7 @@ std::vector<Contestant> taught(const std::vector<Contestant>& mice, const Study&
   for (const Contestant& mouse : mice) {
     const bool learns = mouse.taught && study.order.learning && !stopping(hooks);
     pupils.push_back(
-        learns ? mouse.taught(training, study.order.race.world->rules_in_steps().value_or(Rules()), hooks.stop)
+        learns ? mouse.taught(training, study.order.race.world->traits().rules_in_steps.value_or(Rules()), hooks.stop)
                : mouse);
     // A race sorts its mice by name; the same names keep the order equal in all folds.
     pupils.back().name = mouse.name;
@@ -107,7 +107,7 @@ Comparison compare(const Study& study, const std::string& mouse, const std::stri
   comparison.mouse = position_of(study.race, mouse);
   comparison.against = position_of(study.race, against);
   comparison.pair = pair_of(maze_scores(study.race, comparison.mouse), maze_scores(study.race, comparison.against),
-                            !study.order.race.world->failure_score(), study.order.race.seed);
+                            !study.order.race.world->traits().failure_score, study.order.race.seed);
   return comparison;
 }
 

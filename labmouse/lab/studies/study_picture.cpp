@@ -92,7 +92,7 @@ std::string differences_svg(const Study& study, const Comparison& comparison, co
   const Axis y = axis_of(values, area.bottom, area.top, 8);
   const PairedDifference& found = comparison.pair.scores;
   std::string svg = axes_svg(area, x, y, "mazes, sorted by their difference",
-                             fmt::format("{} - {} ({})", mouse.name, against.name, study.race.world().unit()));
+                             fmt::format("{} - {} ({})", mouse.name, against.name, study.race.world().traits().unit));
   if (found.count > 1)
     svg += band_svg(area.left, area.right, std::min(y.place(found.interval.low), 1.0 * area.bottom),
                     std::max(y.place(found.interval.high), 1.0 * area.top));  // clipped to the plot
@@ -132,7 +132,7 @@ std::string scores_svg(const Study& study, const std::vector<Scores>& mice, cons
       if (score) scores.push_back(*score);
   const Axis x = axis_of(bounds, area.left, area.right, 8), y = axis_of(scores, area.bottom, area.top, 8);
   const auto [low, high] = std::minmax_element(bounds.begin(), bounds.end());
-  const std::string_view unit = study.order.race.world->unit();
+  const std::string_view unit = study.order.race.world->traits().unit;
   std::string svg = axes_svg(area, x, y, fmt::format("bound of the maze ({})", unit),
                              fmt::format("score ({}; lower is better)", unit)) +
                     bound_svg(x.place(*low), y.place(*low), x.place(*high), y.place(*high));
@@ -162,7 +162,7 @@ void explain_scores(const Study& study, const std::vector<Scores>& mice, Legend&
     legend.add(10, sample(mark_attributes(i > 0), fmt::format(R"(circle cx="5" r="{}")", i > 0 ? "3.5" : "2.5")),
                "score of " + mice[i].name);
   legend.add(26, bound_svg(0, 0, 26, 0), "bound: a mouse that knows the maze");
-  legend.add(0, "", fmt::format("a failed contest counts {:g}", study.order.race.world->limit_score()));
+  legend.add(0, "", fmt::format("a failed contest counts {:g}", study.order.race.world->traits().limit_score));
 }
 
 /// A row of the picture and the y position of its end, in pixels.

@@ -128,7 +128,7 @@ std::string notes_of(const Study& study, const std::vector<Comparison>& comparis
     notes += fmt::format(
         "Differences count a failed contest as {:g} {}; 'finished only' leaves failed contests out, and so has no "
         "verdict.\n",
-        study.order.race.world->limit_score(), study.order.race.world->unit());
+        study.order.race.world->traits().limit_score, study.order.race.world->traits().unit);
   notes += verdict_notes(judged(pairs_of(comparisons)));
   if (study.mice.size() > most_in_all_pairs) notes += "Mice are compared only with the first one named.\n";
   notes += learning_note(study) + left_out_notes(study.selection, ", all of them in --format json");
@@ -147,7 +147,7 @@ std::string table_of(const Study& study, bool colours) {
   std::string text =
       fmt::format("labmouse {}: {}{}, {} in {} folds, seed {}{}\n\n", version(), world.title(),
                   counted(study.mice.size(), "mouse", "mice"), counted(study.selection.mazes.size(), "maze", "mazes"),
-                  study.order.folds, study.order.race.seed, world.heading());
+                  study.order.folds, study.order.race.seed, world.traits().heading);
   text += leaderboard_of(study.race, colours) + "\n";
   const std::vector<Comparison> comparisons = comparisons_of(study);
   if (!comparisons.empty())

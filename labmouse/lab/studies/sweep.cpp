@@ -17,12 +17,12 @@ std::optional<Interval> interval_of(const Race& race, const Standing& standing) 
   std::size_t mazes = 0;
   for (const MazeScores& maze : maze_scores(race, standing.mouse)) mazes += maze.contests > 0 ? 1 : 0;
   if (mazes > 1) return standing.interval_at_limit;
-  const double limit = race.world().limit_score();
+  const double limit = race.world().traits().limit_score;
   for (const ContestResult& contest : race.results)
     if (counts(race, contest)) scores.push_back(contest.counted.value_or(limit));
   if (scores.size() < 2) return std::nullopt;
   const Interval found = mean_interval(scores, race.order.seed);
-  return including(among_scores(found, race.world().score_place()), *standing.mean_at_limit);
+  return including(among_scores(found, race.world().traits().score_place), *standing.mean_at_limit);
 }
 
 /// The point of a sweep from the race of one mouse.

@@ -56,10 +56,10 @@ std::string json_of(const Sweep& sweep) {
   if (!sweep.robot.empty()) json["robot"] = sweep.robot;
   json.update(Json{{"parameter", sweep.parameter},
                    {"meaning", sweep.meaning},
-                   {"world", world.name()},
+                   {"world", world.traits().name},
                    {"conditions", conditions_json(world)},
-                   {"unit", world.unit()},
-                   {"limit_score", world.limit_score()},
+                   {"unit", world.traits().unit},
+                   {"limit_score", world.traits().limit_score},
                    {"seed", sweep.order.seed},
                    {"mazes", sweep.mazes},
                    {"routeless", sweep.routeless},
@@ -72,7 +72,7 @@ std::string json_of(const Sweep& sweep) {
 }
 
 std::string csv_of(const Sweep& sweep) {
-  const bool finished = !sweep.order.world->failure_score(), robots = !sweep.robot.empty();
+  const bool finished = !sweep.order.world->traits().failure_score, robots = !sweep.robot.empty();
   std::string text = fmt::format("value,mean,low,high,failures,runs{}{}\n", finished ? ",finished_mean" : "",
                                  robots ? ",difference,difference_low,difference_high,verdict" : "");
   const std::vector<PairVerdicts> verdicts = verdicts_of_points(sweep);

@@ -28,7 +28,7 @@ std::string interval_text(const SweepPoint& point) {
 std::string mean_text(const std::optional<double>& mean) { return mean ? fmt::format("{:.3f}", *mean) : "-"; }
 
 /// Whether failed contests have no score; if so, the mean of the finished ones has its own column.
-bool has_finished_means(const Sweep& sweep) { return !sweep.order.world->failure_score(); }
+bool has_finished_means(const Sweep& sweep) { return !sweep.order.world->traits().failure_score; }
 
 std::string line_of(const Sweep& sweep, const SweepPoint& point, std::size_t width) {
   const std::string finished = has_finished_means(sweep) ? fmt::format(" {:>13}", mean_text(point.finished_mean)) : "";
@@ -111,7 +111,7 @@ std::string notes_of(const Sweep& sweep) {
         sweep.points.size());
   if (sweep.routeless > 0)
     notes += fmt::format("Left out of all means: {} {}.\n", counted(sweep.routeless, "maze", "mazes"),
-                         sweep.order.world->why_no_bound());
+                         sweep.order.world->traits().why_no_bound);
   if (sweep.points.size() < sweep.values)
     notes += fmt::format("Stopped early: {} of {} values done.\n", sweep.points.size(), sweep.values);
   return notes;
@@ -155,12 +155,13 @@ std::string picture_of(const Sweep& sweep) {
   plot.description = fmt::format("Mean score of {} at {} of {}. {}", name_of(sweep),
                                  counted(sweep.points.size(), "value", "values"), sweep.parameter, lowest(sweep));
   plot.x_label = sweep.parameter + (sweep.meaning.empty() ? "" : ": " + sweep.meaning);
-  plot.y_label = fmt::format("mean score ({}; lower is better)", sweep.order.world->unit());
+  plot.y_label = fmt::format("mean score ({}; lower is better)", sweep.order.world->traits().unit);
   for (const SweepPoint& point : sweep.points)
     if (point.mean) plot.points.push_back(plot_point(sweep, point));
   const std::string runs = runs_text(sweep), contests = runs + (runs == "1" ? " contest" : " contests");
   plot.mean_words = "mean of " + contests;
-  plot.hollow_words = fmt::format("mean of {}, failures counted {:g}", contests, sweep.order.world->limit_score());
+  plot.hollow_words =
+      fmt::format("mean of {}, failures counted {:g}", contests, sweep.order.world->traits().limit_score);
   plot.interval_words = "95 % interval " + spread(sweep);
   return draw_plot(plot);
 }

@@ -127,7 +127,7 @@ std::string picture_of(const Tune& tune) {
   }
   plot.x_label = "evaluations";
   plot.y_label = ratio ? "score / bound (lower is better)"
-                       : fmt::format("mean score ({}; lower is better)", tune.order.race.world->unit());
+                       : fmt::format("mean score ({}; lower is better)", tune.order.race.world->traits().unit);
   for (std::size_t begin = 0, end = 0; begin < tune.evaluations.size(); begin = end) {
     while (end < tune.evaluations.size() && tune.evaluations[end].generation == tune.evaluations[begin].generation)
       ++end;

@@ -98,7 +98,9 @@ std::string worlds_for_all(const std::vector<Entry>& entries) {
   return text;
 }
 
-bool in_same_world(const Entry& one, const Entry& other) { return one.world->name() == other.world->name(); }
+bool in_same_world(const Entry& one, const Entry& other) {
+  return one.world->traits().name == other.world->traits().name;
+}
 
 /// An error if a setting with several values has an empty one, as in "classic,".
 std::string empty_value(const WorldEntry& entry, const WorldSettings& settings) {
@@ -140,7 +142,7 @@ bool has(const WorldEntry& entry, std::string_view setting) {
 std::string suit_defaults(Entry& entry, std::span<const NamedMaze> mazes) {
   const auto large = std::count_if(mazes.begin(), mazes.end(), is_half_size);
   const bool all_large = large > 0 && large == std::ssize(mazes);
-  const WorldEntry& world = *find_world(entry.world->name());
+  const WorldEntry& world = *find_world(entry.world->traits().name);
   std::string remark;
   for (const WorldSetting& setting : world.settings) {
     if (setting.half_size_default.empty() || entry.settings.contains(setting.name)) continue;
@@ -187,7 +189,7 @@ std::string unused_setting(const std::vector<Entry>& entries, const WorldSetting
     for (const WorldSetting& setting : owner->settings) {
       if (!given.contains(setting.name)) continue;
       const bool used = std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {
-        return has(*find_world(entry.world->name()), setting.name);
+        return has(*find_world(entry.world->traits().name), setting.name);
       });
       if (!used) return fmt::format("error: --{} has no effect here, only {}", setting.name, worlds_with(setting.name));
     }
@@ -203,7 +205,7 @@ std::string different_worlds(const std::vector<Entry>& entries, std::string_view
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (i == 0 || !in_same_world(entries[i - 1], entries[i]))
       suited += fmt::format("{}{} in the world {}", suited.empty() ? "" : ", ", named(entries[i].mice),
-                            entries[i].world->name());
+                            entries[i].world->traits().name);
   if (entries.empty() || in_same_world(entries.front(), entries.back())) return "";
   const std::string worlds = worlds_for_all(entries);
   return fmt::format("error: these mice race in different worlds: {}; {}{}", suited,
@@ -222,7 +224,7 @@ std::vector<Contestant> residents_of(const World& world) {
   std::vector<Contestant> mice = all_contestants();
   // Mice that cannot race in steps differ from the others only in worlds with errors.
   std::erase_if(mice, [&](const Contestant& mouse) {
-    return !world.refuse(mouse).empty() || (!mouse.walks() && !world.is_stochastic());
+    return !world.refuse(mouse).empty() || (!mouse.walks() && !world.traits().is_stochastic);
   });
   return mice;
 }

@@ -33,7 +33,7 @@ std::string why_no_robots(const WorldEntry& world) {
 
 /// Whether contests of this world depend on the hardware: its conditions list all that they depend on.
 bool depends_on_hardware(const World& world) {
-  for (const Condition& condition : world.conditions()) {
+  for (const Condition& condition : world.traits().conditions) {
     if (condition.key != "robot") continue;
     const ReadJson robot = read_json(text_of(condition.value));
     if (robot.is_object() && robot.contains("parameters")) return robot["parameters"].contains("body.front");
@@ -43,11 +43,11 @@ bool depends_on_hardware(const World& world) {
 
 /// Why the key cannot be varied in this world; empty where it can.
 std::string why_not(const Entry& entry, std::string_view key) {
-  if (std::string why = why_no_robots(*find_world(entry.world->name())); !why.empty()) return why;
+  if (std::string why = why_no_robots(*find_world(entry.world->traits().name)); !why.empty()) return why;
   if (std::string why = why_no_key(key); !why.empty()) return why;
   if (find_robot_key(key)->with != RobotKey::With::body || depends_on_hardware(*entry.world)) return "";
   return fmt::format("'{}' changes nothing in the world {}, which does not simulate the hardware", key,
-                     entry.world->name());
+                     entry.world->traits().name);
 }
 
 /// The value in one spelling: 3000 for 3e3.
@@ -78,7 +78,7 @@ class VariantMaker {
     if (!robot.robot) return robot.problems.front().reason;
     WorldSettings settings = entry_.settings;
     settings["robot"] = fmt::format("{}\n{}", name, text);
-    WorldResult world = find_world(entry_.world->name())->make(settings);
+    WorldResult world = find_world(entry_.world->traits().name)->make(settings);
     if (!world.error.empty()) return without_error(world.error);
     made_.worlds.push_back(std::move(world.world));
     made_.values.push_back(value);
@@ -108,7 +108,7 @@ RobotVariants robot_variants(const Entry& entry, std::string_view key, std::span
   if (const std::string why = why_not(entry, key); !why.empty()) return refused(std::string(key), why);
   const RobotKey& found = *find_robot_key(key);
   RobotVariants made;
-  const std::string given = text_of(find_world(entry.world->name())->settings, entry.settings, "robot");
+  const std::string given = text_of(find_world(entry.world->traits().name)->settings, entry.settings, "robot");
   made.robot = given.substr(0, given.find('\n'));
   made.key = key;
   made.meaning = fmt::format("{}{}{}", found.meaning, found.unit.empty() ? "" : ", in ", found.unit);

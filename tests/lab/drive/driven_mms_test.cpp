@@ -237,7 +237,7 @@ TEST(ExternalMice, GetTheSameSeedInAllMazesWhereTheyDrive) {
 TEST(MmsPrograms, RaceInTheWorldOfMmsUnlessAnotherIsNamed) {
   const auto by_default = enter(read_specs("mms:true").contestants, "", {});
   ASSERT_EQ(by_default.entries.size(), 1U);
-  EXPECT_EQ(by_default.entries.front().world->name(), "mms");
+  EXPECT_EQ(by_default.entries.front().world->traits().name, "mms");
   EXPECT_EQ(enter(read_specs("mms:true").contestants, "physical", {}).error, "");
 }
 

@@ -107,7 +107,7 @@ TEST(PhysicalWorld, IsAsFarSpreadAsTheFieldUnlessTold) {
   EXPECT_EQ(PhysicalConditions{}.errors.variation, 1.0);
   const WorldResult made = physical_entry.make({});
   ASSERT_TRUE(made.world) << made.error;
-  const auto conditions = made.world->conditions();
+  const auto conditions = made.world->traits().conditions;
   const auto variation =
       std::find_if(conditions.begin(), conditions.end(), [](const Condition& each) { return each.key == "variation"; });
   ASSERT_NE(variation, conditions.end());

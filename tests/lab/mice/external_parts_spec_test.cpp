@@ -207,7 +207,7 @@ TEST(PartsRace, IsThatOfTheMouseItselfWhereThePartsAreTheSame) {
   ASSERT_THAT(other.results, SizeIs(2));
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(own.results[i].score);
-    const StoredFigures& all = own.world().fields().figures;
+    const StoredFigures& all = own.world().traits().fields->figures;
     EXPECT_EQ(all.values_of(*own.results[i].figures), all.values_of(*other.results[i].figures));
     EXPECT_EQ(own.results[i].score, other.results[i].score);
   }

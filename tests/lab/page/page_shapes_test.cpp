@@ -45,9 +45,10 @@ TEST(PageShapes, KnowTheFieldOfEachColumn) {
     const auto has = [](const auto& fields, std::string_view key) {
       return std::any_of(fields.begin(), fields.end(), [&](const auto& field) { return field.key == key; });
     };
-    EXPECT_TRUE(has(world->fields().maze, world->fields().bound)) << entry->name;
-    for (const Column& column : world->fields().columns)
-      EXPECT_TRUE(column.key.empty() || has(world->fields().mouse, column.key)) << entry->name << " " << column.key;
+    EXPECT_TRUE(has(world->traits().fields->maze, world->traits().fields->bound)) << entry->name;
+    for (const Column& column : world->traits().fields->columns)
+      EXPECT_TRUE(column.key.empty() || has(world->traits().fields->mouse, column.key))
+          << entry->name << " " << column.key;
   }
 }
 

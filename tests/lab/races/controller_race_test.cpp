@@ -54,7 +54,7 @@ TEST(ControllerRace, IsHeldInThePhysicalWorldUnlessTold) {
   const EntriesResult entered = enter(controllers(), "", {});
   ASSERT_EQ(entered.error, "");
   const auto& entry = entered.entries.back();
-  EXPECT_EQ(entry.world->name(), "physical");
+  EXPECT_EQ(entry.world->traits().name, "physical");
   EXPECT_EQ(entry.mice.size(), 1U);
   for (const WorldEntry* other : all_worlds()) {
     const std::string error = enter(controllers(), other->name, {}).error;
@@ -70,7 +70,7 @@ TEST(ControllerRace, IsTheSameAgain) {
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(first.results[i].score);
     EXPECT_EQ(first.results[i].score, second.results[i].score);
-    const StoredFigures& all = first.world().fields().figures;
+    const StoredFigures& all = first.world().traits().fields->figures;
     EXPECT_EQ(all.values_of(*first.results[i].figures), all.values_of(*second.results[i].figures));
   }
   EXPECT_NE(first.results[0].score, first.results[1].score);

@@ -34,7 +34,7 @@ TEST(ReportResults, KnowWhoRanWhereWithWhichSeeds) {
   ASSERT_TRUE(read.results);
   ASSERT_EQ(read.results->worlds.size(), 1U);
   const ReportWorld& world = read.results->worlds.front();
-  EXPECT_EQ(world.entry->name, steps_world()->name());
+  EXPECT_EQ(world.entry->name, steps_world()->traits().name);
   ASSERT_EQ(world.mice.size(), 2U);
   EXPECT_EQ(world.mice[0].name, "flood");
   EXPECT_EQ(world.mice[0].seeds.at("loop").size(), 1U);

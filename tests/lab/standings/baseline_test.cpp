@@ -108,7 +108,7 @@ TEST(Baseline, AFailureWithoutAScoreCountsTheTimeLimit) {
   const MazeScores& loop = read.baseline->mice.at("flood").at("loop");
   EXPECT_EQ(loop.contests, 2);
   EXPECT_EQ(loop.finished, 1);
-  EXPECT_DOUBLE_EQ(loop.mean().value(), (world->limit_score() + 2.5) / 2.0);
+  EXPECT_DOUBLE_EQ(loop.mean().value(), (world->traits().limit_score + 2.5) / 2.0);
   EXPECT_DOUBLE_EQ(loop.finished_mean().value(), 2.5);
   EXPECT_EQ(read.baseline->mice.at("flood").at("hook").finished_mean(), std::nullopt);
   EXPECT_NE(read_baseline(test::changed(json, "2500000", "-2500000"), *world).error, "");

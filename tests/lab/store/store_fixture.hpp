@@ -78,7 +78,7 @@ inline constexpr std::size_t contests_of_three = 3 + 3 + 60;
 
 /// A race without the figures that the clock makes.
 inline std::string without_timings(Race race) {
-  const StoredFigures& stored = race.world().fields().figures;
+  const StoredFigures& stored = race.world().traits().fields->figures;
   for (ContestResult& contest : race.results) {
     std::vector<Value> figures = stored.values_of(*contest.figures);
     for (std::size_t i = 0; i < figures.size(); ++i)

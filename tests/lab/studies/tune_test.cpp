@@ -259,7 +259,7 @@ TEST(Tune, GainsNothingByFailing) {  // where failed contests have no score, and
   const RangesResult ranges = read_ranges("festina", "search,slower,step");
   const Tune found = hold_tune("festina", ranges.ranges, mazes(), order);
   ASSERT_EQ(found.evaluations.size(), 5U);
-  const double limit = order.race.world->limit_score();
+  const double limit = order.race.world->traits().limit_score;
   int failed = 0;
   for (const Evaluation& evaluation : found.evaluations) {
     failed += evaluation.failures;

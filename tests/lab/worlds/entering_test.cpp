@@ -37,9 +37,9 @@ std::vector<Contestant> of_two_worlds() {
 TEST(Entering, PutsEachMouseIntoTheFirstWorldThatTakesIt) {
   const EntriesResult found = enter(of_two_worlds(), "", {});
   ASSERT_THAT(found.entries, SizeIs(2)) << found.error;
-  EXPECT_EQ(found.entries[0].world->name(), all_worlds().front()->name);
+  EXPECT_EQ(found.entries[0].world->traits().name, all_worlds().front()->name);
   EXPECT_THAT(names_of(found.entries[0].mice), ElementsAre("flood"));
-  EXPECT_EQ(found.entries[1].world->name(), "mms");
+  EXPECT_EQ(found.entries[1].world->traits().name, "mms");
   EXPECT_THAT(names_of(found.entries[1].mice), ElementsAre(program));
   EXPECT_THAT(enter({of_two_worlds()[1]}, "", {}).entries, SizeIs(1));
 }
@@ -103,7 +103,7 @@ std::pair<Entry, std::string> suited(const WorldSettings& settings, const std::v
 }
 
 std::string condition_of(const Entry& entry, std::string_view key) {
-  for (const Condition& condition : entry.world->conditions())
+  for (const Condition& condition : entry.world->traits().conditions)
     if (condition.key == key) return text_of(condition.value);
   return "";
 }

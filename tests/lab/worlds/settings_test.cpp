@@ -107,7 +107,7 @@ TEST(StoredFigures, HaveThePlacesThatTheyHaveInEarlierStores) {
                                                           {"failures", stored_with_errors},
                                                           {"mms", stored_in_mms}};
   for (const WorldEntry* entry : all_worlds()) {
-    const WorldFields& fields = entry->make({}).world->fields();
+    const WorldFields& fields = *entry->make({}).world->traits().fields;
     const std::vector<Value> usual = fields.figures.values_of(*fields.figures.make());
     std::istringstream keys(stored.at(entry->name));
     std::string key;

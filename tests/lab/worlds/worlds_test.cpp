@@ -80,7 +80,7 @@ std::string digest(const Race& race) {
   std::string text;
   for (const ContestResult& result : race.results) {
     text += race.mice[result.mouse].name + ' ' + text_of(value_of(result.counted));
-    for (const ContestField& field : race.world().fields().contest)
+    for (const ContestField& field : race.world().traits().fields->contest)
       if (!field.by_clock) text += ' ' + text_of(field.of(race, result));
     text += '\n';
   }
@@ -104,13 +104,13 @@ INSTANTIATE_TEST_SUITE_P(All, AWorld, testing::ValuesIn(all_worlds().begin(), al
 
 TEST_P(AWorld, IsFoundByItsName) {
   EXPECT_EQ(find_world(GetParam()->name), GetParam());
-  EXPECT_EQ(default_world(GetParam()->name)->name(), GetParam()->name);
+  EXPECT_EQ(default_world(GetParam()->name)->traits().name, GetParam()->name);
   for (const Contestant& mouse : mice()) EXPECT_EQ(order().world->refuse(mouse), "");
 }
 
 TEST_P(AWorld, ListsAFigureForEachField) {
   const Race held = race();
-  const WorldFields& fields = held.world().fields();
+  const WorldFields& fields = *held.world().traits().fields;
   for (const ContestResult& result : held.results)
     for (const auto& list : {fields.contest, fields.csv})
       for (const ContestField& field : list) EXPECT_NO_THROW(field.of(held, result)) << field.key;
@@ -153,7 +153,7 @@ TEST_P(AWorld, HasATable) {
   const Race held = race();
   const std::string table = table_of(held, false);
   const std::string all = table_of(held, false, true);
-  for (const Column& column : held.world().fields().columns) {
+  for (const Column& column : held.world().traits().fields->columns) {
     EXPECT_THAT(all, HasSubstr(std::string(column.second)));
     if (!column.rare) {
       EXPECT_THAT(table, HasSubstr(std::string(column.second)));
@@ -167,14 +167,14 @@ TEST_P(AWorld, HasATable) {
 TEST_P(AWorld, HasJsonWithAllItsFields) {
   const Race held = race();
   const Json json = part_of(json_of(held, {}));
-  for (const Condition& condition : held.world().conditions()) EXPECT_TRUE(json.contains(condition.key));
+  for (const Condition& condition : held.world().traits().conditions) EXPECT_TRUE(json.contains(condition.key));
   ASSERT_THAT(json.at("mazes"), SizeIs(mazes().size()));
-  for (const MazeField& field : held.world().fields().maze)
+  for (const MazeField& field : held.world().traits().fields->maze)
     EXPECT_TRUE(json["mazes"][0].contains(std::string(field.key))) << field.key;
   ASSERT_THAT(json.at("mice"), SizeIs(2));
   std::size_t results = 0;
   for (const Json& mouse : json["mice"]) {
-    for (const MouseField& field : held.world().fields().mouse)
+    for (const MouseField& field : held.world().traits().fields->mouse)
       EXPECT_TRUE(mouse.contains(std::string(field.key))) << field.key;
     results += mouse.at("results").size();
   }
@@ -187,7 +187,7 @@ TEST_P(AWorld, HasCsvOfALineAContest) {
   const auto lines = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n'));
   EXPECT_EQ(lines, 1 + held.results.size());
   const auto commas = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ','));
-  EXPECT_EQ(commas, lines * (held.world().fields().csv.size() - 1));
+  EXPECT_EQ(commas, lines * (held.world().traits().fields->csv.size() - 1));
   EXPECT_THAT(csv, StartsWith("mouse,maze,"));
 }
 
@@ -238,7 +238,7 @@ TEST_P(AWorld, LeavesRecordsAndPicturesForAReport) {
     EXPECT_EQ(kept->save(contest, held), "");
   };
   const Race held = hold_race(mice(), mazes(), order(), hooks);
-  const RacePaths paths(folder.path(), names_of(held.mice), names_of(held.mazes), held.world().numbers_runs());
+  const RacePaths paths(folder.path(), names_of(held.mice), names_of(held.mazes), held.world().traits().numbers_runs);
   for (const ContestResult& result : held.results) {
     EXPECT_NE(read_file(paths.record(result.mouse, result.maze, result.run)).content, "");
     const std::string picture = read_file(paths.picture(result.mouse, result.maze)).content;
@@ -376,7 +376,7 @@ TEST_P(AWorld, KnowsNothingWhereItIsStoppedAtOnce) {
   for (const MazeFacts& facts : held.facts) EXPECT_FALSE(facts.found);
   const std::string table = table_of(held, false);
   EXPECT_THAT(table, Says("Stopped", fmt::format("0 of {} contests", held.results.size())));
-  EXPECT_THAT(table, Not(HasSubstr(std::string(held.world().why_no_bound()))));
+  EXPECT_THAT(table, Not(HasSubstr(std::string(held.world().traits().why_no_bound))));
   EXPECT_THAT(part_of(json_of(held, {})).at("mazes"), SizeIs(mazes().size()));
 }
 
@@ -428,7 +428,7 @@ TEST_P(AWorld, HasStudies) {
   EXPECT_THAT(study.selection.routeless, ElementsAre("shaft"));
   EXPECT_EQ(digest(study.race), digest(hold_race(mice(), {test::loop(), test::plank(), test::corridor()}, order.race)));
   EXPECT_THAT(comparisons_of(study), SizeIs(1));
-  EXPECT_THAT(table_of(study, false), HasSubstr("Score: " + order.race.world->formula()));
+  EXPECT_THAT(table_of(study, false), HasSubstr("Score: " + order.race.world->traits().formula));
   const std::string csv = csv_of(study);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
   const Json json = Json::parse(json_of(study, {}));
@@ -436,7 +436,7 @@ TEST_P(AWorld, HasStudies) {
   const Json whole = part_of(json.dump());
   for (const Json& maze : whole.at("mazes")) EXPECT_TRUE(maze.contains("fold"));
   EXPECT_EQ(XmlScanner(picture_of(study)).complaint(), "");
-  EXPECT_THAT(picture_of(study), HasSubstr(fmt::format("({})", order.race.world->unit())));
+  EXPECT_THAT(picture_of(study), HasSubstr(fmt::format("({})", order.race.world->traits().unit)));
 }
 
 TEST_P(AWorld, HasSweeps) {
@@ -449,10 +449,10 @@ TEST_P(AWorld, HasSweeps) {
   EXPECT_EQ(sweep.values, 2U);
   EXPECT_EQ(sweep.routeless, 1);
   EXPECT_GT(sweep.points[0].runs, sweep.points[0].failures);
-  EXPECT_THAT(table_of(sweep, false), AllOf(HasSubstr("Score: " + order().world->formula()),
-                                            HasSubstr(std::string(order().world->why_no_bound()))));
+  EXPECT_THAT(table_of(sweep, false), AllOf(HasSubstr("Score: " + order().world->traits().formula),
+                                            HasSubstr(std::string(order().world->traits().why_no_bound))));
   EXPECT_EQ(XmlScanner(picture_of(sweep)).complaint(), "");
-  EXPECT_THAT(picture_of(sweep), HasSubstr(std::string(order().world->unit())));
+  EXPECT_THAT(picture_of(sweep), HasSubstr(std::string(order().world->traits().unit)));
 }
 
 TEST(Race, GivesMiceThatThrowDiceSeveralRuns) {
