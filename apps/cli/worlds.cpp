@@ -58,7 +58,8 @@ std::string default_of(std::string_view name) {
   return by_world(values);
 }
 
-/// A setting's meaning and its worlds: "In physical, failures: scale of all noise".
+/// A setting's worlds, its meaning and, of a number, its range: "In physical: scale of all noise (0 to 100)". Whole
+/// numbers get their range from in_range().
 std::string meaning_of(const WorldSetting& setting) {
   std::vector<std::string_view> worlds;
   for (const WorldEntry* entry : all_worlds())
@@ -66,6 +67,7 @@ std::string meaning_of(const WorldSetting& setting) {
       if (each.name == setting.name) worlds.push_back(entry->name);
   std::string meaning(setting.meaning);
   meaning.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(meaning.front())));
+  if (setting.kind == WorldSetting::Kind::number) meaning += fmt::format(" ({})", range_of(setting));
   return fmt::format("In {}: {}", fmt::join(worlds, ", "), meaning);
 }
 
@@ -112,7 +114,8 @@ void WorldChoice::add_to(Command& command) {
       case WorldSetting::Kind::text:
       case WorldSetting::Kind::number:
         command.add_option(option, texts_[name], meaning)
-            ->type_name(std::string(setting->placeholder))
+            ->type_name(setting->choices.empty() ? std::string(setting->placeholder)
+                                                 : fmt::format("{}", fmt::join(setting->choices, "|")))
             ->default_str(default_of(setting->name));
         break;
     }

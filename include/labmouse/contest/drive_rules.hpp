@@ -30,9 +30,6 @@ constexpr std::optional<Counted> counted_named(std::string_view name) {
 /// The unit of a score.
 constexpr std::string_view unit_of(Counted counted) { return counted == Counted::dead_end ? "marks lost" : "s"; }
 
-/// Full marks that rules may give.
-inline constexpr int most_marks = 10'000;
-
 struct DriveRules {
   std::string name;
   std::string source;  ///< where and when they were in force, and what is uncertain

@@ -42,14 +42,13 @@ inline constexpr PhysicalRow search_speed_row = row<&PhysicalConditions::control
 inline constexpr PhysicalRow pace_row = row<&PhysicalConditions::controller, &ControllerChoice::pace>(
     {.name = "pace",
      .placeholder = "SHARE",
-     .meaning = "Share of the robot's usual speed, 0.2 to 1, on the same paths",
+     .meaning = "Share of the robot's usual speed, on the same paths",
      .default_value = "1",
      .low = least_pace,
      .high = 1.0,
      .later = true});
 inline constexpr PhysicalRow map_row = {
     {.name = "map",
-     .placeholder = "KIND",
      .meaning =
          "How contradicting wall readings are handled: the first one stays (first), or a log-odds map weighs them "
          "(log-odds), with a prior learned from other mazes (log-odds-prior)",

@@ -71,6 +71,12 @@ Value read_value(const WorldSetting& setting, JsonFields& fields) {
   return text;
 }
 
+std::string range_of(const WorldSetting& setting) {
+  if (setting.least_chosen > setting.low)
+    return fmt::format("{}, or {} to {} {}", setting.low, setting.least_chosen, setting.high, setting.unit);
+  return fmt::format("{} to {}", setting.low, setting.high);
+}
+
 std::string key_of(const WorldSetting& setting) {
   std::string key(setting.name);
   std::replace(key.begin(), key.end(), '-', '_');

@@ -23,8 +23,8 @@ namespace labmouse {
 struct WorldSetting {
   enum class Kind : std::uint8_t { text, whole, flag, number };
 
-  std::string_view name;         ///< "search-speed" is --search-speed, and "search_speed" in JSON
-  std::string_view placeholder;  ///< "FILE", or the unit; empty for a flag
+  std::string_view name;              ///< "search-speed" is --search-speed, and "search_speed" in JSON
+  std::string_view placeholder = {};  ///< "FILE", or the unit; empty for a flag, and where there are `choices`
   std::string_view meaning;
   std::string_view default_value;  ///< "true" or "false" for a flag
   double low = 0.0, high = 0.0;    ///< of a number
@@ -54,6 +54,8 @@ using WorldSettings = std::map<std::string, std::string, std::less<>>;
 Value chosen_value(const WorldSetting& setting, const std::string& text, std::string& error);
 /// The value in an untrusted file; errors are reported to `fields`.
 Value read_value(const WorldSetting& setting, JsonFields& fields);
+/// The numbers that a user can choose, such as "0 to 100" or "0, or 10 to 20000 mm/s".
+std::string range_of(const WorldSetting& setting);
 /// The setting's key in JSON.
 std::string key_of(const WorldSetting& setting);
 /// The text of one of these settings, or its default.

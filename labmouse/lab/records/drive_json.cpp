@@ -1,19 +1,28 @@
 #include "labmouse/lab/records/drive_json.hpp"
 
+#include "labmouse/lab/robots/drive_rules_keys.hpp"
+
 namespace labmouse {
 
+namespace {
+
+template <class Value>
+void write(Json& json, const char* key, const Value& value) {
+  json[key] = value;
+}
+/// If runs count, the field is left out, which keeps records and stores of earlier versions unchanged.
+void write(Json& json, const char* key, Counted counts) {
+  if (counts != Counted::run) json[key] = name_of(counts);
+}
+
+}  // namespace
+
 Json rules_json(const DriveRules& rules) {
-  Json json = {{"name", rules.name},
-               {"source", rules.source},
-               {"time_limit", rules.time_limit},
-               {"most_runs", rules.most_runs},
-               {"maze_time_divisor", rules.maze_time_divisor},
-               {"gate_to_gate", rules.gate_to_gate},
-               {"touch_penalty", rules.touch_penalty},
-               {"untouched_bonus", rules.untouched_bonus}};
-  // If runs count, the fields are left out, which keeps records and stores of earlier versions unchanged.
-  if (rules.counts != Counted::run) json["counts"] = name_of(rules.counts);
-  if (rules.counts == Counted::dead_end) json["marks"] = rules.marks;
+  Json json = {{"name", rules.name}};
+  for (const bool later : {false, true})
+    for (const DriveRulesKey& key : drive_rules_keys)
+      if (key.later == later && key.in_json_of(rules.counts))
+        std::visit([&](auto member) { write(json, key.json_name, rules.*member); }, key.member);
   return json;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "labmouse/functions/parse_number.hpp"
+#include "labmouse/lab/robots/drive_rules_keys.hpp"
 
 namespace labmouse {
 namespace {
@@ -41,6 +42,22 @@ std::optional<std::uint16_t> find_turn(const DriveTables& tables, const std::str
         std::abs(turns[i].speed - speed) < tolerance && std::abs(turns[i].end_speed - end_speed) < tolerance)
       return static_cast<std::uint16_t>(i);
   return std::nullopt;
+}
+
+void read(const DriveRulesKey& key, JsonFields& fields, Counted& counts) {
+  if (!fields.has(key.json_name)) return;
+  const std::optional<Counted> named = counted_named(fields.text(key.json_name));
+  if (!named) fields.fail("has a 'counts' that this version does not know");
+  counts = named.value_or(Counted::run);
+}
+void read(const DriveRulesKey& key, JsonFields& fields, std::string& value) {
+  value = fields.text(key.json_name).substr(0, longest_source);
+}
+void read(const DriveRulesKey& key, JsonFields& fields, bool& value) { value = fields.flag(key.json_name); }
+template <class Number>
+void read(const DriveRulesKey& key, JsonFields& fields, Number& value) {
+  const std::int64_t low = key.needed ? key.low * units_of<Number> : 0;
+  value = static_cast<Number>(fields.long_whole(key.json_name, low, key.high * units_of<Number>));
 }
 
 }  // namespace
@@ -110,19 +127,8 @@ void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tab
 void read_drive_rules_json(const ReadJson& json, DriveRules& rules, JsonFields& outer) {
   JsonFields fields(json, "rules");
   rules.name = fields.text("name");
-  rules.source = fields.text("source").substr(0, longest_source);
-  rules.time_limit = fields.long_whole("time_limit", 1, longest_time);
-  rules.most_runs = fields.whole("most_runs", 1, 1000);
-  rules.maze_time_divisor = fields.whole("maze_time_divisor", 0, 1'000'000);
-  rules.gate_to_gate = fields.flag("gate_to_gate");
-  rules.touch_penalty = fields.long_whole("touch_penalty", 0, longest_time);
-  rules.untouched_bonus = fields.long_whole("untouched_bonus", 0, longest_time);
-  if (fields.has("counts")) {
-    const std::optional<Counted> counts = counted_named(fields.text("counts"));
-    if (!counts) fields.fail("has a 'counts' that this version does not know");
-    rules.counts = counts.value_or(Counted::run);
-    if (rules.counts == Counted::dead_end) rules.marks = fields.whole("marks", 1, most_marks);
-  }
+  for (const DriveRulesKey& key : drive_rules_keys)
+    if (key.in_json_of(rules.counts)) std::visit([&](auto member) { read(key, fields, rules.*member); }, key.member);
   outer.reject(fields.error());
 }
 

@@ -124,7 +124,7 @@ TEST(PhysicalRecord, IsRefusedWhereItsContestWouldBeTooLong) {
   EXPECT_EQ(problem("7200000000", "15"), "");
   // It says how often the contest may be traced.
   EXPECT_THAT(problem("7200000000", "1"), Says("trace", "500000", "15 ms"));
-  EXPECT_THAT(problem("7200000001", "0"), Says("time_limit", "7200"));
+  EXPECT_THAT(problem("7200000001", "0"), Says("time_limit", "1000000 to 7200000000"));
 }
 
 TEST(PhysicalRecord, OfAnotherEditionIsShownAndNotDriven) {

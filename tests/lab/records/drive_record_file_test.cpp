@@ -139,7 +139,7 @@ TEST(DriveRecordFile, ThatIsNoneIsRefusedWithItsLine) {
   EXPECT_THAT(problem(changed(good(), "\"straight.speed\"", "\"straight speed\"")).reason,
               Says("'robot.parameters'", "no robot"));
   EXPECT_THAT(problem(changed(good(), "\"most_runs\":5", "\"most_runs\":0")).reason,
-              Says("'rules.most_runs'", "1 to 1000"));
+              Says("'rules.most_runs'", "1 to 100"));
   EXPECT_THAT(problem(good() + good()).reason, HasSubstr("end of the record"));
   EXPECT_THAT(problem(changed(good(), "\"run\":\"search\"", "\"run\":\"stroll\"")),
               ProblemAt(2, 1, "run", "search, home, speed"));
