@@ -17,7 +17,7 @@ bool is_an_end(ForfeitReason reason) {
 
 HalfPose half_pose_of(Cell cell, Compass heading) { return {{2 * cell.x + 1, 2 * cell.y + 1}, heading}; }
 
-Compass compass_of(Heading heading) { return static_cast<Compass>(2 * static_cast<int>(heading)); }
+Compass compass_of(Heading heading) { return static_cast<Compass>(eighths(heading)); }
 
 bool is_middle(HalfPlace place) { return place.x % 2 != 0 && place.y % 2 != 0; }
 
