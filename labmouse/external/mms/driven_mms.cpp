@@ -75,7 +75,7 @@ std::optional<CellwiseExplorer::Order> DrivenMms::order_of(const HalfPose& befor
                       "it moved by half a cell or diagonally, and the controller drives whole cells");
   moves_ = true;
   last_move_ = host_.lines();
-  return Order{.direction = static_cast<Heading>(static_cast<int>(before.heading) / 2),
+  return Order{.direction = heading_of(before.heading),
                .cells = (std::abs(to.x - from.x) + std::abs(to.y - from.y)) / 2};
 }
 
