@@ -57,7 +57,7 @@ Touch Body::step(const Drive& drive) {
 Touch Body::touch(const Contact& contact) {
   contact_ = contact;
   const BodyMotion& motion = plant_.motion();
-  const Position out = way_of_eighths(2 * static_cast<int>(contact.out));
+  const Position out = way_of_eighths(eighths(contact.out));
   const Direction goes = turned_by(motion.ahead, motion.slip);
   const double forwards = motion.speed < 0.0 ? -1.0 : 1.0;
   // The sine of the angle between its motion and the wall; below 0 it moves into the wall.

@@ -17,8 +17,7 @@ Direction direction_of_eighths(int eighths) {
   const Position way = way_of_eighths(eighths);
   return {way.y, way.x};
 }
-Direction direction_in(Heading heading) { return direction_of_eighths(2 * static_cast<int>(heading)); }
-Direction direction_of_node(const DriveNode& node) { return direction_of_eighths(eighths(node)); }
+Direction direction_in(Heading heading) { return direction_of_eighths(eighths(heading)); }
 
 /// Limits a duty to -1..1; NaN gives 0.
 float duty_of(float duty) { return duty >= -1.0F ? std::min(duty, 1.0F) : duty < -1.0F ? -1.0F : 0.0F; }
@@ -185,7 +184,7 @@ bool Controller::begin_segment(double late) {
   }
   const DriveSegment& segment = route_->segments[segment_];
   const DriveProfile profile(model_, *route_, segment_++);
-  const Direction ahead = direction_of_node(segment.from);
+  const Direction ahead = direction_of_eighths(eighths(segment.from));
   const HalfPoint node = half_point(segment.from);
   const Position from = along({node.x * cell_ / 2.0, node.y * cell_ / 2.0}, ahead, profile.beginning());
   Piece piece = Piece::straight(from, ahead, {});

@@ -8,7 +8,7 @@
 
 namespace labmouse {
 
-Position way_in(Heading heading) { return way_of_eighths(2 * static_cast<int>(heading)); }
+Position way_in(Heading heading) { return way_of_eighths(eighths(heading)); }
 
 WallLine line_on(Cell cell, Heading side, Heading axis, double size) {
   const Position out = way_in(side);

@@ -8,11 +8,14 @@
 #include <vector>
 
 #include "labmouse/functions/whole.hpp"
+#include "tests/body/body_in_a_maze.hpp"
 #include "tests/body/boxes.hpp"
 #include "tests/body/plain_mouse.hpp"
 
 namespace labmouse {
 namespace {
+
+using test::BodyInAMaze;
 
 /// A mouse without noise in a hall of 8 by 8 cells, that drives towards the east wall at an angle and a speed, without
 /// losing any.
@@ -46,9 +49,7 @@ class TowardsAWall {
     return body_.step({duty, duty});
   }
 
-  Maze maze_ = test::hall(8);
-  Hardware hardware_ = test::plain_mouse();
-  Body body_{maze_, test::cell, hardware_, {}, 1};
+  BodyInAMaze body_{test::hall(8), test::cell, test::plain_mouse()};
   double speed_;
   int touches_ = 0;
 };
@@ -93,9 +94,7 @@ TEST(Graze, LeavesNoPartOfTheMouseInTheWall) {
 }
 
 TEST(Crash, StopsTheMouseUntilAHandPutsItSomewhere) {
-  const Maze maze = test::hall(4);
-  const Hardware hardware = test::plain_mouse();
-  Body body(maze, test::cell, hardware, {}, 1);
+  BodyInAMaze body(test::hall(4), test::cell, test::plain_mouse());
   body.put({250.0, 250.0}, 0.0);
   Touch touch = Touch::none;
   for (int i = 0; i < 3000 && touch != Touch::crash; ++i) touch = body.step({0.2F, 0.2F});
@@ -115,9 +114,7 @@ TEST(Crash, StopsTheMouseUntilAHandPutsItSomewhere) {
 }
 
 TEST(Body, KnowsWhetherItHasSlidLately) {
-  const Maze maze = test::hall(16);
-  const Hardware hardware = test::plain_mouse();
-  Body body(maze, test::cell, hardware, {}, 1);
+  BodyInAMaze body(test::hall(16), test::cell, test::plain_mouse());
   body.put({800.0, 800.0}, 0.0);
   EXPECT_FALSE(body.slid_within(1'000'000));
   for (int i = 0; i < 60; ++i) body.step({0.3F, 0.3F});
@@ -129,9 +126,7 @@ TEST(Body, KnowsWhetherItHasSlidLately) {
 }
 
 TEST(Hand, IsOffByThePlacementOfTheVariation) {
-  const Maze maze = test::hall(4);
-  const Hardware hardware = test::varied_mouse();
-  Body body(maze, test::cell, hardware, {}, 1);
+  BodyInAMaze body(test::hall(4), test::cell, test::varied_mouse());
   double x = 0.0, y = 0.0, angle = 0.0;
   constexpr int times = 2000;
   for (int i = 0; i < times; ++i) {
@@ -146,8 +141,7 @@ TEST(Hand, IsOffByThePlacementOfTheVariation) {
 }
 
 std::vector<Sense> driven(const Hardware& hardware, const ErrorScale& level, std::uint64_t seed) {
-  const Maze maze = test::some_maze(2);
-  Body body(maze, test::cell, hardware, level, seed);
+  BodyInAMaze body(test::some_maze(2), test::cell, hardware, level, seed);
   body.put({50.0, 50.0}, 1.5);
   std::vector<Sense> all;
   for (int i = 0; i < 400; ++i) {

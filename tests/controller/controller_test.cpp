@@ -124,8 +124,8 @@ TEST(Controller, HoldsItsDutiesForItsPeriod) {
   slow.robot.hardware->motors.period = 3.0;
   const Hardware& hardware = *slow.robot.hardware;
   Controller controller(slow, hardware, ring().size(), gains_for(hardware, slow.tables.cell));
-  Body body(ring(), slow.tables.cell, hardware, {}, 1);
-  body.put({45.0, 45.0}, 3.14159265358979 / 2.0);
+  test::BodyInAMaze body(ring(), slow.tables.cell, hardware);
+  body.put({0, 0}, Heading::north);
   controller.put({{0, 0}, Heading::north});
   Drive last;
   int changed = 0;
@@ -158,8 +158,8 @@ TEST(Controller, MissesNoToFReadingBetweenItsPeriods) {
   ControllerParts parts;
   parts.reader = &reader;
   Controller controller(slow, hardware, ring().size(), gains_for(hardware, slow.tables.cell), {}, parts);
-  Body body(ring(), slow.tables.cell, hardware, {}, 1);
-  body.put({45.0, 45.0}, 3.14159265358979 / 2.0);
+  test::BodyInAMaze body(ring(), slow.tables.cell, hardware);
+  body.put({0, 0}, Heading::north);
   controller.put({{0, 0}, Heading::north});
   int read = 0;
   for (int i = 0; i < 330; ++i) {

@@ -22,7 +22,7 @@ Off after(const Maze& maze, const DriveModel& model, int cells, const Off& first
           const Knowledge* known = nullptr) {
   const Hardware& hardware = *model.robot.hardware;
   const double cell = model.tables.cell, speed = 3.0 * cell;
-  Body body(maze, cell, hardware, no_errors, 1);
+  test::BodyInAMaze body(maze, cell, hardware, no_errors);
   const Position start = {(maze.start().x + 0.5) * cell, (maze.start().y + 0.5) * cell};
   body.put(start, pi / 2.0);
   Estimator estimator(hardware, cell, 0.2);

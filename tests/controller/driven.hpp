@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "labmouse/body/body.hpp"
 #include "labmouse/controller/controller.hpp"
+#include "tests/body/body_in_a_maze.hpp"
 
 namespace labmouse::test {
 
@@ -12,11 +12,10 @@ class Driven {
  public:
   Driven(const Maze& maze, const DriveModel& model, const ErrorScale& level = no_errors, std::uint64_t seed = 1,
          const ControllerChoice& choice = {})
-      : maze_(maze),
-        cell_(model.tables.cell),
-        body_(maze_, cell_, *model.robot.hardware, level, seed),
-        controller_(model, *model.robot.hardware, maze_.size(), gains_for(*model.robot.hardware, cell_), choice) {
-    put({maze_.start(), maze_.start_heading()});
+      : cell_(model.tables.cell),
+        body_(maze, cell_, *model.robot.hardware, level, seed),
+        controller_(model, *model.robot.hardware, maze.size(), gains_for(*model.robot.hardware, cell_), choice) {
+    put({maze.start(), maze.start_heading()});
   }
 
   void put(const Pose& pose) {
@@ -50,13 +49,12 @@ class Driven {
   }
   Body& body() { return body_; }
   Controller& controller() { return controller_; }
-  const Maze& maze() const { return maze_; }
+  const Maze& maze() const { return body_.maze; }
   int ticks() const { return ticks_; }
 
  private:
-  Maze maze_;
   double cell_;
-  Body body_;
+  BodyInAMaze body_;
   Controller controller_;
   Drive duties_;
   bool pending_ = false;

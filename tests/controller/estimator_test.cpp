@@ -9,6 +9,7 @@
 
 #include "labmouse/functions/whole.hpp"
 #include "labmouse/maze/generators/generator.hpp"
+#include "tests/body/plain_mouse.hpp"
 #include "tests/controller/driven.hpp"
 #include "tests/controller/robots.hpp"
 #include "tests/slowness.hpp"
@@ -25,7 +26,7 @@ class OnAFloor {
       : OnAFloor(built, hardware(), level, seed) {}
   /// `known`: the hardware that the estimator expects; it must outlive this.
   OnAFloor(const Hardware& built, const Hardware& known, const ErrorScale& level, std::uint64_t seed)
-      : hardware_(built), body_(floor_, 1000.0, hardware_, level, seed), estimator_(known, 90.0, 0.2) {
+      : body_(test::hall(7), 1000.0, built, level, seed), estimator_(known, 90.0, 0.2) {
     body_.put({3500.0, 3500.0}, 0.4);
     estimator_.put({3500.0, 3500.0}, direction_of(0.4));
   }
@@ -49,9 +50,7 @@ class OnAFloor {
   Estimator& estimator() { return estimator_; }
 
  private:
-  Maze floor_{MazeDraft({7, 7}, MazeDraft::Inside::open)};
-  Hardware hardware_;
-  Body body_;
+  test::BodyInAMaze body_;
   Estimator estimator_;
 };
 

@@ -9,12 +9,13 @@
 #include <cmath>
 #include <vector>
 
-#include "labmouse/body/body.hpp"
 #include "labmouse/controller/axis_control.hpp"
 #include "labmouse/controller/estimator.hpp"
 #include "labmouse/controller/piece.hpp"
 #include "labmouse/controller/tracker.hpp"
 #include "labmouse/functions/whole.hpp"
+#include "tests/body/body_in_a_maze.hpp"
+#include "tests/body/plain_mouse.hpp"
 #include "tests/controller/robots.hpp"
 #include "tests/slowness.hpp"
 
@@ -55,13 +56,12 @@ std::vector<Piece> pieces(const Position& start) {
 
 /// Beginning with the first piece that moves. A mouse that knows of no slip takes all of a turn for one of its way.
 PositionErrors drive(const Gains& gains, bool knows_slip, std::uint64_t seed) {
-  // Cells of a metre: nothing is in the way.
-  const Maze floor(MazeDraft({4, 4}, MazeDraft::Inside::open));
   const Hardware& hardware = *test::kerise().robot.hardware;
   Hardware book = hardware;
   if (!knows_slip) book.tyres.stiffness = 1e9;
   const Position start = {1500.0, 1500.0};
-  Body body(floor, 1000.0, hardware, {}, seed);
+  // Cells of a metre: nothing is in the way.
+  test::BodyInAMaze body(test::hall(4), 1000.0, hardware, {}, seed);
   Estimator estimator(book, 90.0, gains.speed_filter);
   Tracker tracker(gains.tracker);
   AxisControl control(gains, hardware.motors);

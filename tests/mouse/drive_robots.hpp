@@ -177,4 +177,38 @@ inline Robot strong_robot() {
   return robot;
 }
 
+/// One that is slow to begin a turn: its small ones have no arc, and it comes near the wall ahead in 180.
+inline Robot slow_to_turn() {
+  Robot robot = fan_robot();
+  robot.name = "slow_to_turn";
+  robot.yaw_acceleration = 200.0;
+  return robot;
+}
+
+/// One whose yaw acceleration falls again before it is as large as it may be.
+inline Robot smooth_robot() {
+  Robot robot = fan_robot();
+  robot.name = "smooth";
+  robot.yaw_acceleration = 300.0;
+  robot.yaw_jerk = 6000.0;
+  return robot;
+}
+
+/// One that is slower on diagonals than in its turns.
+inline Robot slow_on_diagonals() {
+  Robot robot = large_robot();
+  robot.name = "slow_on_diagonals";
+  robot.speed_diagonal = 700.0;
+  return robot;
+}
+
+/// One that brakes less than it accelerates: backwards it is another robot.
+inline Robot weak_brakes() {
+  Robot robot = fan_robot();
+  robot.name = "weak_brakes";
+  robot.braking = robot.acceleration / 3.0;
+  robot.braking_diagonal = robot.acceleration_diagonal / 2.0;
+  return robot;
+}
+
 }  // namespace labmouse

@@ -11,11 +11,14 @@
 #include "tests/capstone_mazes.hpp"
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/mouse/plain_fastest.hpp"
+#include "tests/mouse/robot_parameters.hpp"
 #include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
 namespace {
+
+using test::PrintRobot;
 
 /// As test::slowness. The plain planner takes long.
 const int rarely = test::slowness == 1 ? 1 : 2 * test::slowness;
@@ -24,11 +27,6 @@ struct NamedRobot {
   const char* name;
   Robot (*make)();
   int every = 1;  ///< so many-th of the mazes
-};
-
-class PrintRobot {
- public:
-  std::string operator()(const testing::TestParamInfo<NamedRobot>& info) const { return info.param.name; }
 };
 
 Pose start_of(const Maze& maze) { return {maze.start(), maze.start_heading()}; }
@@ -147,14 +145,6 @@ Robot classic() { return find_robot("classic").robot; }
 Robot half() { return find_robot("half").robot; }
 Robot kerise() { return find_robot("kerise").robot; }
 Robot beginner() { return find_robot("beginner").robot; }
-
-/// Backwards it is another robot.
-Robot weak_brakes() {
-  Robot robot = fan_robot();
-  robot.braking = robot.acceleration / 3.0;
-  robot.braking_diagonal = robot.acceleration_diagonal / 2.0;
-  return robot;
-}
 
 INSTANTIATE_TEST_SUITE_P(
     Robots, AnyRobot,

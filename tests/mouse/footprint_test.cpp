@@ -13,16 +13,19 @@
 #include <numbers>
 #include <vector>
 
-#include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/mouse/robot_parameters.hpp"
 #include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
 namespace {
+
+using test::builtin;
+using test::PrintRobot;
 
 constexpr double far_away = std::numeric_limits<double>::infinity();
 
@@ -251,38 +254,6 @@ TEST_P(Footprint, TouchesNothingInMazesByDice) {
     if (HasFailure()) return;
   }
   EXPECT_GT(routes_, 0);
-}
-
-class PrintRobot {
- public:
-  std::string operator()(const testing::TestParamInfo<Robot>& info) const { return info.param.name; }
-};
-
-Robot builtin(const char* name) { return find_robot(name).robot; }
-
-/// One that is slow to begin a turn: its small ones have no arc, and it comes near the wall ahead in 180.
-Robot slow_to_turn() {
-  Robot robot = fan_robot();
-  robot.name = "slow_to_turn";
-  robot.yaw_acceleration = 200.0;
-  return robot;
-}
-
-/// One whose yaw acceleration falls again before it is as large as it may be.
-Robot smooth_robot() {
-  Robot robot = fan_robot();
-  robot.name = "smooth";
-  robot.yaw_acceleration = 300.0;
-  robot.yaw_jerk = 6000.0;
-  return robot;
-}
-
-/// One that is slower on diagonals than in its turns.
-Robot slow_on_diagonals() {
-  Robot robot = large_robot();
-  robot.name = "slow_on_diagonals";
-  robot.speed_diagonal = 700.0;
-  return robot;
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Footprint,

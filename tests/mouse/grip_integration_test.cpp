@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/mouse/robot_parameters.hpp"
 #include "tests/mouse/turns_in_steps.hpp"
 #include "tests/slowness.hpp"
 

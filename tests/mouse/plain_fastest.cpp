@@ -187,7 +187,7 @@ bool PlainFastest::turn_ends(const DriveNode& node, std::size_t lane) const {
 DriveTime PlainFastest::time_from(Pose start) const {
   if (goals_.contains(start.cell)) return 0;
   DriveTime best = no_time;
-  const int direction = 2 * static_cast<int>(start.heading);
+  const int direction = eighths(start.heading);
   HalfPoint point = half_point({start.cell, start.heading, Place::centre});
   for (int units = 0; units <= StraightTimes::longest && passable(point); ++units) {
     if (is_centre(point) && goals_.contains({(point.x - 1) / 2, (point.y - 1) / 2}))

@@ -9,13 +9,16 @@
 #include <numbers>
 #include <optional>
 
-#include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/mouse/robot_parameters.hpp"
 #include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
+
+using test::builtin;
+using test::PrintRobot;
 
 /// A mouse that speeds up on its way towards another one.
 struct Runner {
@@ -165,22 +168,6 @@ TEST_P(StraightsInSteps, EndInTheGoalWithRoomToStop) {
         expect_least(tables().finish_from(units, lane, room), to_goal(lead + length, speed, room));
       }
     }
-}
-
-class PrintRobot {
- public:
-  std::string operator()(const testing::TestParamInfo<Robot>& info) const { return info.param.name; }
-};
-
-Robot builtin(const char* name) { return find_robot(name).robot; }
-
-/// Backwards it is another robot.
-Robot weak_brakes() {
-  Robot robot = fan_robot();
-  robot.name = "weak_brakes";
-  robot.braking = robot.acceleration / 3.0;
-  robot.braking_diagonal = robot.acceleration_diagonal / 2.0;
-  return robot;
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, StraightsInSteps,

@@ -7,14 +7,15 @@
 #include <numbers>
 #include <utility>
 
-#include "labmouse/lab/robots/robot_files.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/mouse/robot_parameters.hpp"
 #include "tests/mouse/turns_in_steps.hpp"
 #include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::builtin;
 using test::clearance_of;
 using test::Course;
 using test::courses;
@@ -99,33 +100,6 @@ TEST_P(TurnsInSteps, TakeTheTimesOfTheTablesAtEachSpeed) {
       EXPECT_NEAR(turn.time, layout.moments.back().seconds * layout.speed / turn.speed * 1e6, 0.6) << turn.speed;
     }
   });
-}
-
-Robot builtin(const char* name) { return find_robot(name).robot; }
-
-/// One that is slow to begin a turn: its small ones have no arc, and it comes near the wall ahead in 180.
-Robot slow_to_turn() {
-  Robot robot = fan_robot();
-  robot.name = "slow_to_turn";
-  robot.yaw_acceleration = 200.0;
-  return robot;
-}
-
-/// One whose yaw acceleration falls again before it is as large as it may be.
-Robot smooth_robot() {
-  Robot robot = fan_robot();
-  robot.name = "smooth";
-  robot.yaw_acceleration = 300.0;
-  robot.yaw_jerk = 6000.0;
-  return robot;
-}
-
-/// One that is slower on diagonals than in its turns.
-Robot slow_on_diagonals() {
-  Robot robot = large_robot();
-  robot.name = "slow_on_diagonals";
-  robot.speed_diagonal = 700.0;
-  return robot;
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, TurnsInSteps,

@@ -313,9 +313,4 @@ class TurnsInSteps : public testing::TestWithParam<Robot> {
   DriveModel model_;
 };
 
-class PrintRobot {
- public:
-  std::string operator()(const testing::TestParamInfo<Robot>& info) const { return info.param.name; }
-};
-
 }  // namespace labmouse::test

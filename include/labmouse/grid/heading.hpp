@@ -35,6 +35,9 @@ constexpr int quarters_between(Heading from, Heading to) {
   return static_cast<int>((static_cast<unsigned>(to) - static_cast<unsigned>(from)) & 3U);
 }
 
+/// The heading in eighths of a turn clockwise from north: 0, 2, 4 or 6.
+constexpr int eighths(Heading heading) { return 2 * static_cast<int>(heading); }
+
 /// Change of x and y from a cell to its neighbour, indexed by heading.
 inline constexpr std::array<int, 4> steps_east = {0, 1, 0, -1}, steps_north = {1, 0, -1, 0};
 

@@ -17,7 +17,7 @@ bool is_an_end(ForfeitReason reason) {
 
 HalfPose half_pose_of(Cell cell, Compass heading) { return {{2 * cell.x + 1, 2 * cell.y + 1}, heading}; }
 
-Compass compass_of(Heading heading) { return static_cast<Compass>(2 * static_cast<int>(heading)); }
+Compass compass_of(Heading heading) { return static_cast<Compass>(eighths(heading)); }
 
 bool is_middle(HalfPlace place) { return place.x % 2 != 0 && place.y % 2 != 0; }
 
@@ -75,7 +75,7 @@ std::optional<CellwiseExplorer::Order> DrivenMms::order_of(const HalfPose& befor
                       "it moved by half a cell or diagonally, and the controller drives whole cells");
   moves_ = true;
   last_move_ = host_.lines();
-  return Order{.direction = static_cast<Heading>(static_cast<int>(before.heading) / 2),
+  return Order{.direction = heading_of(before.heading),
                .cells = (std::abs(to.x - from.x) + std::abs(to.y - from.y)) / 2};
 }
 

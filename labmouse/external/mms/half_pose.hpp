@@ -32,6 +32,8 @@ constexpr std::string_view name_of(Compass heading) {
 constexpr Compass turned(Compass heading, int eighths) {
   return static_cast<Compass>((static_cast<unsigned>(heading) + static_cast<unsigned>(eighths)) & 7U);
 }
+/// The heading of a direction; of a diagonal, the next one anticlockwise.
+constexpr Heading heading_of(Compass direction) { return static_cast<Heading>(static_cast<unsigned>(direction) / 2); }
 constexpr bool is_diagonal(Compass heading) { return (static_cast<unsigned>(heading) & 1U) != 0; }
 
 /// A place on the half grid, in half cells from the south-west corner: 0 to twice the width, 0 to twice the height.

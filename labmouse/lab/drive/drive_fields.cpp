@@ -109,7 +109,7 @@ constexpr std::array<MouseField, 2> share_means = {
      {"mean_visited_share",
       [](const Race& r, const Standing& s) { return value_of(mean_of_all(r, s, visited_share)); }}}};
 
-constexpr Column scored_column = {"", "finished", 8, columns::finished};
+constexpr Column scored_column = {.first = "", .second = "finished", .width = 8, .text = columns::finished};
 constexpr Column score_column = {.first = "score,",
                                  .second = "",
                                  .width = 7,
@@ -119,12 +119,20 @@ constexpr Column score_column = {.first = "score,",
                                  .digits = 3,
                                  .in_unit = true};
 constexpr std::array<Column, 2> time_columns = {
-    {{"search", "run, s", 7,
-      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<&D::search>(r, s), 1); },
-      "mean_search", "Mean time of the contests until the first speed run began, in seconds.", 1},
-     {"best", "run, s", 7,
-      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<&D::best>(r, s), 3); }, "mean_best",
-      "Mean time of the best runs from rest at the start to the goal, or of the best laps, in seconds.", 3}}};
+    {{.first = "search",
+      .second = "run, s",
+      .width = 7,
+      .text = [](const Race& r, const Standing& s) { return columns::number(mean_seconds<&D::search>(r, s), 1); },
+      .key = "mean_search",
+      .meaning = "Mean time of the contests until the first speed run began, in seconds.",
+      .digits = 1},
+     {.first = "best",
+      .second = "run, s",
+      .width = 7,
+      .text = [](const Race& r, const Standing& s) { return columns::number(mean_seconds<&D::best>(r, s), 3); },
+      .key = "mean_best",
+      .meaning = "Mean time of the best runs from rest at the start to the goal, or of the best laps, in seconds.",
+      .digits = 3}}};
 
 // The world without errors.
 
@@ -169,23 +177,46 @@ constexpr auto seconds_mouse = joined(
          {"replanned", count<&S::replanned>}}},
     share_means);
 constexpr auto seconds_table = joined(
-    std::array<Column, 4>{
-        {scored_column,
-         score_column,
-         {"95 %", "interval", 13, [](const Race&, const Standing& s) { return columns::interval(s, 2); }},
-         {"score /", "best", 7, columns::mean_ratio}}},
+    std::array<Column, 4>{{scored_column,
+                           score_column,
+                           {.first = "95 %",
+                            .second = "interval",
+                            .width = 13,
+                            .text = [](const Race&, const Standing& s) { return columns::interval(s, 2); }},
+                           {.first = "score /", .second = "best", .width = 7, .text = columns::mean_ratio}}},
     time_columns,
     std::array<Column, 4>{
-        {{"excess", "%", 6, above_best, "mean_excess",
-          "How much longer the routes of the best runs take than the fastest route, in percent.", 2, false, 100.0},
-         rarely({"fastest", "routes", 7,
-                 [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); }, "optimal",
-                 "Contests whose best run took the fastest route.", 0, true}),
-         rarely({"", "proven", 6, [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); },
-                 "proven", "Contests in which the mouse knew that no route could be faster.", 0, true}),
-         {"runs per", "contest", 8,
-          [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "starts"), 1); },
-          "mean_starts", "Mean number of starts in a contest.", 1}}});
+        {{.first = "excess",
+          .second = "%",
+          .width = 6,
+          .text = above_best,
+          .key = "mean_excess",
+          .meaning = "How much longer the routes of the best runs take than the fastest route, in percent.",
+          .digits = 2,
+          .factor = 100.0},
+         {.first = "fastest",
+          .second = "routes",
+          .width = 7,
+          .text = [](const Race& r, const Standing& s) { return fmt::format("{}", optimal(r, s)); },
+          .key = "optimal",
+          .meaning = "Contests whose best run took the fastest route.",
+          .higher_is_better = true,
+          .rare = true},
+         {.first = "",
+          .second = "proven",
+          .width = 6,
+          .text = [](const Race& r, const Standing& s) { return fmt::format("{}", proven(r, s)); },
+          .key = "proven",
+          .meaning = "Contests in which the mouse knew that no route could be faster.",
+          .higher_is_better = true,
+          .rare = true},
+         {.first = "runs per",
+          .second = "contest",
+          .width = 8,
+          .text = [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "starts"), 1); },
+          .key = "mean_starts",
+          .meaning = "Mean number of starts in a contest.",
+          .digits = 1}}});
 constexpr std::array<ComparedFigure, 2> seconds_compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
 
 // The worlds with errors.
@@ -244,27 +275,68 @@ constexpr auto physical_mouse =
 constexpr auto physical_table = joined(
     std::array<Column, 4>{
         {scored_column,
-         {"95 %", "range, %", 8, finished_text, "finished_interval",
-          "Share of the contests that ended with a score, in percent: 95 % interval over the mazes.", 0, true, 100.0},
+         {.first = "95 %",
+          .second = "range, %",
+          .width = 8,
+          .text = finished_text,
+          .key = "finished_interval",
+          .meaning = "Share of the contests that ended with a score, in percent: 95 % interval over the mazes.",
+          .higher_is_better = true,
+          .factor = 100.0},
          score_column,
-         {"failures", "at limit", 8,
-          [](const Race& r, const Standing& s) { return columns::number(mean_par1(r, s), 3); }, "mean_par1",
-          "Mean score over all contests, in seconds or marks lost; one without a score counts the time limit, or all "
-          "marks.",
-          3}}},
+         {.first = "failures",
+          .second = "at limit",
+          .width = 8,
+          .text = [](const Race& r, const Standing& s) { return columns::number(mean_par1(r, s), 3); },
+          .key = "mean_par1",
+          .meaning = "Mean score over all contests, in seconds or marks lost; one without a score counts the time "
+                     "limit, or all marks.",
+          .digits = 3}}},
     time_columns,
     std::array<Column, 7>{
-        {{"", "runs", 5, count_text<&P::starts>, "starts", "Runs that began at the start, search runs among them."},
-         {"tyres", "slipped", 7, count_text<&P::slid>, "slid", "Runs that ended in a crash because the tyres slipped."},
-         {"lost", "position", 8, count_text<&P::position_lost>, "position_lost",
-          "Runs that ended in a crash because the mouse had lost its position."},
-         {"wall", "errors", 6, count_text<&P::wall_error>, "wall_error",
-          "Runs that ended in a crash into a wall that the map had as open."},
-         {"no route", "left", 8, count_text<&P::no_route_left>, "no_route_left",
-          "Runs that ended because the map had no route left, or contradicted what the mouse saw."},
-         {"time", "limit", 5, count_text<&P::late>, "late", "Runs that the time limit cut short."},
-         rarely({"wrong", "walls", 5, count_text<&P::wrong_walls>, "wrong_walls",
-                 "Walls that the mouse took for closed where they are open, or for open where they are closed.", 0})}});
+        {{.first = "",
+          .second = "runs",
+          .width = 5,
+          .text = count_text<&P::starts>,
+          .key = "starts",
+          .meaning = "Runs that began at the start, search runs among them."},
+         {.first = "tyres",
+          .second = "slipped",
+          .width = 7,
+          .text = count_text<&P::slid>,
+          .key = "slid",
+          .meaning = "Runs that ended in a crash because the tyres slipped."},
+         {.first = "lost",
+          .second = "position",
+          .width = 8,
+          .text = count_text<&P::position_lost>,
+          .key = "position_lost",
+          .meaning = "Runs that ended in a crash because the mouse had lost its position."},
+         {.first = "wall",
+          .second = "errors",
+          .width = 6,
+          .text = count_text<&P::wall_error>,
+          .key = "wall_error",
+          .meaning = "Runs that ended in a crash into a wall that the map had as open."},
+         {.first = "no route",
+          .second = "left",
+          .width = 8,
+          .text = count_text<&P::no_route_left>,
+          .key = "no_route_left",
+          .meaning = "Runs that ended because the map had no route left, or contradicted what the mouse saw."},
+         {.first = "time",
+          .second = "limit",
+          .width = 5,
+          .text = count_text<&P::late>,
+          .key = "late",
+          .meaning = "Runs that the time limit cut short."},
+         {.first = "wrong",
+          .second = "walls",
+          .width = 5,
+          .text = count_text<&P::wrong_walls>,
+          .key = "wrong_walls",
+          .meaning = "Walls that the mouse took for closed where they are open, or for open where they are closed.",
+          .rare = true}}});
 
 // Do not change the order: existing stores have the figures in this order.
 
@@ -281,22 +353,28 @@ constexpr StoredFigures physical_stored =
 
 const WorldFields& seconds_fields() {
   static constexpr WorldFields all = {
-      seconds_contest,  seconds_csv,   seconds_mouse,
-      maze_fields,      seconds_table, seconds_stored,
-      seconds_compared, "bound_us",    "best possible score, that of the fastest route, driven at once"};
+      .contest = seconds_contest,
+      .csv = seconds_csv,
+      .mouse = seconds_mouse,
+      .maze = maze_fields,
+      .columns = seconds_table,
+      .figures = seconds_stored,
+      .compared = seconds_compared,
+      .bound = "bound_us",
+      .bound_meaning = "best possible score, that of the fastest route, driven at once"};
   return all;
 }
 
 const WorldFields& physical_fields() {
-  static constexpr WorldFields all = {physical_contest,
-                                      physical_csv,
-                                      physical_mouse,
-                                      maze_fields,
-                                      physical_table,
-                                      physical_stored,
-                                      {},
-                                      "bound_us",
-                                      "best possible score, that of a mouse that never errs and knows the maze"};
+  static constexpr WorldFields all = {
+      .contest = physical_contest,
+      .csv = physical_csv,
+      .mouse = physical_mouse,
+      .maze = maze_fields,
+      .columns = physical_table,
+      .figures = physical_stored,
+      .bound = "bound_us",
+      .bound_meaning = "best possible score, that of a mouse that never errs and knows the maze"};
   return all;
 }
 

@@ -110,10 +110,10 @@ std::vector<DriveCase> cases_by_correction(const PhysicalConditions& conditions)
     cases.push_back({name, conditions});
     cases.back().conditions.controller.corrections = choice;
   };
-  add_case("all", {true, true, true});
-  add_case("sides", {true, false, false});
-  add_case("edges, front", {false, true, true});
-  add_case("none", {false, false, false});
+  add_case("all", {});
+  add_case("sides", {.edges = false, .front = false});
+  add_case("edges, front", {.sides = false});
+  add_case("none", {.sides = false, .edges = false, .front = false});
   return cases;
 }
 

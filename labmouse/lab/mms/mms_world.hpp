@@ -17,12 +17,27 @@ inline constexpr const char* mms_formula =
 
 /// What can be set of the world.
 inline constexpr std::array mms_rows = {
-    row<&MmsOptions::strict>({"strict", "", "End a run at the first line that mms would not answer", "false"}),
-    row<&MmsOptions::presses>({"presses", "N", "Press Reset N times when a mouse waits for it", "0", 0, 1'000'000}),
-    row<&MmsOptions::most_seconds>({"simulated-limit", "SECONDS",
-                                    "End a run after this simulated time; its best run counts", "3600", 1, 1'000'000}),
-    row<&MmsOptions::most_lines>(
-        {"line-limit", "N", "End a run after N lines; its best run counts", "10000000", 1, 2'000'000'000})};
+    row<&MmsOptions::strict>({.name = "strict",
+                              .placeholder = "",
+                              .meaning = "End a run at the first line that mms would not answer",
+                              .default_value = "false"}),
+    row<&MmsOptions::presses>({.name = "presses",
+                               .placeholder = "N",
+                               .meaning = "Press Reset N times when a mouse waits for it",
+                               .default_value = "0",
+                               .high = 1'000'000}),
+    row<&MmsOptions::most_seconds>({.name = "simulated-limit",
+                                    .placeholder = "SECONDS",
+                                    .meaning = "End a run after this simulated time; its best run counts",
+                                    .default_value = "3600",
+                                    .low = 1,
+                                    .high = 1'000'000}),
+    row<&MmsOptions::most_lines>({.name = "line-limit",
+                                  .placeholder = "N",
+                                  .meaning = "End a run after N lines; its best run counts",
+                                  .default_value = "10000000",
+                                  .low = 1,
+                                  .high = 2'000'000'000})};
 
 /// Hosts each program once in each maze. The figures keep only the first sentences of the log and the last lines of
 /// standard error, so that many runs fit into memory.

@@ -48,7 +48,7 @@ class SearchPath {
     const double back = place.at_rest ? 0.0 : 0.5;
     at_.x = place.pose.cell.x + 0.5 - back * ahead.x;
     at_.y = place.pose.cell.y + 0.5 - back * ahead.y;
-    at_.heading = 2.0 * static_cast<int>(place.pose.heading);
+    at_.heading = eighths(place.pose.heading);
     at_.speed = place.at_rest ? 0.0 : speed_;
   }
 

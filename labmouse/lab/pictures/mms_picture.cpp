@@ -29,8 +29,7 @@ DrawingLayers mms_layers(const MmsCanvas& canvas, const HalfPose& pose) {
   layers.coordinates = true;
   layers.label = [&canvas](Cell cell) { return trimmed(canvas.text(cell)); };
   layers.paint = [&canvas](Cell cell) { return terminal_colour(canvas.colour(cell)); };
-  // A diagonal heading is drawn as the next of the four headings anticlockwise.
-  layers.mouse = Pose{cell_of(pose.place), static_cast<Heading>(static_cast<unsigned>(pose.heading) / 2)};
+  layers.mouse = Pose{cell_of(pose.place), heading_of(pose.heading)};
   return layers;
 }
 

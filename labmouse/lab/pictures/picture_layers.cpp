@@ -19,20 +19,28 @@ namespace {
 struct LayerLine {
   std::string_view name;
   std::string_view meaning;
-  bool of_a_record;
+  bool of_a_record = false;
 };
 
 constexpr std::array<LayerLine, 10> lines = {{
-    {"heat", "how often the search run entered each cell", true},
-    {"path", "the speed run with its steps numbered; for a maze alone, a shortest run", false},
-    {"search", "the path of the search run: to the goal, and from there to the reset", true},
-    {"known", "walls still unknown at the end of the search run, drawn faintly", true},
-    {"wrong", "those of them that are closed, though an optimist assumes they are open", true},
-    {"shares", "the cells visited and discovered, and their shares", true},
-    {"distances", "steps from each cell to the goal", false},
-    {"cells", "cells to walk from each cell to the goal", false},
-    {"coordinates", "the numbers of columns and rows", false},
-    {"candidates", "the unseen walls it last chose from, if the record has reasons", true},
+    {.name = "heat", .meaning = "how often the search run entered each cell", .of_a_record = true},
+    {.name = "path", .meaning = "the speed run with its steps numbered; for a maze alone, a shortest run"},
+    {.name = "search",
+     .meaning = "the path of the search run: to the goal, and from there to the reset",
+     .of_a_record = true},
+    {.name = "known",
+     .meaning = "walls still unknown at the end of the search run, drawn faintly",
+     .of_a_record = true},
+    {.name = "wrong",
+     .meaning = "those of them that are closed, though an optimist assumes they are open",
+     .of_a_record = true},
+    {.name = "shares", .meaning = "the cells visited and discovered, and their shares", .of_a_record = true},
+    {.name = "distances", .meaning = "steps from each cell to the goal"},
+    {.name = "cells", .meaning = "cells to walk from each cell to the goal"},
+    {.name = "coordinates", .meaning = "the numbers of columns and rows"},
+    {.name = "candidates",
+     .meaning = "the unseen walls it last chose from, if the record has reasons",
+     .of_a_record = true},
 }};
 
 const LayerLine& line_of(Layer layer) { return lines[static_cast<std::size_t>(layer)]; }

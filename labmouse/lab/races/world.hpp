@@ -94,12 +94,6 @@ struct Column {
   bool in_unit = false;  ///< whether the unit of the world is the second line of its heading
 };
 
-/// A column that is only printed with `--columns all`.
-constexpr Column rarely(Column column) {
-  column.rare = true;
-  return column;
-}
-
 /// A figure that studies compare besides the score: a positive number whose ratio between two mice is meaningful. It
 /// has a key in the JSON of a contest, and a name in tables.
 struct ComparedFigure {

@@ -40,7 +40,7 @@ Json looks_json(const std::vector<Look>& looks) {
     list.push_back({{"time", look.time},
                     {"x", look.pose.cell.x},
                     {"y", look.pose.cell.y},
-                    {"heading", 2 * static_cast<int>(look.pose.heading)},
+                    {"heading", eighths(look.pose.heading)},
                     {"evidence", {look.evidence.left, look.evidence.ahead, look.evidence.right}}});
   return list;
 }

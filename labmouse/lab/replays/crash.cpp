@@ -46,8 +46,10 @@ std::optional<DrivePathPoint> crash_of(const DriveRecordFile& file, std::size_t 
   if (run.has_route())
     if (const auto crash = crash_on_route(file, run)) return crash;
   const Cell cell = before.pose.cell;
-  return DrivePathPoint{
-      static_cast<double>(run.end), cell.x + 0.5, cell.y + 0.5, 2.0 * static_cast<int>(before.pose.heading), 0.0, 0.0};
+  return DrivePathPoint{.time = static_cast<double>(run.end),
+                        .x = cell.x + 0.5,
+                        .y = cell.y + 0.5,
+                        .heading = static_cast<double>(eighths(before.pose.heading))};
 }
 
 }  // namespace labmouse

@@ -27,7 +27,7 @@ struct FramePlace {
 };
 
 FramePlace frame_of(const SearchPlace& place) {
-  FramePlace found = {{2 * place.pose.cell.x + 1, 2 * place.pose.cell.y + 1}, 2 * static_cast<int>(place.pose.heading)};
+  FramePlace found = {{2 * place.pose.cell.x + 1, 2 * place.pose.cell.y + 1}, eighths(place.pose.heading)};
   if (place.at_rest) return found;
   // On the edge by which it enters the cell.
   const Cell ahead = neighbour(Cell{0, 0}, place.pose.heading);

@@ -6,10 +6,8 @@
 namespace labmouse {
 namespace {
 
-/// As a drawing can show it: between two headings the first of them, clockwise.
-Pose pose_of(const HalfPose& pose) {
-  return {cell_of(pose.place), static_cast<Heading>(static_cast<unsigned>(pose.heading) / 2)};
-}
+/// As a drawing can show it.
+Pose pose_of(const HalfPose& pose) { return {cell_of(pose.place), heading_of(pose.heading)}; }
 
 int sign(int value) { return (value > 0) - (value < 0); }
 

@@ -102,7 +102,7 @@ void add_frames(const RecordFile& file, Json& play) {
     clock.push_back(frame);
     x.push_back(2 * pose.cell.x + 1);
     y.push_back(2 * pose.cell.y + 1);
-    heading.push_back(2 * static_cast<int>(pose.heading));
+    heading.push_back(eighths(pose.heading));
     run.push_back(reset && frame >= *reset ? 1 : 0);
     const auto search_run = static_cast<int>(std::min(frame, reset.value_or(frame)));
     play["scores"].push_back(score_of(search_run, static_cast<int>(frame) - search_run, file.rules));

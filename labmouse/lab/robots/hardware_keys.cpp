@@ -242,43 +242,72 @@ constexpr std::array keys = {
 
 template <class Which>
 constexpr SensorKey<Which> in_list(RobotKey key, double& (*number)(Which&)) {
+  key.with = RobotKey::With::body;
   return {key, number};
 }
 
-constexpr RobotKey::With body = RobotKey::With::body;
 constexpr auto whole = RobotKey::Kind::whole;
 // How a sensor is mounted.
 template <class Which>
-constexpr SensorKey<Which> ahead_key = {{"ahead", "how far before the axle it sits", "mm", -500.0, 500.0, body},
-                                        [](Which& one) -> double& { return one.beam.ahead; }};
+constexpr auto ahead_key = in_list<Which>({"ahead", "how far before the axle it sits", "mm", -500.0, 500.0},
+                                          [](Which& one) -> double& { return one.beam.ahead; });
 template <class Which>
-constexpr SensorKey<Which> aside_key = {
-    {"aside", "how far to the left of the middle; to the right below 0", "mm", -500.0, 500.0, body},
-    [](Which& one) -> double& { return one.beam.aside; }};
+constexpr auto aside_key = in_list<Which>({"aside", "how far to the left of the middle; to the right below 0", "mm",
+                                           -500.0, 500.0},
+                                          [](Which& one) -> double& { return one.beam.aside; });
 template <class Which>
-constexpr SensorKey<Which> angle_key = {
-    {"angle", "the direction in which it looks, to the left of ahead", "rad", -1.6, 1.6, body},
-    [](Which& one) -> double& { return one.beam.angle; }};
+constexpr auto angle_key = in_list<Which>({"angle", "the direction in which it looks, to the left of ahead", "rad",
+                                           -1.6, 1.6},
+                                          [](Which& one) -> double& { return one.beam.angle; });
 
 constexpr std::array infrared_table = {
     ahead_key<Infrared>,
     aside_key<Infrared>,
     angle_key<Infrared>,
-    in_list<Infrared>({"gain", "what it reads of a wall in the middle of a cell; default: sensors.infrared_gain",
-                       "counts", 10.0, 30000.0, body, false},
+    in_list<Infrared>({.name = "gain",
+                       .meaning = "what it reads of a wall in the middle of a cell; default: sensors.infrared_gain",
+                       .unit = "counts",
+                       .low = 10.0,
+                       .high = 30000.0,
+                       .needed = false},
                       [](Infrared& one) -> double& { return one.gain; }),
-    in_list<Infrared>({"fall", "as sensors.infrared_fall, which is the default", "mm", 0.0, 500.0, body, false},
+    in_list<Infrared>({.name = "fall",
+                       .meaning = "as sensors.infrared_fall, which is the default",
+                       .unit = "mm",
+                       .low = 0.0,
+                       .high = 500.0,
+                       .needed = false},
                       [](Infrared& one) -> double& { return one.fall; }),
-    in_list<Infrared>(
-        {"most", "the largest reading; default: sensors.infrared_most", "counts", 10.0, 32767.0, body, false},
-        [](Infrared& one) -> double& { return one.most; }),
-    in_list<Infrared>({"footprint", "standard deviation of its spot on a wall; default: sensors.infrared_footprint",
-                       "mm", 0.1, 100.0, body, false},
+    in_list<Infrared>({.name = "most",
+                       .meaning = "the largest reading; default: sensors.infrared_most",
+                       .unit = "counts",
+                       .low = 10.0,
+                       .high = 32767.0,
+                       .needed = false},
+                      [](Infrared& one) -> double& { return one.most; }),
+    in_list<Infrared>({.name = "footprint",
+                       .meaning = "standard deviation of its spot on a wall; default: sensors.infrared_footprint",
+                       .unit = "mm",
+                       .low = 0.1,
+                       .high = 100.0,
+                       .needed = false},
                       [](Infrared& one) -> double& { return one.footprint; }),
-    in_list<Infrared>({"group", "sensors with the same number are lit together, and the groups one each ms; default 0",
-                       "", 0.0, 15.0, body, false, whole},
-                      [](Infrared& one) -> double& { return one.group; }),
-    in_list<Infrared>({"latency", "from the light to the reading; default 0", "ms", 0.0, 100.0, body, false, whole},
+    in_list<Infrared>(
+        {.name = "group",
+         .meaning = "sensors with the same number are lit together, and the groups one each ms; default 0",
+         .unit = "",
+         .low = 0.0,
+         .high = 15.0,
+         .needed = false,
+         .kind = whole},
+        [](Infrared& one) -> double& { return one.group; }),
+    in_list<Infrared>({.name = "latency",
+                       .meaning = "from the light to the reading; default 0",
+                       .unit = "ms",
+                       .low = 0.0,
+                       .high = 100.0,
+                       .needed = false,
+                       .kind = whole},
                       [](Infrared& one) -> double& { return one.latency; }),
 };
 
@@ -286,9 +315,15 @@ constexpr std::array ranger_table = {
     ahead_key<Ranger>,
     aside_key<Ranger>,
     angle_key<Ranger>,
-    in_list<Ranger>({"reach", "the largest distance that it sees", "mm", 1.0, 10000.0, body},
-                    [](Ranger& one) -> double& { return one.reach; }),
-    in_list<Ranger>({"period", "from one of its readings to the next", "ms", 1.0, 1000.0, body, true, whole},
+    in_list<Ranger>(
+        {.name = "reach", .meaning = "the largest distance that it sees", .unit = "mm", .low = 1.0, .high = 10000.0},
+        [](Ranger& one) -> double& { return one.reach; }),
+    in_list<Ranger>({.name = "period",
+                     .meaning = "from one of its readings to the next",
+                     .unit = "ms",
+                     .low = 1.0,
+                     .high = 1000.0,
+                     .kind = whole},
                     [](Ranger& one) -> double& { return one.period; }),
 };
 

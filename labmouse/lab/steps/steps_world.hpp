@@ -14,7 +14,12 @@ namespace labmouse {
 
 /// What can be set of the world.
 inline constexpr std::array steps_rows = {
-    row<&Rules::budget>({"budget", "N", "Step limit of a contest, for both runs together", "1000", 1, longest_record})};
+    row<&Rules::budget>({.name = "budget",
+                         .placeholder = "N",
+                         .meaning = "Step limit of a contest, for both runs together",
+                         .default_value = "1000",
+                         .low = 1,
+                         .high = longest_record})};
 
 /// Contests under these rules. Their ContestOutput::run is set.
 std::shared_ptr<const World> steps_world(const Rules& rules = {});

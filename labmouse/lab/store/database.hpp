@@ -72,6 +72,7 @@ class Statement {
   Statement& bind(int place, const std::optional<double>& value);
   /// Binds a column of the current row of another statement, of any database.
   Statement& bind(int place, const Statement& row, int column);
+  Statement& bind(int place, const Statement& row, const char* name) { return bind(place, row, row.column(name)); }
 
   /// Moves to the next row. Returns false after the last one; the statement can then be used again.
   bool next();

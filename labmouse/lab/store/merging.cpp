@@ -13,25 +13,16 @@ namespace {
 /// Number of conflicts that are listed.
 constexpr std::size_t named_conflicts = 10;
 
-/// The contests of the other store: four row ids, the seed, the timings, and then the columns that are copied
-/// unchanged.
+/// The contests of the other store.
 constexpr const char* their_contests =
-    "SELECT world, mouse, maze, build, seed, timings.figures, run, race_seed, outcome, outcome_order, never_started, "
-    "score, counted, ratio, fields, contests.figures, time "
+    "SELECT world, mouse, maze, seed, build, run, race_seed, outcome, outcome_order, never_started, score, counted, "
+    "ratio, fields, contests.figures AS figures, time, timings.figures AS timings "
     "FROM contests LEFT JOIN timings ON timings.contest = contests.id ORDER BY contests.id";
-/// Column numbers of that query.
-enum StoredColumn : int {
-  seed_column = 4,
-  clock_figures_column = 5,
-  first_copied_column = 6,
-  outcome_column = 8,
-  never_started_column = 10,
-  score_column = 11,
-  counted_column = 12,
-  ratio_column = 13,
-  figures_column = 15,
-  columns_count = 17,
-};
+/// The columns that are copied unchanged, in the order of add_contest_.
+constexpr std::array copied_columns = {"run",     "race_seed", "outcome", "outcome_order", "never_started", "score",
+                                       "counted", "ratio",     "fields",  "figures",       "time"};
+/// The columns that contests with the same results have in common besides the outcome, in the order of find_.
+constexpr std::array compared_columns = {"never_started", "score", "counted", "ratio", "figures"};
 
 /// Our id for a row of the other store, which is damaged if it refers to a missing row.
 std::int64_t number_of(const std::map<std::int64_t, std::int64_t>& numbers, std::int64_t theirs, Database& database) {
@@ -55,8 +46,8 @@ Merging::Merging(Database& ours)
       add_timing_(ours.prepare("INSERT INTO timings (contest, figures) VALUES (?1, ?2) ON CONFLICT DO NOTHING")),
       find_(ours.prepare(
           "SELECT id, outcome, score, never_started IS ?5 AND score IS ?6 AND counted IS ?7 AND ratio IS ?8 AND "
-          "figures IS ?9 FROM contests WHERE world = ?1 AND mouse = ?2 AND maze = ?3 AND seed = ?4")),
-      name_(ours.prepare("SELECT worlds.name, mice.name, mazes.name FROM worlds, mice, mazes "
+          "figures IS ?9 AS same FROM contests WHERE world = ?1 AND mouse = ?2 AND maze = ?3 AND seed = ?4")),
+      name_(ours.prepare("SELECT worlds.name AS world, mice.name AS mouse, mazes.name AS maze FROM worlds, mice, mazes "
                          "WHERE worlds.id = ?1 AND mice.id = ?2 AND mazes.id = ?3")) {}
 
 void Merging::add(Database& theirs, const std::string& path, Merge& merge) {
@@ -90,7 +81,7 @@ Merging::Numbers Merging::add_named(Database& theirs, const char* table, const s
       if (rest.empty() || place == 1) find.bind(place, read, place);
     }
     add.run();
-    while (find.next()) numbers[read.whole(0)] = find.whole(0);
+    while (find.next()) numbers[read.whole("id")] = find.whole("id");
   }
   return numbers;
 }
@@ -98,20 +89,21 @@ Merging::Numbers Merging::add_named(Database& theirs, const char* table, const s
 void Merging::add_bounds(Database& theirs) {
   Statement read = theirs.prepare("SELECT world, maze, bound FROM bounds");
   while (read.next()) {
-    const std::int64_t world = number_of(worlds_, read.whole(0), theirs);
-    add_bound_.bind(1, world).bind(2, number_of(mazes_, read.whole(1), theirs)).bind(3, read, 2).run();
+    const std::int64_t world = number_of(worlds_, read.whole("world"), theirs);
+    add_bound_.bind(1, world).bind(2, number_of(mazes_, read.whole("maze"), theirs)).bind(3, read, "bound").run();
   }
 }
 
 void Merging::add_contests(Database& theirs, const std::string& path, Merge& merge) {
   Statement row = theirs.prepare(their_contests);
   while (row.next()) {
-    const std::array<std::int64_t, 4> place = {number_of(worlds_, row.whole(0), theirs),
-                                               number_of(mice_, row.whole(1), theirs),
-                                               number_of(mazes_, row.whole(2), theirs), row.whole(seed_column)};
+    const std::array<std::int64_t, 4> place = {number_of(worlds_, row.whole("world"), theirs),
+                                               number_of(mice_, row.whole("mouse"), theirs),
+                                               number_of(mazes_, row.whole("maze"), theirs), row.whole("seed")};
     for (int i = 0; i < 4; ++i) add_contest_.bind(i + 1, place[static_cast<unsigned>(i)]);
-    add_contest_.bind(5, number_of(builds_, row.whole(3), theirs));
-    for (int column = first_copied_column; column < columns_count; ++column) add_contest_.bind(column, row, column);
+    add_contest_.bind(5, number_of(builds_, row.whole("build"), theirs));
+    int parameter = 6;
+    for (const char* column : copied_columns) add_contest_.bind(parameter++, row, column);
     add_contest_.run();
     if (!ours_.good() || !theirs.good()) return;
     if (ours_.changes() == 0) {
@@ -119,8 +111,7 @@ void Merging::add_contests(Database& theirs, const std::string& path, Merge& mer
       continue;
     }
     ++merge.added;
-    if (!row.is_null(clock_figures_column))
-      add_timing_.bind(1, ours_.last_row()).bind(2, row, clock_figures_column).run();
+    if (!row.is_null("timings")) add_timing_.bind(1, ours_.last_row()).bind(2, row, "timings").run();
   }
   if (unnamed_ > 0) merge.conflicts.push_back(fmt::format("and {} more in {}", unnamed_, shown(path)));
 }
@@ -129,15 +120,13 @@ void Merging::add_contests(Database& theirs, const std::string& path, Merge& mer
 void Merging::compare(const Statement& row, const std::array<std::int64_t, 4>& place, const std::string& path,
                       Merge& merge) {
   for (int i = 0; i < 4; ++i) find_.bind(i + 1, place[static_cast<unsigned>(i)]);
-  constexpr std::array<int, 5> results = {never_started_column, score_column, counted_column, ratio_column,
-                                          figures_column};
-  for (int i = 0; i < 5; ++i) find_.bind(i + 5, row, results[static_cast<unsigned>(i)]);
+  int parameter = 5;
+  for (const char* column : compared_columns) find_.bind(parameter++, row, column);
   while (find_.next()) {
     // An earlier version may have written the outcome under a former name.
-    if (find_.whole(3) != 0 && today_value(find_.text(1)) == today_value(row.text(outcome_column))) {
+    if (find_.whole("same") != 0 && today_value(find_.text("outcome")) == today_value(row.text("outcome"))) {
       ++merge.equal;
-      if (!row.is_null(clock_figures_column))
-        add_timing_.bind(1, find_.whole(0)).bind(2, row, clock_figures_column).run();
+      if (!row.is_null("timings")) add_timing_.bind(1, find_.whole("id")).bind(2, row, "timings").run();
     } else if (merge.conflicts.size() < named_conflicts) {
       merge.conflicts.push_back(conflict(row, place, path));
     } else {
@@ -150,9 +139,10 @@ std::string Merging::conflict(const Statement& row, const std::array<std::int64_
   for (int i = 0; i < 3; ++i) name_.bind(i + 1, place[static_cast<unsigned>(i)]);
   std::string line;
   while (name_.next())
-    line = shown(fmt::format("{}: {} in {} with seed {}, world {}: {}{} there, and {}{} otherwise", path, name_.text(1),
-                             name_.text(2), place[3], name_.text(0), row.text(outcome_column),
-                             score_words(row.real(score_column)), find_.text(1), score_words(find_.real(2))));
+    line =
+        shown(fmt::format("{}: {} in {} with seed {}, world {}: {}{} there, and {}{} otherwise", path,
+                          name_.text("mouse"), name_.text("maze"), place[3], name_.text("world"), row.text("outcome"),
+                          score_words(row.real("score")), find_.text("outcome"), score_words(find_.real("score"))));
   return line;
 }
 

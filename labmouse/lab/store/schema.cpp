@@ -124,9 +124,9 @@ std::string refuse(const std::string& path, Database::Access access) {
 /// The objects in a database's schema, such as "trigger x", with their SQL.
 std::map<std::string, std::string> objects_of(Database& database) {
   std::map<std::string, std::string> objects;
-  Statement rows =
-      database.prepare("SELECT type || ' ' || name, tbl_name || char(10) || ifnull(sql, '') FROM sqlite_master");
-  while (rows.next()) objects[rows.text(0)] = rows.text(1);
+  Statement rows = database.prepare(
+      "SELECT type || ' ' || name AS name, tbl_name || char(10) || ifnull(sql, '') AS text FROM sqlite_master");
+  while (rows.next()) objects[rows.text("name")] = rows.text("text");
   return objects;
 }
 

@@ -31,7 +31,7 @@ class Ids {
     const auto [place, is_new] = known_.try_emplace(text, 0);
     if (!is_new) return place->second;
     find_.bind(1, text);
-    while (find_.next()) place->second = find_.whole(0);
+    while (find_.next()) place->second = find_.whole("id");
     return place->second;
   }
 
@@ -66,7 +66,7 @@ class Writing {
     Statement find = database.prepare("SELECT id FROM builds WHERE version = ?1 AND compiler = ?2 AND processor = ?3");
     for (Statement* statement : {&add, &find}) statement->bind(1, version()).bind(2, compiler()).bind(3, processor());
     add.run();
-    while (find.next()) build_ = find.whole(0);
+    while (find.next()) build_ = find.whole("id");
   }
 
   /// Adds a contest. Returns whether it was new.

@@ -12,10 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/body/body.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
+#include "tests/body/body_in_a_maze.hpp"
+#include "tests/body/plain_mouse.hpp"
 
 namespace labmouse {
 namespace {
@@ -85,9 +86,7 @@ TEST(DriveLog, WithoutALogTheDriveIsWhatItWas) {
 TEST(DriveLog, KnowsWallsThatASensorSeesAlone) {
   const FoundRobot found = find_robot("kerise");
   const Hardware& hardware = *found.robot.hardware;
-  MazeDraft draft({2, 2}, MazeDraft::Inside::open);
-  const Maze maze(draft);
-  Body body(maze, 90.0, hardware, no_errors, 1);
+  test::BodyInAMaze body(test::hall(2), 90.0, hardware, no_errors);
   const auto rows = [&](const Position& position, double angle) {
     body.put(position, angle);
     std::vector<LoggedTick> ticks;

@@ -70,7 +70,7 @@ constexpr HalfPoint half_point(const DriveNode& node) {
 /// The direction of a node.
 /// @return eighths of a turn clockwise from north, 0 to 7; odd for diagonals.
 constexpr int eighths(const DriveNode& node) {
-  const int straight = 2 * static_cast<int>(node.heading);
+  const int straight = eighths(node.heading);
   return node.place == Place::left ? (straight + 7) % 8 : node.place == Place::right ? straight + 1 : straight;
 }
 
