@@ -28,6 +28,8 @@ struct PhysicalPart {
 
 /// A contest in seconds with everything that is needed to replay it.
 struct DriveRecordFile {
+  /// The name of the contest's world. Headers say "physical" for the failure model, too.
+  std::string world = "seconds";
   std::string version;  ///< version of the program that wrote the record; write_drive_record() writes the current one
   std::string maze_name;
   std::optional<Maze> maze;  ///< always set, and at most 32x32

@@ -80,7 +80,7 @@ class DriveReplay final : public Replay {
   std::optional<RecordedWorld> world() const override {
     const auto parts = file_.physical ? RobotParts::with_body : RobotParts::limits;
     Json conditions = {{"robot", robot_json(file_.model->robot, parts)}, {"rules", rules_json(file_.rules)}};
-    if (!file_.physical) return RecordedWorld{"seconds", std::move(conditions)};
+    if (!file_.physical) return RecordedWorld{file_.world, std::move(conditions)};
     const PhysicalPart& part = *file_.physical;
     const bool by_failure_model = part.notes.by_failure_model;
     if (part.edition != (by_failure_model ? failures_edition : physical_edition) || part.notes.foreign_parts)
@@ -88,10 +88,11 @@ class DriveReplay final : public Replay {
     if (!is_of_world(part.conditions)) return std::nullopt;
     for (const Condition& each : conditions_of(physical_rows, part.conditions))
       conditions[each.key] = json_of(each.value);
-    if (!by_failure_model) return RecordedWorld{"physical", std::move(conditions)};
-    conditions["failure_rates"] = part.failure_rates;
-    conditions["failure_rates_hash"] = part.rates_hash;
-    return RecordedWorld{"failures", std::move(conditions)};
+    if (by_failure_model) {
+      conditions["failure_rates"] = part.failure_rates;
+      conditions["failure_rates_hash"] = part.rates_hash;
+    }
+    return RecordedWorld{file_.world, std::move(conditions)};
   }
   Json play() const override { return play_json(file_); }
   std::string picture() const override { return draw_contest(file_); }
