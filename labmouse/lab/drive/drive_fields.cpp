@@ -175,7 +175,7 @@ constexpr auto seconds_mouse = joined(
          {"proven", [](const Race& r, const Standing& s) -> Value { return proven(r, s); }},
          {"decisions", count<&S::decisions>},
          {"replanned", count<&S::replanned>}}},
-    share_means);
+    share_means, fields::share_fields);
 constexpr auto seconds_table = joined(
     std::array<Column, 4>{{scored_column,
                            score_column,
@@ -216,7 +216,8 @@ constexpr auto seconds_table = joined(
           .text = [](const Race& r, const Standing& s) { return columns::number(mean_finished(r, s, "starts"), 1); },
           .key = "mean_starts",
           .meaning = "Mean number of starts in a contest.",
-          .digits = 1}}});
+          .digits = 1}}},
+    columns::share_columns);
 constexpr std::array<ComparedFigure, 2> seconds_compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
 
 // The worlds with errors.
@@ -271,7 +272,7 @@ constexpr auto physical_mouse =
                                        {"carried", count<&P::carried>},
                                        {"wrong_walls", count<&P::wrong_walls>},
                                        {"contradictions", count<&P::contradictions>}}},
-           share_means);
+           share_means, fields::share_fields);
 constexpr auto physical_table = joined(
     std::array<Column, 4>{
         {scored_column,
@@ -336,7 +337,8 @@ constexpr auto physical_table = joined(
           .text = count_text<&P::wrong_walls>,
           .key = "wrong_walls",
           .meaning = "Walls that the mouse took for closed where they are open, or for open where they are closed.",
-          .rare = true}}});
+          .rare = true}}},
+    columns::share_columns);
 
 // Do not change the order: existing stores have the figures in this order.
 

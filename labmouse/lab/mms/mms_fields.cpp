@@ -110,7 +110,7 @@ Value outcomes(const Race& race, const Standing& standing) {
   return JsonText{json.dump()};
 }
 
-constexpr std::array<MouseField, 15> mouse_fields = {
+constexpr std::array<MouseField, 15> own_mouse_fields = {
     {{"name", fields::name},
      {"finished", fields::finished},
      {"runs", fields::runs},
@@ -129,13 +129,14 @@ constexpr std::array<MouseField, 15> mouse_fields = {
      {"outcomes", outcomes},
      {"mean_visited_share",
       [](const Race& r, const Standing& s) -> Value { return value_of(mean_of_all(r, s, visited_share)); }}}};
+constexpr auto mouse_fields = joined(own_mouse_fields, fields::share_fields);
 
 /// With as many digits as its column has room for.
 std::string interval(const Race&, const Standing& standing) {
   return columns::interval(standing, standing.interval.high >= 1000 ? 0 : 1);
 }
 
-constexpr std::array<Column, 9> table = {
+constexpr std::array<Column, 9> own_columns = {
     {{.first = "", .second = "finished", .width = 8, .text = columns::finished},
      {.first = "mean",
       .second = "score",
@@ -186,6 +187,7 @@ constexpr std::array<Column, 9> table = {
       .meaning = "Mean time that a run took here, in seconds.",
       .digits = 2,
       .rare = true}}};
+constexpr auto all_columns = joined(own_columns, columns::share_columns);
 
 }  // namespace
 
@@ -194,7 +196,7 @@ const WorldFields& mms_fields() {
                                       .csv = csv_fields,
                                       .mouse = mouse_fields,
                                       .maze = maze_fields,
-                                      .columns = table,
+                                      .columns = all_columns,
                                       .figures = stored,
                                       .bound = "best_score"};
   return all;

@@ -29,6 +29,11 @@ Value interval(const Race&, const Standing& standing) {
   return JsonText{ReadJson{standing.interval.low, standing.interval.high}.dump()};
 }
 Value mean_ratio(const Race&, const Standing& standing) { return value_of(standing.mean_ratio); }
+Value mean_share(const Race&, const Standing& standing) { return value_of(standing.mean_share); }
+Value share_interval(const Race&, const Standing& standing) {
+  if (!standing.mean_share) return nullptr;
+  return JsonText{ReadJson{standing.share.low, standing.share.high}.dump()};
+}
 
 Value name(const Race& race, std::size_t maze) { return race.mazes[maze].name; }
 Value width(const Race& race, std::size_t maze) { return std::int64_t{race.mazes[maze].maze.size().width}; }
@@ -58,6 +63,13 @@ std::string finished(const Race&, const Standing& standing) {
 std::string mean_all(const Race&, const Standing& standing) { return number(standing.mean_all, 3); }
 std::string mean_finished(const Race&, const Standing& standing) { return number(standing.mean_finished, 3); }
 std::string mean_ratio(const Race&, const Standing& standing) { return number(standing.mean_ratio, 3); }
+std::string mean_share(const Race&, const Standing& standing) {
+  return standing.mean_share ? fmt::format("{:.1f}", 100.0 * *standing.mean_share) : "-";
+}
+std::string share_interval(const Race&, const Standing& standing) {
+  if (!standing.mean_share || standing.mazes < 2) return "-";
+  return fmt::format("{:.1f}-{:.1f}", 100.0 * standing.share.low, 100.0 * standing.share.high);
+}
 
 std::string interval(const Standing& standing, int digits) {
   const Interval& found = standing.interval;

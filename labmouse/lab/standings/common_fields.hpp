@@ -1,6 +1,7 @@
 // The fields of contests, mice and mazes that most worlds have, for their lists.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -37,6 +38,11 @@ Value mean_all(const Race& race, const Standing& standing);
 Value mean_finished(const Race& race, const Standing& standing);
 Value interval(const Race& race, const Standing& standing);
 Value mean_ratio(const Race& race, const Standing& standing);
+Value mean_share(const Race& race, const Standing& standing);
+Value share_interval(const Race& race, const Standing& standing);
+/// Both.
+inline constexpr std::array<MouseField, 2> share_fields = {
+    {{"share_of_best", mean_share}, {"share_interval", share_interval}}};
 
 // Of a maze.
 Value name(const Race& race, std::size_t maze);
@@ -62,6 +68,31 @@ std::string finished(const Race& race, const Standing& standing);
 std::string mean_all(const Race& race, const Standing& standing);
 std::string mean_finished(const Race& race, const Standing& standing);
 std::string mean_ratio(const Race& race, const Standing& standing);
+std::string mean_share(const Race& race, const Standing& standing);
+std::string share_interval(const Race& race, const Standing& standing);
+/// Both, as percentages.
+inline constexpr std::array<Column, 2> share_columns = {
+    {{.first = "share of",
+      .second = "best, %",
+      .width = 8,
+      .text = mean_share,
+      .key = "share_of_best",
+      .meaning = "Mean share of the best possible score over all contests, in percent: the best possible score of the "
+                 "maze divided by the mouse's; 0 for a contest without a score.",
+      .digits = 1,
+      .higher_is_better = true,
+      .factor = 100.0,
+      .rare = true},
+     {.first = "95 % of",
+      .second = "share",
+      .width = 9,
+      .text = share_interval,
+      .key = "share_interval",
+      .meaning = "95 % interval of the share of the best possible score over the mazes, in percent.",
+      .digits = 1,
+      .higher_is_better = true,
+      .factor = 100.0,
+      .rare = true}}};
 /// "38.1-39.4" with so many digits, "-" without a mean or with fewer than two mazes.
 std::string interval(const Standing& standing, int digits);
 

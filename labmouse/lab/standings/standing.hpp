@@ -23,6 +23,9 @@ struct Standing {
   Interval interval_at_limit;
   /// Of the share of contests with a score, over mazes.
   Interval finished_share;
+  /// Mean of share_of_best() over all contests, and its interval over mazes; nothing where no contest has one.
+  std::optional<double> mean_share;
+  Interval share;
   /// Over the contests with a score; nothing where there is none.
   std::optional<double> mean_finished;
   std::optional<double> mean_ratio;  ///< score over the maze's bound

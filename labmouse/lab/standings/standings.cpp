@@ -43,6 +43,20 @@ void set_intervals(const Race& race, Standing& standing) {
   }));
 }
 
+void set_share(const Race& race, Standing& standing) {
+  std::vector<MazeSum> sums(race.mazes.size());
+  for (const ContestResult& contest : race.results) {
+    const auto share = contest.mouse == standing.mouse ? share_of_best(race, contest) : std::nullopt;
+    if (!share) continue;
+    sums[contest.maze].sum += *share;
+    sums[contest.maze].count += 1.0;
+  }
+  if (std::all_of(sums.begin(), sums.end(), [](const MazeSum& sum) { return sum.count == 0.0; })) return;
+  standing.mean_share = mean_of(sums);
+  const Interval found = interval_of(sums, race.order.seed);
+  standing.share = including({std::max(found.low, 0.0), std::min(found.high, 1.0)}, *standing.mean_share);
+}
+
 Standing standing_of(const Race& race, std::size_t mouse) {
   Standing standing;
   standing.mouse = mouse;
@@ -62,10 +76,17 @@ Standing standing_of(const Race& race, std::size_t mouse) {
   standing.mean_finished = mean_if_any(finished);
   standing.mean_ratio = mean_if_any(ratios);
   set_intervals(race, standing);
+  set_share(race, standing);
   return standing;
 }
 
 }  // namespace
+
+std::optional<double> share_of_best(const Race& race, const ContestResult& contest) {
+  if (!counts(race, contest) || contest.score.has_value() != contest.ratio.has_value()) return std::nullopt;
+  if (!contest.ratio) return 0.0;
+  return *contest.ratio <= 1.0 ? 1.0 : 1.0 / *contest.ratio;
+}
 
 Interval among_scores(const Interval& interval, const ScorePlace& place) {
   // + 0.0 turns -0.0 into 0.

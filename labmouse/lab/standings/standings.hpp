@@ -9,6 +9,10 @@
 
 namespace labmouse {
 
+/// The bounded score of a contest: the best possible score of its maze divided by its score, at most 1; 0 without a
+/// score. Nothing where the contest does not count, or where scores have no ratio, as those that are not positive.
+std::optional<double> share_of_best(const Race& race, const ContestResult& contest);
+
 /// The standings, best mean over all first. If failed contests count nothing, mice are first ordered by their
 /// number of finished contests. Ties are broken by the world's tie breaker, then by name.
 std::vector<Standing> standings_of(const Race& race);

@@ -95,7 +95,7 @@ double microseconds_per_decision(const Race& race, const Standing& standing) {
   return decisions > 0 ? spent / decisions : 0.0;
 }
 
-constexpr std::array<MouseField, 15> mouse_fields = {
+constexpr std::array<MouseField, 15> own_mouse_fields = {
     {{"name", fields::name},
      {"parameters", fields::parameters},
      {"contestant", fields::contestant},
@@ -116,6 +116,7 @@ constexpr std::array<MouseField, 15> mouse_fields = {
       [](const Race& r, const Standing& s) -> Value { return value_of(mean_of_all(r, s, visited_share)); }},
      {"microseconds_per_decision",
       [](const Race& r, const Standing& s) -> Value { return microseconds_per_decision(r, s); }}}};
+constexpr auto mouse_fields = joined(own_mouse_fields, fields::share_fields);
 
 std::string best_runs(const Race& race, const Standing& standing) {
   return standing.runs > 0 ? fmt::format("{:.1f}", 100.0 * optimal_share(race, standing)) : "-";
@@ -127,7 +128,7 @@ std::string us_a_step(const Race& race, const Standing& standing) {
 }
 
 // With the built-in mice a line fits into 90 columns.
-constexpr std::array<Column, 9> table = {
+constexpr std::array<Column, 9> own_columns = {
     {{.first = "", .second = "finished", .width = 8, .text = columns::finished},
      {.first = "mean",
       .second = "score",
@@ -183,6 +184,7 @@ constexpr std::array<Column, 9> table = {
       .meaning = "Mean time per decision, in microseconds: the only figure that changes from race to race.",
       .digits = 2,
       .rare = true}}};
+constexpr auto all_columns = joined(own_columns, columns::share_columns);
 
 }  // namespace
 
@@ -191,7 +193,7 @@ const WorldFields& steps_fields() {
                                       .csv = csv_fields,
                                       .mouse = mouse_fields,
                                       .maze = maze_fields,
-                                      .columns = table,
+                                      .columns = all_columns,
                                       .figures = stored,
                                       .bound_meaning = "best possible score, that of a mouse that knows the maze"};
   return all;

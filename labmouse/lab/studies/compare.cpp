@@ -9,19 +9,13 @@
 
 #include "labmouse/chance/rng.hpp"
 #include "labmouse/lab/races/never_started.hpp"
+#include "labmouse/lab/standings/standings.hpp"
 
 namespace labmouse {
 namespace {
 
 /// So many mazes are raced in at once: enough for many threads, few to be held in vain after the last verdict.
 constexpr std::size_t batch = 32;
-
-/// Nothing where the contest does not count, or the world has no ratio for a score.
-std::optional<double> share_of_best(const Race& race, const ContestResult& contest) {
-  if (!counts(race, contest) || contest.score.has_value() != contest.ratio.has_value()) return std::nullopt;
-  if (!contest.ratio) return 0.0;
-  return *contest.ratio <= 1.0 ? 1.0 : 1.0 / *contest.ratio;
-}
 
 /// Whether one contest in each maze of the list is all that there is. Whether external mice are stochastic is unknown.
 bool is_exact(const std::vector<Contestant>& mice, const CompareOrder& order) {

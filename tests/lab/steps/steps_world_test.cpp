@@ -312,6 +312,7 @@ TEST(Standings, CountAFailureAsAHundred) {
   EXPECT_EQ(standing.finished, 1);
   EXPECT_DOUBLE_EQ(standing.mean_finished.value(), 4.0);
   EXPECT_DOUBLE_EQ(standing.mean_all.value(), 52.0);
+  EXPECT_DOUBLE_EQ(standing.mean_share.value(), 3.0 / 4.0 / 2);
 }
 
 TEST(Standings, AreSortedByTheMeanOverAll) {
@@ -324,6 +325,7 @@ TEST(Standings, AreSortedByTheMeanOverAll) {
 TEST(Standings, CountWhatTheTableShows) {
   const Standing standing = standing_of(made_up(), "flood");
   EXPECT_DOUBLE_EQ(standing.mean_ratio.value(), (6.0 / 3.0 + 8.0 / 8.0) / 2);
+  EXPECT_DOUBLE_EQ(standing.mean_share.value(), (3.0 / 6.0 + 8.0 / 8.0) / 2);
   EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "mean_search_steps"), 90.0);
   EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "mean_speed_over_optimum"), 0.5);
   EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "optimal_share"), 0.5);

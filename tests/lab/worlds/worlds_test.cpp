@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/result_folders/race_folder.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
+#include "labmouse/lab/standings/mouse_figures.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
@@ -144,6 +146,15 @@ TEST_P(AWorld, HasStandingsBestFirst) {
     EXPECT_LE(standing.interval.low, *standing.mean_all);
     EXPECT_GE(standing.interval.high, *standing.mean_all);
     EXPECT_EQ(figure_of(held, standing, "runs"), Value(standing.runs));
+    std::vector<double> shares;
+    for (const ContestResult& contest : held.results)
+      if (contest.mouse == standing.mouse && counts(held, contest))
+        shares.push_back(contest.score ? std::min(1.0, 1.0 / *contest.ratio) : 0.0);
+    EXPECT_NEAR(*standing.mean_share, mean_if_any(shares).value(), 1e-12);
+    EXPECT_LE(0.0, standing.share.low);
+    EXPECT_LE(standing.share.low, *standing.mean_share);
+    EXPECT_LE(*standing.mean_share, standing.share.high);
+    EXPECT_LE(standing.share.high, 1.0);
   }
   EXPECT_GT(standings[0].finished, 0);
   EXPECT_GE(*standings[0].mean_ratio, 1.0 - 1e-9);
