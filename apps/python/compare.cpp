@@ -36,14 +36,17 @@ struct HeldComparison {
 using GivenGenerator = std::tuple<std::string, int, int, int>;
 /// better_by, alpha, beta, whether the test is gsprt, most mazes, seed, and number of threads.
 using GivenTest = std::tuple<double, double, double, bool, std::size_t, std::uint64_t, int>;
+/// The batch to run; none for a whole comparison.
+using GivenPart = std::optional<std::size_t>;
 
 /// A comparison that runs in a thread.
 class RunningComparison {
  public:
   RunningComparison(const GivenMice& mice, bool first_is_own, std::vector<NamedMaze> mazes,
                     const GivenGenerator& generator, const GivenWorld& world, const GivenTest& test,
-                    const GivenStore& store) {
+                    const GivenStore& store, const GivenPart& part) {
     CompareOrder order;
+    order.part = part;
     bool gsprt = false;
     std::tie(order.test.better_by, order.test.alpha, order.test.beta, gsprt, order.most, order.race.seed,
              order.race.jobs) = test;
@@ -68,6 +71,7 @@ class RunningComparison {
     work_.start([this, order, all = std::move(field.entry.mice)]() mutable {
       CompareHooks hooks;
       hooks.stop = &work_.stopped();
+      hooks.lacks = [this] { return !store_->missing().empty(); };
       hooks.advanced = [this](const Compared& compared) {
         while (work_.done() < compared.mazes) work_.advance(compared.order.most);
       };
@@ -125,9 +129,12 @@ void bind_comparisons(nb::module_& module) {
       .def("json", [](const HeldComparison& held) { return json_of(held.compared); });
   nb::class_<RunningComparison> comparison(module, "RunningComparison");
   comparison.def(nb::init<const GivenMice&, bool, std::vector<NamedMaze>, const GivenGenerator&, const GivenWorld&,
-                          const GivenTest&, const GivenStore&>(),
-                 "mice"_a, "first_is_own"_a, "mazes"_a, "generator"_a, "world"_a, "test"_a, "store"_a);
+                          const GivenTest&, const GivenStore&, const GivenPart&>(),
+                 "mice"_a, "first_is_own"_a, "mazes"_a, "generator"_a, "world"_a, "test"_a, "store"_a,
+                 "part"_a = nb::none());
   bind_running(comparison);
+  module.def("batch_of", &batch_of, "maze"_a,
+             "The batch of a comparison in which a drawn maze of that name is raced in.");
 }
 
 }  // namespace labmouse::python

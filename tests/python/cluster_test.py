@@ -216,6 +216,25 @@ def test_a_study_and_a_sweep_are_those_of_one_machine(client, tmp_path):
     assert results(swept).equals(results(labmouse.race(["flood:stride=1", "flood:stride=2"], mazes)))
 
 
+def test_a_comparison_is_that_of_one_machine(client, tmp_path):
+    order = {"size": 8, "seed": 5, "most": 400}
+    for number, (first, candidates) in enumerate([("certify", "flood,random"), ("flood", {"own": Quitter})]):
+        store = tmp_path / f"{number}.db"
+        alone = labmouse.compare(first, candidates, **order)
+        spread = cluster.compare(client, first, candidates, store=store, **order)
+        assert spread.complete and spread.data == alone.data and spread.from_store == 0
+        assert spread.data["mazes"] > 32  # several batches
+        again = labmouse.compare(first, candidates, store=store, **order)
+        assert again.data == alone.data and again.from_store > 64
+    listed = labmouse.compare("certify", "flood", MAZES)
+    spread = cluster.compare(client, "certify", "flood", MAZES, store=tmp_path / "listed.db")
+    assert listed.data["exact"] and spread.data == listed.data
+    drawn = labmouse.compare("certify", "random", MAZES, seed=2)
+    assert cluster.compare(client, "certify", "random", MAZES, seed=2, store=tmp_path / "drawn.db").data == drawn.data
+    with pytest.raises(labmouse.Error, match="better_by"):
+        cluster.compare(client, "certify", "flood", better_by=7, store=tmp_path / "a.db")
+
+
 def test_a_sweep_races_all_combinations_of_two_parameters(client, tmp_path):
     mazes, values = MAZES[:2], [(bias, join) for bias in (1, 2.5) for join in (True, False)]
     swept = cluster.sweep(client, "two-way", {"bias": [1, 2.5], "join_legs": (True, False)}, mazes, store=tmp_path / "a.db")

@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 class Verdicts:
     """The results of a comparison; `compare` returns it."""
 
-    def __init__(self, held: _native.HeldComparison) -> None:
+    def __init__(self, held: _native.HeldComparison, from_store: "int | None" = None) -> None:
         self._held = held
+        self._from_store = held.from_store if from_store is None else from_store
         #: The output of `labmouse compare --format json`.
         self.data: dict[str, Any] = json.loads(held.json())
 
@@ -32,7 +33,7 @@ class Verdicts:
     @property
     def from_store(self) -> int:
         """The number of contests that were taken from the store and not run."""
-        return self._held.from_store
+        return self._from_store
 
     @property
     def verdict(self) -> str:
@@ -61,6 +62,28 @@ def _share(name: str, value: Any, low: float, high: float) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not low <= value <= high:
         raise Error(f"{name} is a number from {low:g} to {high:g}, not {shown(value)}")
     return float(value)
+
+
+def compared(first: AnyMouse, candidates: Mice) -> "tuple[Given, bool]":
+    """All mice, the first one in front of its kind, and whether it is one in Python."""
+    one, others = given(first), given(candidates)
+    if len(one.specs) + len(one.own) != 1:
+        raise Error("'first' is one mouse; the others are 'candidates'")
+    return Given(one.specs + others.specs, one.own + others.own), bool(one.own)
+
+
+def test_of(better_by: float, alpha: float, beta: float, test: str, most: int) -> "tuple[float, float, float, bool, int]":
+    """The checked numbers of the test."""
+    if test not in ("bets", "gsprt"):
+        raise Error(f"test is 'bets' or 'gsprt', not {shown(test)}")
+    return (_share("better_by", better_by, 0.0001, 0.5), _share("alpha", alpha, 1e-6, 0.5), _share("beta", beta, 1e-6, 0.5),
+            test == "gsprt", whole("most", most, 1, 1_000_000))
+
+
+def generator_of(generator: str, size: "int | tuple[int, int]", loops: float) -> "tuple[str, int, int, int]":
+    """The checked generator of mazes."""
+    width, height = size if isinstance(size, tuple) and len(size) == 2 else (size, size)
+    return generator, whole("size", width, 1, 64), whole("size", height, 1, 64), int(_share("loops", loops, 0.0, 1.0) * 1000 + 0.5)
 
 
 def compare(
@@ -102,19 +125,12 @@ def compare(
     `partial` is the Verdicts so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    one, others = given(first), given(candidates)
-    if len(one.specs) + len(one.own) != 1:
-        raise Error("'first' is one mouse; the others are 'candidates'")
-    who = Given(one.specs + others.specs, one.own + others.own)
-    if test not in ("bets", "gsprt"):
-        raise Error(f"test is 'bets' or 'gsprt', not {shown(test)}")
-    numbers = (_share("better_by", better_by, 0.0001, 0.5), _share("alpha", alpha, 1e-6, 0.5), _share("beta", beta, 1e-6, 0.5),
-               test == "gsprt", whole("most", most, 1, 1_000_000), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024))
-    width, height = size if isinstance(size, tuple) and len(size) == 2 else (size, size)
-    kind = (generator, whole("size", width, 1, 64), whole("size", height, 1, 64), int(_share("loops", loops, 0.0, 1.0) * 1000 + 0.5))
+    who, first_is_own = compared(first, candidates)
+    numbers = (*test_of(better_by, alpha, beta, test, most), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024))
+    kind = generator_of(generator, size, loops)
     kept = path("store", "" if store is None else store)
     workers = for_mice(who.own, numbers[-1])
     return result_of(
-        lambda: _native.RunningComparison(who.native(workers, label, store is not None), bool(one.own),
+        lambda: _native.RunningComparison(who.native(workers, label, store is not None), first_is_own,
                                           [] if mazes is None else mazes_of(mazes), kind, chosen, numbers, (kept, None, "keep")),
         Verdicts, progress, workers)

@@ -1,4 +1,4 @@
-"""Races, studies and sweeps on a Dask cluster: docs/how-to/clusters-and-stores.md.
+"""Races, studies, sweeps and comparisons on a Dask cluster: docs/how-to/clusters-and-stores.md.
 
 Needs Dask: run `pip install -v '.[cluster]'` in the source folder of labmouse.
 """
@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from . import _native
 from ._arguments import LARGEST_SEED, path, runs_given, shown, whole
-from ._mice import Mice, _python, given
+from ._comparisons import Verdicts, compared, generator_of, test_of
+from ._mice import AnyMouse, Given, Mice, _python, given
 from ._native import Error, Maze
 from ._progress import Interrupted, finish
 from ._races import Race
@@ -30,11 +31,11 @@ from ._worlds import Mazes, Setting, mazes_of, world_with
 if TYPE_CHECKING:
     from distributed import Client
 
-__all__ = ["race", "study", "sweep"]
+__all__ = ["compare", "race", "study", "sweep"]
 
 #: The name of a mouse, that of a maze, and the number of the run.
 _Contest = tuple[str, str, int]
-_Running = Union[_native.RunningRace, _native.RunningStudy]
+_Running = Union[_native.RunningRace, _native.RunningStudy, _native.RunningComparison]
 
 #: Contests of similar duration: (name of the mouse, number of cells of the maze).
 _Kind = tuple[str, int]
@@ -55,8 +56,16 @@ _SECONDS_BETWEEN_QUESTIONS = 1.0
 _SECONDS_FOR_AN_ANSWER = 10.0
 
 
-#: The one kind of all contests of a study, whose time includes the training of mice.
+#: The one kind of all contests of a study, whose time includes the training of mice, and of a comparison.
 _ANY: _Kind = ("", 0)
+
+
+class _Comparison(NamedTuple):
+    """What a comparison has beside mice and world."""
+
+    first_is_own: bool
+    generator: "tuple[str, int, int, int]"
+    test: "tuple[float, float, float, bool, int]"
 
 
 class _Plan(NamedTuple):
@@ -70,17 +79,23 @@ class _Plan(NamedTuple):
     runs: "int | None"
     seed: int
     folds: "tuple[int, bool] | None"
-    """For a study: (number of folds, whether mice learn); None for a race."""
+    """For a study: (number of folds, whether mice learn)."""
+    comparison: "_Comparison | None" = None
 
-    def begin(self, mazes: "list[Maze]", store: "tuple[str, list[_Contest] | None, str]", jobs: int = 0) -> "_Part":
+    def begin(self, mazes: "list[Maze]", store: "tuple[str, list[_Contest] | None, str]", jobs: int = 0,
+              batch: "int | None" = None) -> "_Part":
         """Starts the contests. store: (path, contests to run if it does not have them or None for all, use). The use is
-        "keep", "read" (runs none) or "send" (a temporary file, whose content goes to the client)."""
+        "keep", "read" (runs none) or "send" (a temporary file, whose content goes to the client). batch: of a comparison,
+        the only one to run."""
         workers = Workers([data for _, data, _, _ in self.own], jobs or processors()) if self.own else None
         own = [(name, None, uses_chance, workers.elsewhere(number), identity)
                for number, (name, _, uses_chance, identity) in enumerate(self.own) if workers is not None]
         mice = self.specs, own, _python(), self.label
         running: _Running
-        if self.folds is None:
+        if self.comparison is not None:
+            first_is_own, generator, test = self.comparison
+            running = _native.RunningComparison(mice, first_is_own, mazes, generator, self.world, (*test, self.seed, jobs), store, batch)
+        elif self.folds is None:
             running = _native.RunningRace(mice, mazes, self.world, self.runs, self.seed, jobs, "", False, store)
         else:
             running = _native.RunningStudy(mice, mazes, self.world, (*self.folds, self.runs, self.seed, jobs), store)
@@ -113,15 +128,16 @@ class _Part:
 def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[bytes, _Spent]":
     """The task of a Dask worker: runs contests. Returns the content of a store with them, and their times."""
     begin = time.perf_counter()
+    batch = _native.batch_of(picked[0][1]) if plan.comparison else None
     with tempfile.TemporaryDirectory() as folder:
         store = os.path.join(folder, "part.db")
-        part = plan.begin(mazes, (store, picked, "send"), 1)
+        part = plan.begin(mazes, (store, picked, "send"), 1, batch)
         with part as running:
             while not running.wait(1.0):
                 pass
             running.result()
-        # The times of a race exclude the overhead of the task, which does not grow with the number of contests. A study
-        # does not measure its contests, so its time is that of the whole task.
+        # The times of a race exclude the overhead of the task, which does not grow with the number of contests. Studies and
+        # comparisons do not measure their contests, so their time is that of the whole task.
         spent = running.spent() if isinstance(running, _native.RunningRace) else {_ANY: (len(picked), time.perf_counter() - begin)}
         del running, part  # closes the store
         return Path(store).read_bytes(), spent
@@ -137,13 +153,12 @@ class _Spread:
         self.store = store
         self.by_name = {maze.name: maze for maze in mazes}
         self.cells = {maze.name: maze.width * maze.height for maze in mazes}
+        self.waiting: collections.deque[_Contest] = collections.deque()
         missing, self.from_store, settings = plan.missing(mazes, store)
         # A worker gets some of the mazes only, so it cannot know the defaults that depend on all of them.
         self.plan = plan._replace(world=(plan.world[0], settings))
-        # Sorted by maze: each task computes the bounds of its mazes again.
-        self.waiting = collections.deque(sorted(missing, key=lambda contest: (contest[1], contest[0], contest[2])))
-        self.all = self.from_store + len(missing)
-        self.done = self.from_store
+        self.done = self.all = self.from_store
+        self._take(missing)
         self.remarks: list[str] = []
         self.futures: dict[Any, list[_Contest]] = {}
         self.finished: queue.SimpleQueue[Any] = queue.SimpleQueue()
@@ -156,7 +171,10 @@ class _Spread:
     def wait(self, seconds: float) -> bool:
         """Submits tasks and merges finished ones; may wait for one. Returns whether all contests are in the store."""
         if not self.futures and not self.waiting:
-            return True
+            if self.plan.comparison:
+                self._take(self.plan.missing(self.mazes, self.store)[0])
+            if not self.waiting:
+                return True
         self._count_threads()
         if self.client.status == "running":
             self._submit()
@@ -169,6 +187,11 @@ class _Spread:
             pass
         self._merge([part for future in ended for part in self._part(future)])
         return False
+
+    def _take(self, missing: "list[_Contest]") -> None:
+        # Sorted by maze: each task computes the bounds of its mazes again.
+        self.waiting.extend(sorted(missing, key=lambda contest: (contest[1], contest[0], contest[2])))
+        self.all += len(missing)
 
     def stop(self) -> None:
         """Cancels all tasks that are not done."""
@@ -204,6 +227,8 @@ class _Spread:
             enough, seconds = len(self.waiting) / (2 * threads), 0.0
             picked: list[_Contest] = []
             while self.waiting and seconds < (_SECONDS_A_TASK if len(picked) < enough else _SECONDS_A_LAST_TASK):
+                if picked and self.plan.comparison and _native.batch_of(self.waiting[0][1]) != _native.batch_of(picked[0][1]):
+                    break
                 picked.append(self.waiting.popleft())
                 seconds += self._seconds_of(picked[-1])
             self._send(picked)
@@ -211,7 +236,8 @@ class _Spread:
     def _seconds_of(self, contest: _Contest) -> float:
         """Expected time of a contest in s. Kinds with few measurements get a high value, so that tasks stay small."""
         mouse, maze, _ = contest
-        number, seconds = self.spent.get(_ANY if self.plan.folds else (mouse, self.cells[maze]), (1.0, 0.0))
+        kind = (mouse, self.cells[maze]) if self._is_race() else _ANY
+        number, seconds = self.spent.get(kind, (1.0, 0.0))
         return max(seconds / number, _SECONDS_A_TASK / (_FIRST * number))
 
     def _send(self, picked: "list[_Contest]") -> None:
@@ -219,8 +245,11 @@ class _Spread:
         self._await(future, picked)
 
     def _mazes_of(self, picked: "list[_Contest]") -> "list[Maze]":
-        """The mazes that these contests need. A study needs all of them to make its folds."""
-        return self.mazes if self.plan.folds else [self.by_name[name] for name in sorted({maze for _, maze, _ in picked})]
+        """The mazes that these contests need. Studies and comparisons need all of them for folds, and to draw from."""
+        return [self.by_name[name] for name in sorted({maze for _, maze, _ in picked})] if self._is_race() else self.mazes
+
+    def _is_race(self) -> bool:
+        return self.plan.folds is None and self.plan.comparison is None
 
     def _await(self, future: Any, picked: "list[_Contest]") -> None:
         self.futures[future] = picked
@@ -282,21 +311,20 @@ def _other_contests(store: str) -> Error:
                  "give all machines the same labmouse, the same Python and the same files of external mice")
 
 
-def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
+def _spread(client: "Client", who: Given, mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
             numbers: "tuple[int | None, int]", folds: "tuple[int, bool] | None", progress: "bool | None",
-            patience: float, chosen: "tuple[str, dict[str, str]]") -> "tuple[Any, int, bool]":
+            patience: float, chosen: "tuple[str, dict[str, str]]", comparison: "_Comparison | None" = None) -> "tuple[Any, int, bool]":
     if not hasattr(client, "submit"):
         raise Error(f"client is a distributed.Client, not {shown(client)}")
     runs, seed = numbers
     numbers = runs_given(runs), whole("seed", seed, 0, LARGEST_SEED)
     if folds is not None:
         folds = whole("folds", folds[0], 2, 1_000_000), folds[1]
-    who = given(mice)
     specs, native, _, known = who.native(None, label, True)
     own = [(name, data, uses_chance, identity)
            for (name, _, uses_chance, _, identity), data in zip(native, snapshot(who.own))]
-    plan = _Plan(specs, own, known, chosen, *numbers, folds)
-    field = mazes_of(mazes) or _native.find_mazes([])
+    plan = _Plan(specs, own, known, chosen, *numbers, folds, comparison)
+    field = [] if comparison and mazes is None else mazes_of(mazes) or _native.find_mazes([])
     kept = path("store", store)
     spread = _Spread(client, plan, field, kept, patience)
     try:
@@ -339,7 +367,7 @@ def race(
     robots and rules under the same paths. Raises Error. Ctrl-C raises Interrupted, whose `partial` is the Race so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    held, from_store, stopped = _spread(client, mice, mazes, store, label, (runs, seed), None, progress, patience, chosen)
+    held, from_store, stopped = _spread(client, given(mice), mazes, store, label, (runs, seed), None, progress, patience, chosen)
     race = Race(held, from_store)
     if stopped:
         raise Interrupted(race)
@@ -371,11 +399,53 @@ def study(
     other arguments as in `labmouse.study`. Raises Error. Ctrl-C raises Interrupted; its `partial` is the Study so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    held, from_store, stopped = _spread(client, mice, mazes, store, label, (runs, seed), (folds, learning), progress, patience, chosen)
+    held, from_store, stopped = _spread(client, given(mice), mazes, store, label, (runs, seed), (folds, learning), progress, patience, chosen)
     study = Study(held, from_store)
     if stopped:
         raise Interrupted(study)
     return study
+
+
+def compare(
+    client: "Client",
+    first: AnyMouse,
+    candidates: Mice,
+    mazes: "Mazes | None" = None,
+    *,
+    store: "str | os.PathLike[str]",
+    better_by: float = 0.02,
+    alpha: float = 0.05,
+    beta: float = 0.05,
+    test: str = "bets",
+    most: int = 5000,
+    generator: str = "contest",
+    size: "int | tuple[int, int]" = 16,
+    loops: float = 0.0,
+    world: "str | None" = None,
+    robot: "str | os.PathLike[str] | None" = None,
+    rules: "str | os.PathLike[str] | None" = None,
+    budget: "int | None" = None,
+    seed: int = 1,
+    progress: "bool | None" = None,
+    label: "str | None" = None,
+    patience: float = 300.0,
+    **settings: Setting,
+) -> Verdicts:
+    """Races mice against a first one until it is decided which is better, on the workers of a `distributed.Client`, with the
+    same numbers as `labmouse.compare`.
+
+    The workers run up to twice as many contests as the verdict needs, because they go on while it is not known. `store` and
+    `patience` are as in `race`, all other arguments as in `labmouse.compare`. Raises Error. Ctrl-C raises Interrupted; its
+    `partial` is the Verdicts so far.
+    """
+    chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
+    who, first_is_own = compared(first, candidates)
+    comparison = _Comparison(first_is_own, generator_of(generator, size, loops), test_of(better_by, alpha, beta, test, most))
+    held, from_store, stopped = _spread(client, who, mazes, store, label, (None, seed), None, progress, patience, chosen, comparison)
+    verdicts = Verdicts(held, from_store)
+    if stopped:
+        raise Interrupted(verdicts)
+    return verdicts
 
 
 def sweep(

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "labmouse/chance/rng.hpp"
+#include "labmouse/functions/parse_number.hpp"
 #include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 
@@ -50,16 +51,27 @@ class Comparing {
   }
 
   Compared hold() && {
+    const std::vector<NamedMaze>& list = compared_.order.mazes.list;
+    if (compared_.order.part) {
+      static_cast<void>(compared_.exact
+                            ? race_in(list, compared_.order.race)
+                            : race_in(mazes_from(*compared_.order.part), order_from(*compared_.order.part)));
+      compared_.stopped = true;
+      return finished();
+    }
     if (compared_.exact) {
-      race_in(compared_.order.mazes.list, compared_.order.race);
+      add(race_in(list, compared_.order.race));
       for (ComparedMouse& candidate : compared_.candidates) decide_exactly(candidate);
       return finished();
     }
+    std::size_t begin = 0;
     while (compared_.mazes < compared_.order.most && is_undecided() && !is_pointless()) {
-      race_in_drawn(std::min(batch, compared_.order.most - compared_.mazes));
+      begin = compared_.mazes;
+      race_from(begin);
       show(false);
       if (hooks_.advanced) hooks_.advanced(compared_);
     }
+    if (lacks()) look_ahead(begin);
     show(true);
     return finished();
   }
@@ -95,29 +107,54 @@ class Comparing {
     });
   }
 
-  void race_in_drawn(std::size_t count) {
+  bool lacks() const { return hooks_.lacks && hooks_.lacks(); }
+
+  /// The size of the batch that begins with the maze of that number.
+  std::size_t count_from(std::size_t begin) const { return std::min(batch, compared_.order.most - begin); }
+
+  RaceOrder order_from(std::size_t begin) const {
     RaceOrder order = compared_.order.race;
-    order.seed = seed_for(order.seed, "contests", compared_.mazes);
-    order.first_told = compared_.mazes;
+    order.seed = seed_for(order.seed, "contests", begin);
+    order.first_told = begin;
+    return order;
+  }
+
+  /// The mazes of that batch, without those that the world refuses.
+  std::vector<NamedMaze> mazes_from(std::size_t begin) const {
     std::vector<NamedMaze> mazes;
-    for (std::size_t i = 0; i < count; ++i) {
-      NamedMaze maze = drawn_maze(compared_.order.mazes, compared_.order.race.seed, compared_.mazes + i);
-      if (order.world->refuse(maze.maze).empty()) mazes.push_back(std::move(maze));
+    for (std::size_t i = 0; i < count_from(begin); ++i) {
+      NamedMaze maze = drawn_maze(compared_.order.mazes, compared_.order.race.seed, begin + i);
+      if (compared_.order.race.world->refuse(maze.maze).empty()) mazes.push_back(std::move(maze));
     }
-    const std::size_t refused = count - mazes.size();
-    race_in(std::move(mazes), order);
+    return mazes;
+  }
+
+  void race_from(std::size_t begin) {
+    std::vector<NamedMaze> mazes = mazes_from(begin);
+    const std::size_t refused = count_from(begin) - mazes.size();
+    add(race_in(std::move(mazes), order_from(begin)));
     compared_.mazes += refused;
     compared_.skipped += refused;
   }
 
-  void race_in(std::vector<NamedMaze> mazes, const RaceOrder& order) {
+  /// Lets the store see the contests of as many mazes as were raced in.
+  void look_ahead(std::size_t begin) const {
+    const std::size_t end = std::min(compared_.order.most, 2 * begin);
+    for (std::size_t ahead = begin + batch; ahead < end; ahead += batch)
+      static_cast<void>(race_in(mazes_from(ahead), order_from(ahead)));
+  }
+
+  Race race_in(std::vector<NamedMaze> mazes, const RaceOrder& order) const {
     std::vector<Contestant> mice = {mice_.front()};
     for (std::size_t i = 0; i < tests_.size(); ++i)
       if (compared_.candidates[i].verdict == SequentialVerdict::undecided) mice.push_back(mice_[i + 1]);
     RaceHooks hooks;
     hooks.stop = hooks_.stop;
-    const Race race = hold_race(std::move(mice), std::move(mazes), order, hooks);
-    if (race.stopped) {
+    return hold_race(std::move(mice), std::move(mazes), order, hooks);
+  }
+
+  void add(const Race& race) {
+    if (race.stopped || lacks()) {
       compared_.stopped = true;
       return;
     }
@@ -191,6 +228,11 @@ NamedMaze drawn_maze(const MazeSource& source, std::uint64_t seed, std::size_t n
   NamedMaze maze = source.list[static_cast<std::size_t>(among)];
   maze.name = named(maze.name.substr(maze.name.rfind('/') + 1));
   return maze;
+}
+
+std::size_t batch_of(std::string_view name) {
+  const auto number = parse_whole<std::size_t>(name.substr(0, name.find('-')));
+  return number.value_or(0) / batch * batch;
 }
 
 SequentialOrder order_of_each(const SequentialOrder& order, std::size_t candidates) {

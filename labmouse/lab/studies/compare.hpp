@@ -8,7 +8,9 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "labmouse/lab/races/race.hpp"
@@ -27,6 +29,9 @@ struct MazeSource {
 /// The maze of that number, from 0. Equal numbers and seeds give equal mazes with equal names.
 NamedMaze drawn_maze(const MazeSource& source, std::uint64_t seed, std::size_t number);
 
+/// The number of the first maze of those that are raced in together with the drawn maze of that name.
+std::size_t batch_of(std::string_view name);
+
 /// The most pairs of contests with a candidate.
 inline constexpr std::size_t most_pairs = 1'000'000;
 
@@ -35,6 +40,9 @@ struct CompareOrder {
   MazeSource mazes;
   SequentialOrder test;
   std::size_t most = 5000;  ///< at most so many mazes are drawn, 1 to `most_pairs`
+  /// For a machine that runs a part of the contests: only the batch with that number, of which it judges nothing. The
+  /// store of the race decides which contests of it are run.
+  std::optional<std::size_t> part = {};
 };
 
 /// A mouse that is compared with the first one. Both race in the same mazes with the same seeds.
@@ -66,6 +74,9 @@ struct CompareHooks {
   std::function<void(const Compared&)> advanced;
   /// Read before each contest; once it is true, no other begins.
   const std::atomic<bool>* stop = nullptr;
+  /// Read after each race: whether the store lacks contests, which are to run elsewhere. Then the comparison stops. It
+  /// looks ahead at as many mazes as it has raced in, so that the store knows what it may need next.
+  std::function<bool()> lacks = {};
 };
 
 /// The alpha and beta of each candidate: those of the order divided by the number of candidates (Bonferroni), so that
