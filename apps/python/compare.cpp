@@ -133,8 +133,9 @@ void bind_comparisons(nb::module_& module) {
                  "mice"_a, "first_is_own"_a, "mazes"_a, "generator"_a, "world"_a, "test"_a, "store"_a,
                  "part"_a = nb::none());
   bind_running(comparison);
-  module.def("batch_of", &batch_of, "maze"_a,
-             "The batch of a comparison in which a drawn maze of that name is raced in.");
+  module.def(
+      "batch_of", [](const std::string& maze) { return batch_of(maze); }, "maze"_a,
+      "The batch of a comparison in which a drawn maze of that name is raced in.");
 }
 
 }  // namespace labmouse::python

@@ -69,7 +69,8 @@ def _run(command: Callable[[], int]) -> int:
 
 
 def _check_outputs(inputs: Sequence[str], outputs: Sequence[str]) -> None:
-    places = [os.path.realpath(path) for path in (*inputs, *outputs) if path]
+    # An input that is no file is the name of a built-in robot.
+    places = [os.path.realpath(path) for path in (*filter(os.path.isfile, inputs), *filter(None, outputs))]
     for path in filter(None, outputs):
         if places.count(os.path.realpath(path)) > 1:
             raise Error(f"{path}: error: is named twice, and would be overwritten; give each output a name of its own")
@@ -102,6 +103,8 @@ def _fit(options: argparse.Namespace) -> int:
     if options.plot and not fitted.fits:
         raise Error(f"{path}: error: has no turns with speeds, so there is no fit for --plot; leave it out")
     if options.out:
+        if not options.out.endswith(".toml") and os.path.isfile(options.out) and os.path.getsize(options.out):
+            raise Error(f"{options.out}: error: is there, and no robot file, whose name ends in .toml; use another name, or remove the file")
         _native.write_file(options.out, fitted.text)
     else:
         print(fitted.text, end="")
