@@ -73,7 +73,7 @@ std::string progress_of(const Compared& compared) {
   return text + "\x1b[K";
 }
 
-Compared hold(const CompareOptions& options, Entry entry, MazeSource source) {
+Compared hold(const CompareOptions& options, const Entry& entry, MazeSource source) {
   CompareOrder order;
   order.mazes = std::move(source);
   order.race = options.contests.order_in(entry.world);
@@ -85,7 +85,7 @@ Compared hold(const CompareOptions& options, Entry entry, MazeSource source) {
   hooks.stop = &interruptible.stopped();
   const bool watched = is_terminal(stderr);
   if (watched) hooks.advanced = [](const Compared& compared) { tell(progress_of(compared)); };
-  Compared compared = hold_comparison(std::move(entry.mice), order, hooks);
+  Compared compared = hold_comparison(entry.mice, order, hooks);
   if (watched) tell("\r\x1b[K");
   return compared;
 }
@@ -94,10 +94,11 @@ int compare(const CompareOptions& options) {
   expect_outputs({{"--store", options.contests.store_path}});
   Entry entry = entry_of(options);
   MazeSource source = source_of(options, entry);
-  const Compared compared = hold(options, std::move(entry), std::move(source));
+  const Compared compared = hold(options, entry, std::move(source));
   const bool table = options.format == "table";
   print(table ? table_of(compared) : json_of(compared));
   options.contests.finish_store(table);
+  tell(freedom_note(entry.mice));
   if (compared.stopped) return exit_interrupted();
   tell(compared.never_started);
   return compared.never_started.empty() ? exit_good : exit_finding;

@@ -12,7 +12,7 @@ void add_external_options(Command& command, ExternalOptions& external_mice);
 /// Adds --python.
 void add_python(Command& command, ExternalOptions& external_mice);
 
-/// Adds all of these, and --label, for commands with a store of contests.
+/// Adds all of these, and --label, for commands that run programs and may store their contests.
 void add_program_options(Command& command, ExternalOptions& external_mice);
 
 /// Adds all of these, and --external-runs, for commands that run several contests in a maze.

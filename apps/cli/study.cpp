@@ -33,8 +33,8 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, con
 
 int study(const StudyOptions& options) {
   if (options.mice.empty() && options.mice_files.empty()) throw UsageError("error: --mice or --mice-file is required");
-  expect_outputs({{"--csv", options.csv, "maze,fold,"},
-                  {"--svg", options.svg, begin_of_svg},
+  expect_outputs({{"--csv", options.csv, FileKind::study, true},
+                  {"--svg", options.svg, FileKind::picture, true},
                   {"--store", options.contests.store_path}});
   Entry entry = options.contests.world.enter_one(find_contestants(with_mice_files(options.mice, options.mice_files),
                                                                   options.contests.world, options.external_mice));
@@ -44,6 +44,7 @@ int study(const StudyOptions& options) {
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(options.format == "json" ? json_of(result, mazes.skipped) : table_of(result, colours()));
   options.contests.finish_store(options.format == "table");
+  tell(freedom_note(entry.mice));
   const bool any = result.folds_done > 0;
   const auto save_all = result.race.stopped ? save_partial : save;
   if (any && !options.csv.empty()) save_all(options.csv, csv_of(result));

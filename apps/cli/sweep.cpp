@@ -72,8 +72,8 @@ Sweep hold(const SweepOptions& options, const Planned& plan, const RaceOrder& or
 }
 
 int sweep(const SweepOptions& options) {
-  expect_outputs({{"--csv", options.csv, "value,mean,"},
-                  {"--svg", options.svg, begin_of_svg},
+  expect_outputs({{"--csv", options.csv, FileKind::sweep, true},
+                  {"--svg", options.svg, FileKind::picture, true},
                   {"--store", options.contests.store_path}});
   const Planned plan = planned(options);
   const RaceOrder order = options.contests.order_in(plan.entry.world);
@@ -81,6 +81,7 @@ int sweep(const SweepOptions& options) {
   const bool table = options.format == "table";
   print(table ? table_of(result, colours()) : json_of(result));
   options.contests.finish_store(table);
+  tell(freedom_note(plan.entry.mice));
   const bool stopped = result.points.size() < result.values, any = !result.points.empty();
   const auto save_all = stopped ? save_partial : save;
   if (any && !options.csv.empty()) save_all(options.csv, csv_of(result));

@@ -11,6 +11,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr const char* left_words = "it ended, but a process that it had started kept its output open";
+
 /// Time for an external mouse to write files at its end.
 constexpr auto grace = 250ms;
 
@@ -85,7 +87,7 @@ void ExternalTalk::give_up(ExternalEvent event, const Patience& patience, std::c
     case ExternalEvent::ended:
       return give_up(ended_early(describe(process_.status().value_or(ExitStatus())), greeted_, beginning_, greeting_));
     case ExternalEvent::left:
-      return give_up(ForfeitReason::left, "it ended, but a process that it had started kept its output open");
+      return give_up(ForfeitReason::left, left_words);
     case ExternalEvent::closed:
       return give_up(ForfeitReason::closed, "it closed its standard output");
     case ExternalEvent::exceeded:
@@ -97,6 +99,8 @@ void ExternalTalk::give_up(ExternalEvent event, const Patience& patience, std::c
     case ExternalEvent::timeout:
       break;
   }
+  // Where the system does not list processes.
+  if (process_.status()) return give_up(ForfeitReason::left, left_words);
   if (!contest_.is_judged() || !patience.is_judged())
     return give_up(ForfeitReason::not_judged, "the machine was too busy to tell whether it was slow");
   if (contest_.is_over(process_))

@@ -63,13 +63,14 @@ class Hosting {
         return;
       case ExternalEvent::ended:
         return finish_ended();
+      case ExternalEvent::timeout:
+        if (!external_.status()) return finish_late();
+        [[fallthrough]];  // where the system does not list processes
       case ExternalEvent::left:
         return finish(MmsOutcome::left,
                       describe(*external_.status()) + ", but a process that it started is still running");
       case ExternalEvent::closed:
         return finish(MmsOutcome::closed, "closed its standard output and kept running");
-      case ExternalEvent::timeout:
-        return finish_late();
       case ExternalEvent::exceeded:
         return finish(outcome_of(external_.exceeded()),
                       "it and what it started " + describe(external_.exceeded(), launch_.limits));

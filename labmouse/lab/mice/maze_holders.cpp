@@ -27,6 +27,13 @@ bool is_installed_or_hidden(const fs::path& folder) {
          fs::exists(folder / "pyvenv.cfg", error);
 }
 
+std::string in_lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& letter : lower)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return lower;
+}
+
 }  // namespace
 
 bool holds_maze(const std::string& path) {
@@ -39,10 +46,11 @@ bool holds_maze(const std::string& path) {
   // Records, and results of races.
   if (begin.starts_with('{') && begin.find("\"labmouse\"") != std::string_view::npos) return true;
   // Pictures, reports, and what a build of labmouse makes.
-  for (const std::string_view start : {"<svg", "<!doctype html"})
-    if (begin.starts_with(start)) return true;
-  for (const std::string_view end : {".svg", "/labmouse_core.wasm", "/builtin_mazes.cpp"})
-    if (path.ends_with(end)) return true;
+  const std::string start = in_lower_case(begin), name = in_lower_case(path);
+  for (const std::string_view text : {"<svg", "<!doctype html", "<html"})
+    if (start.find(text) != start.npos) return true;
+  for (const std::string_view end : {".svg", ".html", ".htm", "/labmouse_core.wasm", "/builtin_mazes.cpp"})
+    if (name.ends_with(end)) return true;
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (error || size > longest_maze || (begin.find('\0') != std::string_view::npos && !is_binary_maze(size)))

@@ -15,8 +15,8 @@ inline constexpr int most_searched = 4000;
 /// packages (.git, node_modules, virtual environments). `hidden` notes it where it has more files than are searched.
 void hide_mazes_in(const std::string& folder, HiddenFiles& hidden);
 
-/// Whether the file contains a maze, judged by its content; pictures and pages always count, and two files of a build
-/// of labmouse are known by their names.
+/// Whether the file contains a maze, judged by its content; pictures and pages always count, also by their endings,
+/// and two files of a build of labmouse are known by their names.
 bool holds_maze(const std::string& path);
 
 }  // namespace labmouse

@@ -57,7 +57,7 @@ const MazeScores* find_scores(const Scores& scores, const std::string& maze) {
 }
 
 bool has_conditions_of(const ReadJson& group, const World& world) {
-  const auto conditions = world.traits().conditions;
+  const auto& conditions = world.traits().conditions;
   return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
     const auto* text = std::get_if<std::string>(&condition.value);
     const ReadJson value = text != nullptr ? ReadJson(*text) : ReadJson::parse(text_of(condition.value));

@@ -153,7 +153,12 @@ std::string sandboxes_of(const Race& race) {
                        [&](const Contestant& mouse) { return mouse.sandboxed == sandbox; });
   };
   if (!has(true) || has(false)) return note;
-  return "External mice ran in a sandbox, without access to mazes, other files and the network (--sandbox).\n" + note;
+  const bool all_hidden = std::none_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) {
+    return mouse.hidden && !mouse.hidden->unsearched().empty();
+  });
+  return fmt::format("External mice ran in a sandbox, without access to {}other files and the network (--sandbox).\n",
+                     all_hidden ? "mazes, " : "") +
+         note;
 }
 
 }  // namespace

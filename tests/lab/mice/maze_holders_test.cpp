@@ -45,7 +45,8 @@ TEST_F(MazeHolders, AreKnownByTheirContent) {
   EXPECT_TRUE(holds_maze(file("walk.svg", "<?xml version='1.0'?><svg/>")));
   EXPECT_TRUE(holds_maze(file("report.html", "<!doctype html>")));
   EXPECT_TRUE(holds_maze(file("report.htm", "<!doctype html>")));
-  EXPECT_TRUE(holds_maze(file("picture.SVG", "<svg/>")));
+  EXPECT_TRUE(holds_maze(file("picture.SVG", "<?xml version='1.0'?><svg/>")));
+  EXPECT_TRUE(holds_maze(file("saved.txt", "\xef\xbb\xbf\n<!DOCTYPE HTML>")));
   EXPECT_TRUE(holds_maze(file("labmouse_core.wasm", "asm")));
   EXPECT_TRUE(holds_maze(file("builtin_mazes.cpp", "// Mazes")));
   EXPECT_FALSE(holds_maze(file("robot.py", "class Robot(object):\n    pass\n")));
