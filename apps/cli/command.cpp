@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
@@ -109,6 +108,23 @@ KindWords words_of(FileKind kind) {
       return {"the CSV of a race", "`labmouse race --format csv` prints it", "a spreadsheet shows it"};
     case FileKind::page:
       return {"a page", "`labmouse page` writes one", "a browser shows it"};
+    case FileKind::picture:
+      return {"a picture", "`labmouse show MAZE --svg FILE` writes one", "a browser shows it"};
+    case FileKind::log:
+      return {"a log", "`labmouse drive --log FILE` writes one", "a spreadsheet shows it"};
+    case FileKind::prior:
+      return {"a prior", "`labmouse learn` writes one", "a mouse with `prior=FILE` uses it"};
+    case FileKind::failure_rates:
+      return {"a file of failure rates", "`labmouse failure-rates --save FILE` writes one",
+              "`--failure-rates FILE` uses it"};
+    case FileKind::junit:
+      return {"a JUnit file", "`labmouse race --junit FILE` writes one", "tools for tests show it"};
+    case FileKind::study:
+      return {"the CSV of a study", "`labmouse study --csv FILE` writes it", "a spreadsheet shows it"};
+    case FileKind::sweep:
+      return {"the CSV of a sweep", "`labmouse sweep --csv FILE` writes it", "a spreadsheet shows it"};
+    case FileKind::tune:
+      return {"the log of a tuning", "`labmouse tune --log FILE` writes it", "a spreadsheet shows it"};
     case FileKind::unknown:
       break;
   }
@@ -205,10 +221,14 @@ void print(const std::string& text) { write_out(text, printed); }
 
 void print_part(std::string_view part) { write_out(part, printed, false); }
 
-void refuse_to_replace(std::string_view option, const std::string& path) {
+void keep_other_files(std::string_view option, FileKind kind, const std::string& path) {
+  std::error_code unknown;
+  if (is_stream(path) || !std::filesystem::is_regular_file(path, unknown)) return;
+  const FileContent file = read_file(path, std::size_t{1} << 28U);
+  if (file.error.empty() && (file.content.empty() || kind_of_file(file.content) == kind)) return;
   throw UsageError(
-      fmt::format("{}: error: {} would replace this file, which is of another kind; use another name, or "
-                  "remove the file",
+      fmt::format("{}: error: this does not look like a file that {} writes, so it is not replaced; use "
+                  "another name, or remove the file",
                   path, option));
 }
 
@@ -235,29 +255,22 @@ namespace {
 /// Whether writing one of the files would destroy the other.
 bool collide(const Output& one, const Output& other) {
   if (one.path.empty() || other.path.empty()) return false;
-  if (!one.begin.empty() && !other.begin.empty()) return is_same_file(one.path, other.path);
+  if ((one.partial && is_same_file(partial(one.path), other.path)) ||
+      (other.partial && is_same_file(one.path, partial(other.path))))
+    return true;
+  if (one.kind != FileKind::unknown && other.kind != FileKind::unknown) return is_same_file(one.path, other.path);
   // A path such as `-` is a stream for one option and may be a file name for the other. Reading a stream destroys
   // nothing.
   const bool streams = descriptor_to_write(one.path) || descriptor_to_write(other.path);
   return !streams && !is_stream(one.path) && is_same_file(one.path, other.path);
 }
 
-/// Throws UsageError where there is a file that the option cannot have written: it may be a maze or a mouse.
-void keep_other_files(const Output& output, const std::string& path) {
-  std::error_code unknown;
-  if (is_stream(path) || !std::filesystem::is_regular_file(path, unknown)) return;
-  std::string begin(output.begin.size(), '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  if (file.gcount() > 0 && begin != output.begin) refuse_to_replace(output.option, path);
-}
-
 /// Refuses an SVG file under the name of a picture of another kind.
-void refuse_other_pictures(const std::string& path) {
+void refuse_other_pictures(std::string_view option, const std::string& path) {
   constexpr std::array<std::string_view, 6> others = {".png", ".jpg", ".jpeg", ".gif", ".pdf", ".webp"};
   const std::string ending = std::filesystem::path(path).extension().string();
   if (std::find(others.begin(), others.end(), ending) != others.end())
-    throw UsageError(fmt::format("{}: error: --svg writes SVG; end the name in .svg", path));
+    throw UsageError(fmt::format("{}: error: {} writes SVG; end the name in .svg", path, option));
 }
 
 }  // namespace
@@ -268,13 +281,13 @@ void expect_outputs(std::initializer_list<Output> outputs) {
       if (collide(*other, *one))
         throw UsageError(
             fmt::format("error: {} and {} name the same file; use two different files", other->option, one->option));
-  for (const Output& output : outputs) {
-    if (output.path.empty() || output.begin.empty()) continue;
-    if (output.begin == begin_of_svg) refuse_other_pictures(output.path);
-    require_writable(output.path);
-    keep_other_files(output, output.path);
-    keep_other_files(output, partial(output.path));
-    if (descriptor_to_write(output.path) == standard_output) printed = stderr;
+  for (const auto& [option, path, kind, has_partial] : outputs) {
+    if (path.empty() || kind == FileKind::unknown) continue;
+    if (kind == FileKind::picture) refuse_other_pictures(option, path);
+    require_writable(path);
+    keep_other_files(option, kind, path);
+    if (has_partial) keep_other_files(option, kind, partial(path));
+    if (descriptor_to_write(path) == standard_output) printed = stderr;
   }
 }
 

@@ -71,22 +71,20 @@ void refuse_other_kind(const std::string& path, std::string_view text, FileKind 
 /// Throws UsageError if save() would fail now. Call it before long work. An empty path is accepted.
 void require_writable(const std::string& path);
 
-/// Throws UsageError for a file that is there, and is of another kind than the option writes.
-[[noreturn]] void refuse_to_replace(std::string_view option, const std::string& path);
+/// Throws UsageError where the path is that of a file that is there and not empty, and that does not look like what the
+/// option writes.
+void keep_other_files(std::string_view option, FileKind kind, const std::string& path);
 
 /// A file of the command line that must not be the file of another option.
 struct Output {
   std::string_view option;
-  std::string path;  ///< empty if not requested
-  /// How the file begins that save() writes there; empty for one that is read, or written in another way.
-  std::string_view begin = {};
+  std::string path;                   ///< empty if not requested
+  FileKind kind = FileKind::unknown;  ///< what save() writes there; unknown: it is read, or written in another way
+  bool partial = false;               ///< whether save_partial() may write there
 };
-/// How files of several commands begin.
-inline constexpr std::string_view begin_of_svg = "<svg", begin_of_record = R"({"labmouse":)", begin_of_log = "time,",
-                                  begin_of_page = "<!doctype html>";
 /// Call this before long work. Throws UsageError where a file cannot be written now, two are the same, or a file is
-/// there that begins in another way: so no input is lost, wherever it is named. If a file goes to standard output,
-/// print() uses standard error from now on, so that programs can read that file.
+/// there that is of another kind: so no input of another kind is lost, wherever it is named. If a file goes to standard
+/// output, print() uses standard error from now on, so that programs can read that file.
 void expect_outputs(std::initializer_list<Output> outputs);
 
 /// Whether to colour printed text: it goes to a terminal, and NO_COLOR is not set.

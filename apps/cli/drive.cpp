@@ -70,7 +70,7 @@ std::vector<DriveTally> drive_all(const DriveOrder& order, const std::vector<Nam
 }
 
 int drive(const DriveOptions& options) {
-  expect_outputs({{"--log", options.log, begin_of_log}});
+  expect_outputs({{"--log", options.log, FileKind::log}});
   const FoundRobot robot = find_robot_or_refuse(options.robot);
   tell_remarks(robot.remarks);
   if (const std::string why = why_not_physical(robot.model); !why.empty())

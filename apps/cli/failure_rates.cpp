@@ -72,7 +72,7 @@ MeasuredRates measure(const FailureOrder& order, const std::vector<Contestant>& 
 }
 
 int failure_rates(const FailureOptions& options) {
-  expect_outputs({{"--save", options.save, R"({"labmouse_failure_rates":)"}});
+  expect_outputs({{"--save", options.save, FileKind::failure_rates, true}});
   const FoundRobot robot = find_robot_or_refuse(options.robot);
   tell_remarks(robot.remarks);
   if (const std::string why = why_not_physical(robot.model); !why.empty())

@@ -25,7 +25,7 @@ Lesson hold(std::vector<NamedMaze> mazes) {
 }
 
 int learn(const LearnOptions& options) {
-  expect_outputs({{"--out", options.out, "// labmouse prior "}});
+  expect_outputs({{"--out", options.out, FileKind::prior}});
   MazeCollection mazes = find_mazes(options.mazes, options.places);
   const Lesson lesson = hold(std::move(mazes.mazes));
   if (!lesson.error.empty()) throw UsageError("error: " + lesson.error);

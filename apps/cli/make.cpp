@@ -6,7 +6,6 @@
 
 #include "command.hpp"
 #include "generated.hpp"
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/streams.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/maze/generators/generator.hpp"
@@ -29,18 +28,13 @@ const Format& choose_format(const std::string& name, const std::string& path) {
                                path, std::filesystem::path(path).extension().string(), list_of(all_formats())));
 }
 
-void write(const Maze& maze, const std::string& path, const std::string& format_name) {
+void write(const Maze& maze, std::string_view option, const std::string& path, const std::string& format_name) {
   const Format& format = choose_format(format_name, path);
   const WriteResult result = format.write(maze);
   if (!result.content)
     throw UsageError(
         fmt::format("{}: error: the format {} cannot hold this maze: {}", path, format.name, result.reason));
-  std::error_code unknown;
-  if (!is_stream(path) && std::filesystem::is_regular_file(path, unknown)) {
-    const FileContent replaced = read_file(path);
-    if (replaced.content.empty() ? !replaced.error.empty() : kind_of_file(replaced.content) != FileKind::maze)
-      refuse_to_replace("OUT", path);
-  }
+  keep_other_files(option, FileKind::maze, path);
   save(path, *result.content);
 }
 
@@ -52,7 +46,7 @@ struct MakeOptions {
 
 void make(const MakeOptions& options) {
   const GeneratorOrder order = options.maze.order(options.seed);
-  write(options.maze.generator().make(order), options.out, options.format);
+  write(options.maze.generator().make(order), "--out", options.out, options.format);
 }
 
 struct ConvertOptions {
@@ -61,11 +55,13 @@ struct ConvertOptions {
 };
 
 void convert(const ConvertOptions& options) {
-  expect_outputs({{"IN", options.in}, {"OUT", options.out}});
   ReadChoice choice = options.choice;
   if (!options.from.empty()) choice.format = &format_named(options.from);
   const NamedMaze maze = find_maze(options.in, {}, choice);
-  write(maze.maze, options.out, options.format);
+  std::error_code unknown;
+  if (std::filesystem::equivalent(options.in == "-" ? "/dev/stdin" : maze.name, options.out, unknown))
+    throw UsageError(fmt::format("{}: error: IN and OUT are the same file; use another name", options.out));
+  write(maze.maze, "OUT", options.out, options.format);
   if (!maze.reading.empty()) tell(fmt::format("{}: read as {}\n", shown(maze.name), maze.reading));
 }
 

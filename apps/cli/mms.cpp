@@ -91,7 +91,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
 }
 
 int mms(const MmsCommandOptions& options) {
-  expect_outputs({{"--record", options.record, begin_of_record}});
+  expect_outputs({{"--record", options.record, FileKind::record}});
   const NamedMaze maze = find_maze(options.maze, {});
   const MmsRun run = host(options, maze);
   print(report_of(options.command, maze, run));

@@ -37,7 +37,7 @@ void tell_notes(const std::vector<std::string>& notes) {
 
 void report(const PageOptions& options) {
   const std::string page = find_page(options);
-  expect_outputs({{"--page", options.page}, {"--out", options.out, begin_of_page}});
+  expect_outputs({{"--page", options.page}, {"--out", options.out, FileKind::page}});
   const ReportPage report = make_report(options.results, page);
   if (!report.error.empty()) throw UsageError(report.error);
   tell_notes(report.notes);
@@ -58,7 +58,7 @@ void add_page(Command& app, int& exit) {
   command->footer("Example: labmouse page -o labmouse.html");
   command->callback([options, &exit] {
     const std::string page = find_page(*options);
-    expect_outputs({{"--page", options->page}, {"--out", options->out, begin_of_page}});
+    expect_outputs({{"--page", options->page}, {"--out", options->out, FileKind::page}});
     save(options->out, page);
     exit = exit_good;
   });

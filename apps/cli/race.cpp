@@ -229,8 +229,8 @@ std::string results_path(const RaceOptions& options) {
 }
 
 int race(const RaceOptions& options) {
-  expect_outputs({{"--curves", options.curves, begin_of_svg},
-                  {"--junit", options.junit, "<?xml"},
+  expect_outputs({{"--curves", options.curves, FileKind::picture, true},
+                  {"--junit", options.junit, FileKind::junit},
                   {"--store", options.contests.store_path},
                   {"--out", results_path(options)},
                   {"--baseline", options.baseline}});

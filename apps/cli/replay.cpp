@@ -43,7 +43,7 @@ void save_log(const std::string& path, const std::string& text) {
 }
 
 int replay_file(const ReplayOptions& options) {
-  expect_outputs({{"--svg", options.svg, begin_of_svg}, {"--log", options.log, begin_of_log}});
+  expect_outputs({{"--svg", options.svg, FileKind::picture}, {"--log", options.log, FileKind::log}});
   return show_replay(options, load_record_text(options.file));
 }
 

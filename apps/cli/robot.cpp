@@ -42,7 +42,7 @@ std::string arrays_of(const FoundRobot& found, const std::string& name) {
 }
 
 void show(const RobotOptions& options) {
-  expect_outputs({{"--svg", options.svg, begin_of_svg}});
+  expect_outputs({{"--svg", options.svg, FileKind::picture}});
   const FoundRobot found = find_robot_or_refuse(options.robot);
   const bool json = options.format == "json";
   if ((options.arrays.empty() ? 0 : 1) + (options.svg.empty() ? 0 : 1) + (json ? 1 : 0) > 1)

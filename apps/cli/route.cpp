@@ -56,7 +56,7 @@ int regions(const RouteOptions& options, const std::vector<NamedMaze>& mazes, co
 }
 
 int route(const RouteOptions& options) {
-  expect_outputs({{"--svg", options.svg, begin_of_svg}});
+  expect_outputs({{"--svg", options.svg, FileKind::picture}});
   const FoundRobot robot = find_robot_or_refuse(options.robot);
   tell_remarks(robot.remarks);
   const DriveModel& model = robot.model;

@@ -72,9 +72,9 @@ int run_in(std::shared_ptr<const World> world, const RunOptions& options, const 
 }
 
 int run_contest(const RunOptions& options) {
-  expect_outputs({{"--record", options.record, begin_of_record},
-                  {"--svg", options.svg, begin_of_svg},
-                  {"--log", options.log, begin_of_log}});
+  expect_outputs({{"--record", options.record, FileKind::record},
+                  {"--svg", options.svg, FileKind::picture},
+                  {"--log", options.log, FileKind::log}});
   if (find_mouse(options.maze) != nullptr && maze_named(options.mouse))
     throw UsageError(fmt::format("error: '{}' is a maze, and the mouse comes first: labmouse run {} {}", options.mouse,
                                  options.maze, options.mouse));

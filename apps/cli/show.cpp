@@ -129,7 +129,7 @@ int show_record(const ShowOptions& options) {
 }
 
 int show(const ShowOptions& options) {
-  expect_outputs({{"--svg", options.svg, begin_of_svg}});
+  expect_outputs({{"--svg", options.svg, FileKind::picture}});
   const bool places = !options.places.start.empty() || !options.places.goals.empty();
   if (options.maze.empty() == options.record.empty())
     throw UsageError("error: `labmouse show` takes either a maze or --record FILE");

@@ -60,8 +60,8 @@ Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges,
 }
 
 int tune(const TuneOptions& options) {
-  expect_outputs({{"--log", options.log, "evaluation,"},
-                  {"--svg", options.svg, begin_of_svg},
+  expect_outputs({{"--log", options.log, FileKind::tune},
+                  {"--svg", options.svg, FileKind::picture, true},
                   {"--store", options.contests.store_path}});
   const std::vector<ParameterRange> ranges = find_ranges(options);
   Entry entry = options.contests.world.enter_one(corners(options.mouse, ranges));

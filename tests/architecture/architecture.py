@@ -40,7 +40,7 @@ NAME_A_WORLD = {
 NAMES = "steps|strides|seconds|physical|failures|mms"
 TEXT = re.compile(r"\"((?:[^\"\\]|\\.)*)\"|'((?:[^'\\]|\\.)*)'|`([^`]*)`")
 WORLD_NAME = re.compile(rf"^(strides|physical|failures|mms)$|\b({NAMES}) world\b|\bworld (?:in |of )?({NAMES})\b|^In ({NAMES}):")
-WORLD_VALUE = re.compile(rf"\bworld\W{{1,5}}[\"']({NAMES})[\"']")
+WORLD_VALUE = re.compile(rf"\bworld\W{{1,8}}(?:name: )?[\"'`]({NAMES})[\"'`]")
 EXAMPLE = re.compile(r"\blabmouse [a-z]+ ")
 # A variable that outlives its function: one that the compiler has not fixed is state that strategies could share, and often
 # takes memory when it is first met. A function has a parenthesis before any of `=;{`, and no values in it.

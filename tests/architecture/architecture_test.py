@@ -127,7 +127,7 @@ class Architecture(unittest.TestCase):
             "apps/cli/race.cpp": '#include "labmouse/lab/drive/seconds_world.hpp"\n',
             "apps/cli/sweep.cpp": 'fail("name the world mms");\n',
             "apps/cli/replay.cpp": 'option("In physical: saves the log");\n',
-            "apps/web/page/src/race/chart.ts": "const unit = 'seconds';\nconst race = { world: 'seconds' };\n",
+            "apps/web/page/src/race/chart.ts": "const unit = 'seconds';\nconst race = { world: 'seconds' };\nplay['world'] === `steps`;\n",
             "apps/web/page/src/race/form.tsx": "tell(`only in the physical world`);\n",
             "apps/python/race.cpp": 'held("waited for some seconds", "world seconds");\n',
             "labmouse/lab/worlds/list.cpp": '#include "labmouse/lab/steps/steps_entry.hpp"\n',
@@ -142,6 +142,7 @@ class Architecture(unittest.TestCase):
              "apps/cli/sweep.cpp:1: error: what serves all worlds must not name that of mms",
              "apps/python/race.cpp:1: error: what serves all worlds must not name that of seconds",
              "apps/web/page/src/race/chart.ts:2: error: what serves all worlds must not name that of seconds",
+             "apps/web/page/src/race/chart.ts:3: error: what serves all worlds must not name that of steps",
              "apps/web/page/src/race/form.tsx:1: error: what serves all worlds must not name that of physical"])
 
     def test_files_that_need_each_other(self):

@@ -12,9 +12,9 @@ struct MazeAndHardware {
 
 /// A Body with its own copies of maze and hardware.
 struct BodyInAMaze : MazeAndHardware, Body {
-  BodyInAMaze(const Maze& where, double cell, const Hardware& built, const ErrorScale& scale = {},
+  BodyInAMaze(const Maze& where, double side, const Hardware& built, const ErrorScale& scale = {},
               std::uint64_t seed = 1)
-      : MazeAndHardware{where, built}, Body(maze, cell, hardware, scale, seed) {}
+      : MazeAndHardware{where, built}, Body(maze, side, hardware, scale, seed) {}
 };
 
 }  // namespace labmouse::test

@@ -94,7 +94,7 @@ TEST_F(AUser, CanRunTheExamplesOfTheHelp) {
     std::vector<std::string> words = command;
     words.emplace_back("--help");
     std::string example = example_in(labmouse(words).out);
-    const std::string sign = "Example: ", program = "labmouse ";
+    const std::string sign = "Example: ", program = "labmouse ", quoted = "'" LABMOUSE_PROGRAM "' ";
     ASSERT_TRUE(example.starts_with(sign)) << command.front();
     example.erase(0, sign.size());
     // Nobody looks at the steps.
@@ -102,8 +102,8 @@ TEST_F(AUser, CanRunTheExamplesOfTheHelp) {
     if (const auto at = example.find(watch); at != std::string::npos) example.erase(at, watch.size());
     for (std::size_t at = 0; (at = example.find(program, at)) != std::string::npos;)
       if (at == 0 || example[at - 1] == ' ') {
-        example.replace(at, program.size(), std::string(LABMOUSE_PROGRAM) + " ");
-        at += std::string(LABMOUSE_PROGRAM).size();
+        example.replace(at, program.size(), quoted);
+        at += quoted.size();
       } else {
         ++at;
       }
@@ -563,7 +563,7 @@ TEST_F(AUser, SeesTheSweepWhoseFilesCannotBeWritten) {
 
 TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {
   file("corridor.txt", corridor);
-  file("results.csv", "value,mean,kept");
+  file("results.csv", "value,mean,low,high,kept");
   const test::Program program(folder_, {"sweep", "random", "--vary", "stride=1:8:1", "--mazes", "corridor.txt",
                                         "--runs", "500000", "--jobs", "1", "--csv", "results.csv"});
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -572,7 +572,7 @@ TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130) << ended.err;
   EXPECT_THAT(ended.out, Says("Stopped", "0 of 8 values"));
-  EXPECT_EQ(content("results.csv"), "value,mean,kept");
+  EXPECT_EQ(content("results.csv"), "value,mean,low,high,kept");
 }
 
 TEST_F(AUser, SeesHowMuchOfTheMazesWasSeen) {

@@ -13,7 +13,7 @@ using test::SaysAt;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char* small_page = "<!doctype html><!-- labmouse:report -->\n";
+constexpr const char* small_page = "<!doctype html><title>labmouse</title><!-- labmouse:report -->\n";
 
 /// A user with a page and the folder of a race.
 class AReader : public AUser {
@@ -57,7 +57,7 @@ TEST_F(AReader, GetsAReportOfAFolder) {
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(ended.out + ended.err, "");
   const std::string text = content("report.html");
-  EXPECT_THAT(text, HasSubstr("<!doctype html><script type=\"text/plain\" id=\"labmouse-report\">"));
+  EXPECT_THAT(text, HasSubstr("<title>labmouse</title><script type=\"text/plain\" id=\"labmouse-report\">"));
   EXPECT_THAT(text, HasSubstr("id=\"labmouse-records\">"));
   EXPECT_EQ(report({"out", "-o", "-"}).out, text);
   EXPECT_EQ(report({"out/results.json", "-o", "-"}).out, text);

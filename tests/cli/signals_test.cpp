@@ -102,13 +102,13 @@ class AUserOfASweep : public test::AUser {};
 TEST_F(AUserOfASweep, FindsWhatAStoppedOneHasBesideItsFile) {
   file("corridor.txt", corridor);
   file("mouse.sh", "[ \"$1\" = 1 ] && exit 1\ntouch second\nexec tail -f /dev/null\n");
-  file("values.csv", "value,mean,kept");
+  file("values.csv", "value,mean,low,high,kept");
   const Program program(folder_, {"sweep", "program:sh mouse.sh {v}", "--vary", "v=1,2", "--mazes", "corridor.txt",
                                   "--sandbox", "off", "--jobs", "1", "--csv", "values.csv"});
   ASSERT_TRUE(patiently([&] { return std::filesystem::exists(folder_ / "second"); }));
   program.interrupt();
   EXPECT_EQ(program.wait().code, 128 + SIGINT);
-  EXPECT_EQ(content("values.csv"), "value,mean,kept");
+  EXPECT_EQ(content("values.csv"), "value,mean,low,high,kept");
   const std::string partial = content("values.csv.partial");
   EXPECT_EQ(std::count(partial.begin(), partial.end(), '\n'), 2) << partial;
 }

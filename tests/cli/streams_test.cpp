@@ -140,38 +140,59 @@ TEST_F(AShellUser, KeepsFilesOfOtherKinds) {
   labmouse({"run", "flood", "corridor.txt", "--record", "walk.jsonl"});
   const std::string record = content("walk.jsonl");
   std::filesystem::create_hard_link(folder_ / "walk.jsonl", folder_ / "same");
-  is_refused({"show", "--record", "walk.jsonl", "--svg", "./walk.jsonl"}, "walk.jsonl: error: --svg");
-  is_refused({"replay", "walk.jsonl", "--svg", "same"}, "same: error: --svg");
-  is_refused({"replay", "walk.jsonl", "--maze", "corridor.txt", "--log", "corridor.txt"}, "corridor.txt: error: --log");
-  is_refused({"show", "corridor.txt", "--svg", "./corridor.txt"}, "corridor.txt: error: --svg");
-  is_refused({"run", "flood", "corridor.txt", "--record", "corridor.txt"}, "corridor.txt: error: --record");
-  is_refused({"route", "corridor.txt", "--svg", "corridor.txt"}, "corridor.txt: error: --svg");
-  is_refused({"learn", "corridor.txt", "--out", "corridor.txt"}, "corridor.txt: error: --out");
-  is_refused({"mms", "true", "corridor.txt", "--record", "corridor.txt"}, "corridor.txt: error: --record");
-  is_refused({"race", "--mazes", "corridor.txt", "--junit", "corridor.txt"}, "corridor.txt: error: --junit");
+  std::filesystem::create_hard_link(folder_ / "corridor.txt", folder_ / "same.txt");
+  is_refused({"show", "--record", "walk.jsonl", "--svg", "./walk.jsonl"}, "walk.jsonl: error: this", "--svg");
+  is_refused({"replay", "walk.jsonl", "--svg", "same"}, "same: error: this", "--svg");
+  is_refused({"replay", "walk.jsonl", "--maze", "corridor.txt", "--log", "corridor.txt"}, "corridor.txt: error: this",
+             "--log");
+  is_refused({"show", "corridor.txt", "--svg", "./corridor.txt"}, "corridor.txt: error: this", "--svg");
+  is_refused({"run", "flood", "corridor.txt", "--record", "corridor.txt"}, "corridor.txt: error: this", "--record");
+  is_refused({"route", "corridor.txt", "--svg", "corridor.txt"}, "corridor.txt: error: this", "--svg");
+  is_refused({"learn", "corridor.txt", "--out", "corridor.txt"}, "corridor.txt: error: this", "--out");
+  is_refused({"mms", "true", "corridor.txt", "--record", "corridor.txt"}, "corridor.txt: error: this", "--record");
+  is_refused({"race", "--mazes", "corridor.txt", "--junit", "corridor.txt"}, "corridor.txt: error: this", "--junit");
   is_refused({"study", "--mice", "flood,certify", "--mazes", "corridor.txt", "--csv", "corridor.txt"},
-             "corridor.txt: error: --csv");
+             "corridor.txt: error: this", "--csv");
   is_refused({"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "corridor.txt"},
-             "corridor.txt: error: --csv");
+             "corridor.txt: error: this", "--csv");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "9", "--log", "corridor.txt"},
-             "corridor.txt: error: --log");
-  is_refused({"failure-rates", "--mazes", "corridor.txt", "--save", "corridor.txt"}, "corridor.txt: error: --save");
-  is_refused({"drive", "--mazes", "corridor.txt", "--runs", "1", "--log", "corridor.txt"},
-             "corridor.txt: error: --log");
-  is_refused({"convert", "corridor.txt", "./corridor.txt", "--transpose"}, "IN", "OUT");
-  is_refused({"convert", "corridor.txt", "walk.jsonl", "--format", "drawing"}, "walk.jsonl: error: OUT");
-  is_refused({"make", "contest", "--out", "walk.jsonl", "--format", "drawing"}, "walk.jsonl: error: OUT");
+             "corridor.txt: error: this", "--log");
+  is_refused({"failure-rates", "--mazes", "corridor.txt", "--save", "corridor.txt"}, "corridor.txt: error: this",
+             "--save");
+  is_refused({"drive", "--mazes", "corridor.txt", "--runs", "1", "--log", "corridor.txt"}, "corridor.txt: error: this",
+             "--log");
+  is_refused({"convert", "corridor.txt", "walk.jsonl", "--format", "drawing"}, "walk.jsonl: error: this", "OUT");
+  for (const char* read : {"corr*.txt", "./corridor.txt", "same.txt"})
+    is_refused({"convert", read, "corridor.txt", "--transpose"}, "corridor.txt: error: IN", "OUT");
+  EXPECT_EQ(shell("labmouse convert - corridor.txt --transpose < corridor.txt").code, 2);
+  is_refused({"make", "contest", "--out", "walk.jsonl", "--format", "drawing"}, "walk.jsonl: error: this", "--out");
+  // A program with a maze in it, results of a race that a browser saved, and what cannot be read.
+  labmouse({"convert", "contest-01", "maze.c"});
+  file("mouse.c", content("maze.c") + "int main(void) { return 0; }\n");
+  is_refused({"make", "contest", "--out", "mouse.c"}, "mouse.c: error: this", "--out");
+  file("race.json", R"({"labmouse":"0.2.0","seed":1,"groups":[]})");
+  is_refused({"run", "flood", "corridor.txt", "--record", "race.json"}, "race.json: error: this", "--record");
+  file("real.csv", "time,left,right,gyro\n0,0,0,0\n");
+  is_refused({"drive", "--mazes", "corridor.txt", "--runs", "1", "--log", "real.csv"}, "real.csv: error: this",
+             "--log");
+  file("pom.xml", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<project/>\n");
+  is_refused({"race", "--mazes", "corridor.txt", "--junit", "pom.xml"}, "pom.xml: error: this", "--junit");
   // Whatever names the file: a pattern, standard input, a folder, a mouse.
-  is_refused({"route", "corr*.txt", "--svg", "corridor.txt"}, "corridor.txt: error: --svg");
+  is_refused({"route", "corr*.txt", "--svg", "corridor.txt"}, "corridor.txt: error: this", "--svg");
   EXPECT_EQ(shell("labmouse show - --svg corridor.txt < corridor.txt").code, 2);
   labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "results"});
   const std::string results = content("results/results.json");
-  is_refused({"report", "results", "--out", "results/results.json"}, "results.json: error: --out");
+  file("page.html", "<!doctype html><title>labmouse</title><!-- labmouse:report -->\n");
+  is_refused({"report", "results", "--page", "page.html", "--out", "results/results.json"}, "results.json: error: this",
+             "--out");
   file("mouse.py", "mouse");
   for (const char* mouse : {"program:python3 mouse.py", "program:python3 -m mouse"})
-    is_refused({"run", mouse, "corridor.txt", "--record", "mouse.py"}, "mouse.py: error: --record");
-  file("page.html.partial", "kept");
-  is_refused({"page", "--out", "page.html"}, "page.html.partial: error: --out");
+    is_refused({"run", mouse, "corridor.txt", "--record", "mouse.py"}, "mouse.py: error: this", "--record");
+  file("values.csv.partial", corridor);
+  is_refused({"sweep", "flood", "--vary", "stride=1,2", "--csv", "values.csv"}, "values.csv.partial: error: this",
+             "--csv");
+  is_refused({"sweep", "flood", "--vary", "stride=1,2", "--csv", "values.csv", "--svg", "values.csv.partial"}, "--csv",
+             "--svg");
   EXPECT_EQ(content("walk.jsonl"), record);
   EXPECT_EQ(content("corridor.txt"), corridor);
   EXPECT_EQ(content("results/results.json"), results);
@@ -196,8 +217,8 @@ TEST_F(AShellUser, KeepsFilesOfOtherKinds) {
       {"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "c.csv", "--svg", "a.svg"},
       {"tune", "flood", "--params", "stride", "--evaluations", "8", "--mazes", "corridor.txt", "--log", "d.csv",
        "--svg", "a.svg"},
-      {"page", "--out", "a.html"},
-      {"report", "results", "--out", "a.html"},
+      {"page", "--page", "page.html", "--out", "a.html"},
+      {"report", "results", "--page", "page.html", "--out", "a.html"},
       {"convert", "contest-01", "a.maz"},
       {"make", "contest", "--out", "a.txt"}};
   for (const auto& command : commands)

@@ -124,7 +124,7 @@ TEST_F(AStudent, IsToldOfUnwritableFilesBeforeTheWork) {
 }
 
 TEST_F(AStudent, WhoInterruptsAtOnceLosesNoFile) {
-  file("study.csv", "maze,fold,kept");
+  file("study.csv", "maze,fold,bound,kept");
   const test::Program program(folder_, {"study", "--mice", "random,flood", "--folds", "2", "--runs", "5000", "--jobs",
                                         "1", "--csv", "study.csv"});
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -133,7 +133,7 @@ TEST_F(AStudent, WhoInterruptsAtOnceLosesNoFile) {
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130) << ended.err;
   EXPECT_THAT(ended.out, Says("Stopped", "0 of 2 folds"));
-  EXPECT_EQ(content("study.csv"), "maze,fold,kept");
+  EXPECT_EQ(content("study.csv"), "maze,fold,bound,kept");
   for (const auto& entry : std::filesystem::directory_iterator(folder_))
     EXPECT_THAT(entry.path().filename().string(), Not(testing::EndsWith(".part")));
 }

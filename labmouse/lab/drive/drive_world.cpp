@@ -118,7 +118,6 @@ ContestOutput DriveWorld::kept(const Contestant& mouse, const NamedMaze& maze, s
   ContestOutput held;
   if (keep.record || keep.picture) {
     DriveRecordFile file;
-    file.world = traits().name;
     file.maze_name = maze.name;
     file.maze = maze.maze;
     file.mouse = mouse.name;

@@ -20,7 +20,7 @@ struct FinishPoint {
   int contests = 0;
   int finished = 0;                              ///< with a score
   Interval interval;                             ///< 95 % interval of the share finished, over mazes
-  std::optional<double> par1;                    ///< mean score; one without a score counts World::limit_score()
+  std::optional<double> par1;                    ///< mean score; one without a score counts WorldTraits::limit_score
   std::array<int, all_run_ends.size()> ended{};  ///< unfinished contests by what ended them (RunEnd)
 };
 

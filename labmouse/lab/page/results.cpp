@@ -77,14 +77,16 @@ class Taker {
     out_[key] = std::move(list);
     return *this;
   }
-  /// All further fields that are plain values, lists of texts or objects of plain values. Deeper values are left out.
+  /// All further fields that are plain values, intervals, lists of texts or objects of plain values. Deeper values are
+  /// left out.
   Taker& others() {
     if (!from_.is_object()) return *this;
     const auto plain = [](const ReadJson& value) { return value.is_primitive(); };
     const auto text = [](const ReadJson& value) { return value.is_string(); };
     for (const auto& [key, value] : from_.items()) {
       const bool texts = value.is_array() && std::all_of(value.begin(), value.end(), text);
-      if (out_.contains(key) || !(plain(value) || texts || value.is_object())) continue;
+      const bool ends = value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
+      if (out_.contains(key) || !(plain(value) || texts || ends || value.is_object())) continue;
       if (!value.is_object()) {
         out_[key] = value;
         continue;

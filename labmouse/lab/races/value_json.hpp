@@ -9,7 +9,7 @@ namespace labmouse {
 /// Null where there is no value.
 Json json_of(const Value& value);
 
-/// An object of World::conditions(), from which restore_world() makes the world again.
+/// An object of WorldTraits::conditions, from which restore_world() makes the world again.
 Json conditions_json(const World& world);
 
 }  // namespace labmouse

@@ -28,7 +28,8 @@ struct PhysicalPart {
 
 /// A contest in seconds with everything that is needed to replay it.
 struct DriveRecordFile {
-  /// The name of the contest's world. Headers say "physical" for the failure model, too.
+  /// The name of the contest's world, as read; write_drive_record() finds it. Headers say "physical" for the failure
+  /// model, too, and "seconds" for worlds that are added and have no body.
   std::string world = "seconds";
   std::string version;  ///< version of the program that wrote the record; write_drive_record() writes the current one
   std::string maze_name;

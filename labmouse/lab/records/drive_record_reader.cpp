@@ -93,6 +93,7 @@ std::string DriveRecordReading::read_header(const ReadJson& json) {
   if (fields.whole("format", 0, 1'000'000) != 1)
     fields.fail("has a format other than 1, which this version cannot read");
   file_.world = fields.text("world");
+  if (file_.world != "seconds" && file_.world != "physical") fields.fail("has a world other than seconds and physical");
   file_.version = fields.text("version");
   for (const char* key : {"maze", "mouse", "robot", "rules", "seed"})
     if (!fields.has(key)) fields.reject(fmt::format("'{}' is missing", key));

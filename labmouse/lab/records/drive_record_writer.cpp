@@ -23,7 +23,7 @@ Json header_json(const DriveRecordFile& file) {
   Json json = {{"labmouse", "drive record"},
                {"format", 1},
                {"version", version()},
-               {"world", physical ? "physical" : file.world},
+               {"world", physical ? "physical" : "seconds"},
                {"maze", record_maze_json(file.maze_name, *file.maze)},
                {"mouse", driver_json(file)},
                {"seed", file.seed},

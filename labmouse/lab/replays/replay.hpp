@@ -27,7 +27,7 @@ struct RecordSubject {
   std::optional<std::uint64_t> seed;  ///< nothing where records have none
 };
 
-/// The world in which a contest was run, and its conditions there: an object as World::conditions() has them.
+/// The world in which a contest was run, and its conditions there: an object as WorldTraits::conditions has them.
 struct RecordedWorld {
   std::string_view name;
   Json conditions;

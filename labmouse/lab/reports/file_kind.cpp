@@ -1,6 +1,7 @@
 #include "labmouse/lab/reports/file_kind.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
@@ -23,14 +24,43 @@ bool is_results(std::string_view text) {
   return json.is_object() && json.contains("labmouse") && (json.contains("groups") || json.contains("mice"));
 }
 
+bool is_page(std::string_view text) {
+  constexpr std::size_t longest_head = 4096;
+  return text.starts_with("<!doctype html>") && text.substr(0, longest_head).find("<title>labmouse") != text.npos;
+}
+
+struct Beginning {
+  FileKind kind;
+  std::string_view begin;
+};
+
+/// Also those of earlier versions.
+constexpr auto beginnings = std::to_array<Beginning>({
+    {FileKind::csv, "mouse,maze,"},
+    {FileKind::picture, "<svg"},
+    {FileKind::log, "time,left,right,left_count,right_count,"},
+    {FileKind::prior, "// labmouse prior "},
+    {FileKind::failure_rates, "{\"labmouse_failure_rates\""},
+    {FileKind::failure_rates, "{\"labmouse_hazards\""},
+    {FileKind::junit, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"labmouse\""},
+    {FileKind::study, "maze,fold,bound"},
+    {FileKind::sweep, "value,mean,low,high,"},
+    {FileKind::tune, "evaluation,generation,step,"},
+});
+
 }  // namespace
 
 FileKind kind_of_file(std::string_view text) {
+  if (constexpr std::string_view mark = "\xef\xbb\xbf"; text.starts_with(mark)) text.remove_prefix(mark.size());
   if (is_record(text)) return FileKind::record;
-  if (text.starts_with("mouse,maze,")) return FileKind::csv;
-  if (text.starts_with("<!doctype html")) return FileKind::page;
+  for (const Beginning& each : beginnings)
+    if (text.starts_with(each.begin)) return each.kind;
+  if (is_page(text)) return FileKind::page;
   if (is_results(text)) return FileKind::results;
-  return read_maze(text).maze ? FileKind::maze : FileKind::unknown;
+  const ReadResult read = read_maze(text);
+  // A program that has a maze in it is more than a maze.
+  const bool is_more = read.maze && recognised_format(text) == &c_format && c_format.write(*read.maze).content != text;
+  return read.maze && !is_more ? FileKind::maze : FileKind::unknown;
 }
 
 }  // namespace labmouse

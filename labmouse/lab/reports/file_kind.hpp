@@ -6,7 +6,22 @@
 
 namespace labmouse {
 
-enum class FileKind : std::uint8_t { unknown, maze, record, results, csv, page };
+enum class FileKind : std::uint8_t {
+  unknown,
+  maze,
+  record,
+  results,
+  csv,  ///< of a race
+  page,
+  picture,
+  log,
+  prior,
+  failure_rates,
+  junit,
+  study,  ///< the scores of a study, as CSV
+  sweep,  ///< the means of a sweep, as CSV
+  tune    ///< the evaluations of a tuning, as CSV
+};
 
 /// The kind of a file of labmouse, or FileKind::unknown. It may still be damaged.
 FileKind kind_of_file(std::string_view text);

@@ -113,11 +113,9 @@ std::string what_it_is(std::string_view text) {
       return "this is already a page";
     case FileKind::maze:
       return "this is a maze, not a race; `labmouse show` draws it";
-    case FileKind::results:
-    case FileKind::unknown:
+    default:
       return "";
   }
-  return "";
 }
 
 }  // namespace

@@ -200,7 +200,7 @@ TEST(DrivenMms, DoesNotStart) {
 
 TEST(ExternalMice, RaceInEveryWorldInSeconds) {
   const std::string robot = LABMOUSE_SOURCE_DIR "/templates/robots/flood_and_return.py";
-  const std::string program = "python3 " LABMOUSE_SOURCE_DIR "/templates/program.py";
+  const std::string program = "python3 \"" LABMOUSE_SOURCE_DIR "/templates/program.py\"";
   for (const char* world : {"seconds", "failures", "physical"}) {
     SCOPED_TRACE(world);
     const SpecResult mice = read_specs("capstone:" + robot + ",program:" + program);

@@ -16,7 +16,6 @@
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/body/body_in_a_maze.hpp"
-#include "tests/body/plain_mouse.hpp"
 
 namespace labmouse {
 namespace {
@@ -86,7 +85,7 @@ TEST(DriveLog, WithoutALogTheDriveIsWhatItWas) {
 TEST(DriveLog, KnowsWallsThatASensorSeesAlone) {
   const FoundRobot found = find_robot("kerise");
   const Hardware& hardware = *found.robot.hardware;
-  test::BodyInAMaze body(test::hall(2), 90.0, hardware, no_errors);
+  test::BodyInAMaze body(Maze(MazeDraft({2, 2}, MazeDraft::Inside::open)), 90.0, hardware, no_errors);
   const auto rows = [&](const Position& position, double angle) {
     body.put(position, angle);
     std::vector<LoggedTick> ticks;

@@ -86,7 +86,7 @@ TEST(ReportResults, ThatAreSomethingElseSayWhat) {
   EXPECT_THAT(problem_of(csv_of(test::race_of("flood"))).reason, Says("CSV of a race", "--format json"));
   EXPECT_THAT(problem_of(*drawing_format.write(test::corridor().maze).content).reason,
               Says("is a maze", "`labmouse show`"));
-  EXPECT_THAT(problem_of("<!doctype html>\n<html></html>").reason, HasSubstr("a page"));
+  EXPECT_THAT(problem_of("<!doctype html>\n<title>labmouse</title>").reason, HasSubstr("a page"));
 }
 
 TEST(ReportResults, ThatLackAFieldSayWhich) {

@@ -148,7 +148,8 @@ TEST_P(AWorld, HasStandingsBestFirst) {
     EXPECT_EQ(figure_of(held, standing, "runs"), Value(standing.runs));
     std::vector<double> shares;
     for (const ContestResult& contest : held.results)
-      if (contest.mouse == standing.mouse && counts(held, contest))
+      if (contest.mouse == standing.mouse && counts(held, contest) &&
+          contest.score.has_value() == contest.ratio.has_value())
         shares.push_back(contest.score ? std::min(1.0, 1.0 / *contest.ratio) : 0.0);
     EXPECT_NEAR(*standing.mean_share, mean_if_any(shares).value(), 1e-12);
     EXPECT_LE(0.0, standing.share.low);
