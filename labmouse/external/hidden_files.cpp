@@ -37,11 +37,6 @@ void HiddenFiles::note_unsearched(const std::string& folder) {
   unsearched_.insert(folder);
 }
 
-std::vector<std::string> HiddenFiles::unsearched() const {
-  const std::lock_guard lock(mutex_);
-  return {unsearched_.begin(), unsearched_.end()};
-}
-
 HiddenFiles::Paths HiddenFiles::paths() const {
   const std::lock_guard lock(mutex_);
   if (!paths_) paths_ = std::make_shared<const std::vector<std::string>>(all_.begin(), all_.end());

@@ -33,7 +33,10 @@ class HiddenFiles {
   /// @param folder as of is_new_folder().
   void note_unsearched(const std::string& folder);
   /// @return the folders of note_unsearched(), sorted.
-  std::vector<std::string> unsearched() const;
+  std::vector<std::string> unsearched() const {
+    const std::lock_guard lock(mutex_);
+    return {unsearched_.begin(), unsearched_.end()};
+  }
   /// All paths so far.
   /// @return absolute, sorted, without duplicates; never null. It is the same list until a path is added.
   Paths paths() const;

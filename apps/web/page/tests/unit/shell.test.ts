@@ -74,7 +74,7 @@ describe('what was opened', () => {
     record: '',
   });
   const summaryOf = (...plays: ReturnType<typeof record>[]) =>
-    summary({ mazes: [], notes: [], plays, results: [], robots: [], failures: [] });
+    summary({ mazes: [], notes: [], plays, results: [], robots: [], refused: [] });
   it('is told with the fact that a record breaks off, and where', () => {
     expect(summaryOf(record(true))).not.toContain('breaks off');
     expect(summaryOf(record(true), record(false))).toContain('flood: the record breaks off after step 3');
