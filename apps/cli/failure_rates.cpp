@@ -144,11 +144,15 @@ void add_failure_rates(Command& app, int& exit) {
                    "Scales of the variation, separated by commas, or their names: as --variation of `labmouse race`")
       ->type_name("LIST")
       ->capture_default_str();
-  command->add_option("--pace", options->pace, "Shares of the robot's usual speed, separated by commas, 0.2 to 1")
+  command
+      ->add_option(
+          "--pace", options->pace,
+          fmt::format("Shares of the robot's usual speed, separated by commas ({})", range_of(pace_row.setting)))
       ->type_name("LIST")
       ->capture_default_str();
   command
-      ->add_option("--noise", options->conditions.errors.noise, "Scale of the noise of each moment (1 = as measured)")
+      ->add_option("--noise", options->conditions.errors.noise,
+                   "Scale of the noise of each moment: 1 as measured, 0 none")
       ->check(in_range(noise_row.setting.low, noise_row.setting.high))
       ->capture_default_str();
   command

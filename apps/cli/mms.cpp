@@ -11,17 +11,19 @@
 #include "external.hpp"
 #include "frames.hpp"
 #include "labmouse/external/mms/run.hpp"
+#include "labmouse/lab/mms/mms_world.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/replays/mms_drawing.hpp"
 #include "labmouse/lab/replays/mms_summary.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "worlds.hpp"
 
 namespace labmouse::cli {
 namespace {
 
 struct MmsCommandOptions {
   std::string command, maze, record;
-  MmsOptions mms;
+  WorldSettings given;
   ExternalOptions external_mice;
   bool watch = false;
   double speed = 5.0;
@@ -69,6 +71,8 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
   for (const std::string& file : {options.maze, options.record}) external_mice.hidden->add(file);
   const std::vector<Contestant> mice = find_contestants({"mms:" + options.command}, external_mice);
   const Contestant& mouse = mice.front();
+  MmsOptions mms;
+  if (const std::string error = choose(mms_rows, options.given, mms); !error.empty()) throw UsageError(error);
   std::optional<MmsRecorder> recorder;
   std::optional<Watching> watching;
   if (!options.record.empty()) recorder.emplace(mouse.name, maze);
@@ -79,7 +83,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
       if (recorder) recorder->add(event);
       if (watching) watching->tell(event, now);
     };
-  MmsRun run = run_mms(std::get<MmsProgram>(mouse.kind).launch, maze.maze, options.mms, listener);
+  MmsRun run = run_mms(std::get<MmsProgram>(mouse.kind).launch, maze.maze, mms, listener);
   if (recorder) save(options.record, recorder->finish(run));
   const std::string drawing = mms_drawing_of(maze.maze, run.canvas, run.pose, text_drawer(colours()));
   if (watching)
@@ -99,24 +103,6 @@ int mms(const MmsCommandOptions& options) {
   return run.outcome == MmsOutcome::complete ? exit_good : exit_finding;
 }
 
-void add_mms_options(Command& command, MmsOptions& options) {
-  command.add_flag("--strict", options.strict, "End a run at the first line that mms would not answer");
-  command.add_option("--presses", options.presses, "Press Reset N times when the mouse waits for it")
-      ->type_name("N")
-      ->check(in_range(0, 1'000'000))
-      ->capture_default_str();
-  command
-      .add_option("--simulated-limit", options.most_seconds,
-                  "End the run after this simulated time; its best run counts")
-      ->type_name("SECONDS")
-      ->check(in_range(1, 1'000'000))
-      ->capture_default_str();
-  command.add_option("--line-limit", options.most_lines, "End the run after N lines; its best run counts")
-      ->type_name("N")
-      ->check(in_range(1, 2'000'000'000))
-      ->capture_default_str();
-}
-
 }  // namespace
 
 void add_mms(Command& app, int& exit) {
@@ -128,7 +114,9 @@ void add_mms(Command& app, int& exit) {
       ->required()
       ->type_name("COMMAND");
   command->add_option("maze,--maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
-  add_mms_options(*command, options->mms);
+  for (const auto& row : mms_rows)
+    add_setting(*command, row.setting, std::string(row.setting.meaning), std::string(row.setting.default_value),
+                options->given);
   command->add_flag("--watch", options->watch, "Draw the mouse after each move");
   Option* speed = command->add_option("--speed", options->speed, "Watch it at this multiple of mms's default speed")
                       ->type_name("TIMES")

@@ -306,6 +306,9 @@ Option* Command::add_word(const std::string& name, const std::function<void(cons
 Option* Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
   return &options_.emplace_back(*app_->add_flag(name, value, meaning)->group(group_));
 }
+Option* Command::add_flag(const std::string& name, const std::function<void()>& take, const std::string& meaning) {
+  return &options_.emplace_back(*app_->add_flag_callback(name, take, meaning)->group(group_));
+}
 
 namespace {
 

@@ -118,6 +118,8 @@ class Command {
   Option* add_word(const std::string& name, const std::function<void(const std::string&)>& take,
                    const std::string& meaning);
   Option* add_flag(const std::string& name, bool& value, const std::string& meaning);
+  /// Calls `take` if the flag was given.
+  Option* add_flag(const std::string& name, const std::function<void()>& take, const std::string& meaning);
 
   /// Sets the heading in the help for all options that are added after this call.
   void group(const std::string& heading) { group_ = heading; }

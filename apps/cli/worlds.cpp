@@ -91,50 +91,45 @@ std::vector<Entry> taken(EntriesResult result) {
 
 }  // namespace
 
+void add_setting(Command& command, const WorldSetting& setting, const std::string& meaning,
+                 const std::string& default_value, WorldSettings& given) {
+  const std::string name(setting.name), option = "--" + name;
+  const auto take = [&given, name](const std::string& value) { given[name] = value; };
+  switch (setting.kind) {
+    case WorldSetting::Kind::flag:
+      command.add_flag(
+          option, [take] { take("true"); }, meaning);
+      break;
+    case WorldSetting::Kind::whole:
+      command
+          .add_integer(
+              option, [take](std::uint64_t value) { take(fmt::format("{}", value)); }, meaning)
+          ->type_name(std::string(setting.placeholder))
+          ->check(in_range(static_cast<int>(setting.low), static_cast<int>(setting.high)))
+          ->default_str(default_value);
+      break;
+    case WorldSetting::Kind::text:
+    case WorldSetting::Kind::number:
+      command.add_word(option, take, meaning)
+          ->type_name(setting.choices.empty() ? std::string(setting.placeholder)
+                                              : fmt::format("{}", fmt::join(setting.choices, "|")))
+          ->default_str(default_value);
+      break;
+  }
+}
+
 void WorldChoice::add_to(Command& command) {
-  command_ = &command;
   std::string worlds = "World in which to run the contests; default: the one that suits the mice";
   for (const WorldEntry* entry : all_worlds()) worlds += fmt::format("\n{}: {}", entry->name, entry->summary);
   worlds += fmt::format("\n{}: the one that suits each mouse, with a race for each world", each_world);
   command.add_option("--world", world_, worlds)->type_name("WORLD")->check(Check(why_no_world));
-  for (const auto& [setting, entry] : all_settings()) {
-    const std::string name(setting->name), option = "--" + name, meaning = meaning_of(*setting);
-    switch (setting->kind) {
-      case WorldSetting::Kind::flag:
-        command.add_flag(option, flags_[name], meaning);
-        break;
-      case WorldSetting::Kind::whole:
-        command
-            .add_integer(
-                option, [this, name](std::uint64_t value) { texts_[name] = fmt::format("{}", value); }, meaning)
-            ->type_name(std::string(setting->placeholder))
-            ->check(in_range(static_cast<int>(setting->low), static_cast<int>(setting->high)))
-            ->default_str(default_of(setting->name));
-        break;
-      case WorldSetting::Kind::text:
-      case WorldSetting::Kind::number:
-        command.add_option(option, texts_[name], meaning)
-            ->type_name(setting->choices.empty() ? std::string(setting->placeholder)
-                                                 : fmt::format("{}", fmt::join(setting->choices, "|")))
-            ->default_str(default_of(setting->name));
-        break;
-    }
-  }
-}
-
-WorldSettings WorldChoice::given() const {
-  WorldSettings settings;
-  for (const auto& [setting, entry] : all_settings()) {
-    const std::string name(setting->name);
-    if (command_->count("--" + name) == 0) continue;
-    settings[name] = setting->kind == WorldSetting::Kind::flag ? "true" : texts_.at(name);
-  }
-  return settings;
+  for (const auto& [setting, entry] : all_settings())
+    add_setting(command, *setting, meaning_of(*setting), default_of(setting->name), given_);
 }
 
 std::vector<Entry> WorldChoice::enter_worlds(std::vector<Contestant> mice) const {
-  std::vector<Entry> entries = taken(labmouse::enter(std::move(mice), world_ == each_world ? "" : world_, given()));
-  if (const std::string unused = unused_setting(entries, given()); !unused.empty()) throw UsageError(unused);
+  std::vector<Entry> entries = taken(labmouse::enter(std::move(mice), world_ == each_world ? "" : world_, given_));
+  if (const std::string unused = unused_setting(entries, given_); !unused.empty()) throw UsageError(unused);
   return entries;
 }
 
@@ -147,15 +142,14 @@ std::vector<Entry> WorldChoice::enter(std::vector<Contestant> mice) const {
 }
 
 std::size_t WorldChoice::values(const std::string& setting) const {
-  const WorldSettings settings = given();
-  const auto found = settings.find(setting);
-  if (found == settings.end()) return 0;
+  const auto found = given_.find(setting);
+  if (found == given_.end()) return 0;
   return between_commas(found->second).size();
 }
 
 Entry WorldChoice::enter_one(std::vector<Contestant> mice) const {
   std::vector<Entry> entries = taken(sole_entry(enter_worlds(std::move(mice))));
-  return entries.empty() ? Entry{world(), {}, given()} : std::move(entries.front());
+  return entries.empty() ? Entry{world(), {}, given_} : std::move(entries.front());
 }
 
 std::shared_ptr<const World> WorldChoice::world() const { return enter_worlds({}).front().world; }

@@ -1,7 +1,6 @@
 // The option --world and the settings of all worlds.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,13 +28,14 @@ class WorldChoice {
 
  private:
   std::vector<Entry> enter_worlds(std::vector<Contestant> mice) const;
-  WorldSettings given() const;
 
-  const Command* command_ = nullptr;
   std::string world_;
-  std::map<std::string, std::string> texts_;
-  std::map<std::string, bool> flags_;
+  WorldSettings given_;
 };
+
+/// Adds a setting of a world as an option. The user's value goes to `given`, "true" for a flag.
+void add_setting(Command& command, const WorldSetting& setting, const std::string& meaning,
+                 const std::string& default_value, WorldSettings& given);
 
 /// The default number of contests of a mouse in each maze, by world.
 std::string usual_runs_text();
