@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "labmouse/mouse/drive/drive_fields.hpp"
+#include "labmouse/mouse/forwarding_strategy.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/strategies/builtin_mice.hpp"
 
@@ -94,12 +95,13 @@ class RunLadder {
   std::optional<double> good_, bad_;
 };
 
-class Festina final : public DrivingStrategy {
+class Festina final : public ForwardingDriver {
  public:
   /// `briefing` is that of the wrapped strategy; `fields` are null if the caller's briefing already had some.
   Festina(const Briefing& briefing, std::unique_ptr<DriveFields> fields, std::unique_ptr<DrivingStrategy> strategy,
           const Settings& settings, double search_pace, double least_pace, double run_pace, double usual_pace)
-      : goals_(briefing.goals),
+      : ForwardingDriver(*strategy),
+        goals_(briefing.goals),
         most_runs_(briefing.drive.most_runs),
         own_fields_(std::move(fields)),
         fields_(briefing.drive.fields),
@@ -112,8 +114,7 @@ class Festina final : public DrivingStrategy {
         makes_sure_(settings.flag("safe")),
         map_(*map_kind_of(settings.choice("map"))) {}
 
-  Action decide(const Sighting& seen) override { return then(strategy_->decide(seen)); }
-  void show(const Pose& pose, const Sighting& seen) override { strategy_->show(pose, seen); }
+  Action decide(const Sighting& seen) override { return then(mouse().decide(seen)); }
   void carried(std::int64_t time) override {
     stands_at_start_ = true;
     safe_run_ = false;
@@ -121,12 +122,12 @@ class Festina final : public DrivingStrategy {
       ladder_.crashed();
     else
       search_pace_ = std::max(least_pace_, search_pace_ * slower_);
-    strategy_->searches_at(usual_pace_ * search_pace_);
-    strategy_->carried(time);
+    mouse().searches_at(usual_pace_ * search_pace_);
+    mouse().carried(time);
   }
   Action consider(const LogOddsMap& log_odds, const SearchPlace& place, std::int64_t time) override {
     if (safe_run_) return safe_step(log_odds, place);
-    const Action action = then(strategy_->consider(log_odds, place, time));
+    const Action action = then(mouse().consider(log_odds, place, time));
     if (!std::exchange(stands_at_start_, false)) return action;
     const bool sure = action.kind == Action::Kind::reset && has_to_make_sure();
     const Action first = sure ? safe_step(log_odds, place) : action;
@@ -139,10 +140,6 @@ class Festina final : public DrivingStrategy {
     return fast ? ladder_.pace() : search_pace_;
   }
   std::optional<MapKind> map_kind() const override { return map_; }
-  std::int64_t plans() const override { return strategy_->plans(); }
-  const Knowledge& knowledge() const override { return strategy_->knowledge(); }
-  StrategyReport report() override { return strategy_->report(); }
-  const Reasons* reasons() const override { return strategy_->reasons(); }
 
  private:
   /// Whether the next run is to be a safe one.

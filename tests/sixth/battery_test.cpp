@@ -27,6 +27,7 @@ TEST_F(ASixthWorld, IsRunReplayedShownAndScored) {
     EXPECT_THAT(run.out, HasSubstr(shown.out));
   }
   EXPECT_EQ(labmouse({"show", "--record", "drive.jsonl"}).code, 0);
+  EXPECT_THAT(content("drive.jsonl"), HasSubstr(R"("added_world":"battery")"));
 }
 
 TEST_F(ASixthWorld, IsRacedWithItsNoiseStoredAndReported) {

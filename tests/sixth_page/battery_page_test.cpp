@@ -30,6 +30,11 @@ TEST(ASixthWorldInThePage, IsOfferedRunAndRaced) {
   EXPECT_EQ(answer("open", {{"name", "a.jsonl"}}, held["record"].get<std::string>())["play"]["score"],
             held["play"]["score"]);
 
+  // Without what else the world depends on, no other mouse can run there.
+  const json opened = answer("open", {{"name", "a.jsonl"}}, held["record"].get<std::string>())["play"];
+  EXPECT_EQ(opened["world"], "battery");
+  EXPECT_FALSE(opened.contains("again"));
+
   json race = request("mice", {"flood"});
   race.update({{"mazes", {maze}}, {"runs", 3}});
   const json results = answer("race", race)["results"];

@@ -54,8 +54,11 @@ constexpr WorldFields all_fields = {contest_fields,   csv_fields,
 struct ToyConditions {
   int clumsiness = 50;
 };
-constexpr std::array rows = {
-    row<&ToyConditions::clumsiness>({"clumsiness", "PERCENT", "How often a mouse stumbles", "50", 0, 100})};
+constexpr std::array rows = {row<&ToyConditions::clumsiness>({.name = "clumsiness",
+                                                              .placeholder = "PERCENT",
+                                                              .meaning = "How often a mouse stumbles",
+                                                              .default_value = "50",
+                                                              .high = 100})};
 
 // 3. The world: who may enter, what a maze allows, what one contest is, and what it comes to.
 class ToyWorld final : public World {

@@ -131,6 +131,7 @@ ContestOutput DriveWorld::kept(const Contestant& mouse, const NamedMaze& maze, s
     const DriveScore scored = score(file.record, rules_);
     if (scored.best) file.recorded_score = scored.runs[*scored.best];
     file.physical = std::move(driven.physical);
+    if (world_of(file) != traits().name) file.added_world = traits().name;
     if (keep.record) held.record = write_drive_record(file);
     if (keep.picture) held.picture = draw_contest(file);
   }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_coverage.hpp"
 #include "labmouse/lab/drive/drive_fields.hpp"
@@ -16,11 +18,7 @@ namespace {
 
 class SecondsWorld final : public DriveWorld {
  public:
-  SecondsWorld(const DriveRules& rules, const std::shared_ptr<const DriveModel>& model)
-      : DriveWorld({.name = "seconds",
-                    .conditions = drive_conditions(rules, *model, RobotParts::limits),
-                    .fields = &seconds_fields()},
-                   rules, model) {}
+  using DriveWorld::DriveWorld;
 
   std::string refuse(const Contestant& mouse) const override {
     const std::string reason = refuse_in_laps(mouse);
@@ -64,7 +62,10 @@ class SecondsWorld final : public DriveWorld {
 }  // namespace
 
 std::shared_ptr<const World> seconds_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model) {
-  return std::make_shared<SecondsWorld>(rules, model);
+  WorldTraits traits = {.name = "seconds",
+                        .conditions = drive_conditions(rules, *model, RobotParts::limits),
+                        .fields = &seconds_fields()};
+  return std::make_shared<SecondsWorld>(std::move(traits), rules, std::move(model));
 }
 
 }  // namespace labmouse

@@ -3,7 +3,6 @@
 #include "labmouse/lab/robots/drive_rules_keys.hpp"
 
 namespace labmouse {
-
 namespace {
 
 template <class Value>

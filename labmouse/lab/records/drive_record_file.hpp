@@ -28,9 +28,7 @@ struct PhysicalPart {
 
 /// A contest in seconds with everything that is needed to replay it.
 struct DriveRecordFile {
-  /// The name of the contest's world, as read; write_drive_record() finds it. Headers say "physical" for the failure
-  /// model, too, and "seconds" for worlds that are added and have no body.
-  std::string world = "seconds";
+  std::string added_world;  ///< its name, if the contest was run in a world that this program does not bring
   std::string version;  ///< version of the program that wrote the record; write_drive_record() writes the current one
   std::string maze_name;
   std::optional<Maze> maze;  ///< always set, and at most 32x32
@@ -46,6 +44,9 @@ struct DriveRecordFile {
   std::optional<PhysicalPart> physical{};         ///< only in the physical world and the failure model
   std::optional<DriveRunScore> recorded_score{};  ///< the score in the last line; computed by write_drive_record()
 };
+
+/// The name of the contest's world.
+std::string world_of(const DriveRecordFile& file);
 
 /// The pace of a run: its speed on the same path, as a share of the robot's usual speed.
 inline double pace_of(const DriveRecordFile& file, const DriveRun& run) {

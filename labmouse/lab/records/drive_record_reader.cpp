@@ -92,8 +92,9 @@ std::string DriveRecordReading::read_header(const ReadJson& json) {
   if (fields.text("labmouse") != "drive record") fields.fail("is not the header of a record in seconds");
   if (fields.whole("format", 0, 1'000'000) != 1)
     fields.fail("has a format other than 1, which this version cannot read");
-  file_.world = fields.text("world");
-  if (file_.world != "seconds" && file_.world != "physical") fields.fail("has a world other than seconds and physical");
+  const std::string world = fields.text("world");
+  if (world != "seconds" && world != "physical") fields.fail("has a world other than seconds and physical");
+  if (fields.has("added_world")) file_.added_world = fields.text("added_world");
   file_.version = fields.text("version");
   for (const char* key : {"maze", "mouse", "robot", "rules", "seed"})
     if (!fields.has(key)) fields.reject(fmt::format("'{}' is missing", key));
@@ -112,11 +113,10 @@ std::string DriveRecordReading::read_header(const ReadJson& json) {
   if (fields.error().empty()) file_.model = std::make_shared<DriveModel>(read_robot_json(fields, json["robot"]));
   if (fields.error().empty() && fields.text("model") != model_name(file_.model->robot))
     fields.fail(fmt::format("has a model that is not that of its robot, '{}'", model_name(file_.model->robot)));
-  if (fields.error().empty() && file_.world == "physical") {
+  if (fields.error().empty() && world == "physical") {
     file_.physical.emplace();
     if (!fields.has("physical")) fields.reject("'physical' is missing");
     if (fields.error().empty()) read_conditions(json["physical"], *file_.physical, fields);
-    if (file_.physical->notes.by_failure_model) file_.world = "failures";
     const std::string why = fields.error().empty() ? why_not_physical(*file_.model) : "";
     if (!why.empty()) fields.reject("'robot' cannot drive in the physical world: " + why);
     if (fields.error().empty()) fields.reject(why_not_driven(file_.physical->conditions, file_.rules.time_limit));

@@ -32,6 +32,7 @@ Json header_json(const DriveRecordFile& file) {
                {"tables", hash_text(file.model->tables.hash)},
                {"rules", rules_json(file.rules)}};
   if (physical) json["physical"] = conditions_json(*file.physical);
+  if (!file.added_world.empty()) json["added_world"] = file.added_world;
   return json;
 }
 
@@ -99,6 +100,12 @@ Json end_json(const DriveRecordFile& file) {
 }
 
 }  // namespace
+
+std::string world_of(const DriveRecordFile& file) {
+  if (!file.added_world.empty()) return file.added_world;
+  if (!file.physical) return "seconds";
+  return file.physical->notes.by_failure_model ? "failures" : "physical";
+}
 
 std::string write_drive_record(const DriveRecordFile& file) {
   std::string text = record_line(header_json(file));

@@ -137,7 +137,7 @@ std::string replay_physically(const DriveRecordFile& file) {
     return fmt::format(
         "it was driven in edition {} of the {} world; this version has edition {}, so it can be "
         "shown and not driven again",
-        file.physical->edition, file.world, edition);
+        file.physical->edition, world_of(file), edition);
   if (by_failure_model && !rates_behind(*file.physical))
     return fmt::format(
         "it was run with the failure rates {} ({}), which are not built in; it can be shown and not driven again",

@@ -185,7 +185,7 @@ Json header_json(const DriveRecordFile& contest, const DriveRun& best) {
   const DriveBound bound = drive_bound_of(*contest.maze, contest.rules, *contest.model);
   const bool laps = contest.rules.counts == Counted::lap;
   const DriveTime optimum = laps ? bound.fastest.value_or(no_time) : best.route.time;
-  return {{"world", contest.world},
+  return {{"world", world_of(contest)},
           {"traits", traits_of(contest.rules)},
           {"mouse", contest.mouse},
           {"maze", maze_data(contest.maze_name, *contest.maze)},

@@ -29,7 +29,7 @@ struct RecordSubject {
 
 /// The world in which a contest was run, and its conditions there: an object as WorldTraits::conditions has them.
 struct RecordedWorld {
-  std::string_view name;
+  std::string name;
   Json conditions;
 };
 

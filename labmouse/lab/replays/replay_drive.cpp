@@ -78,9 +78,10 @@ class DriveReplay final : public Replay {
     return json;
   }
   std::optional<RecordedWorld> world() const override {
+    if (!file_.added_world.empty()) return std::nullopt;
     const auto parts = file_.physical ? RobotParts::with_body : RobotParts::limits;
     Json conditions = {{"robot", robot_json(file_.model->robot, parts)}, {"rules", rules_json(file_.rules)}};
-    if (!file_.physical) return RecordedWorld{file_.world, std::move(conditions)};
+    if (!file_.physical) return RecordedWorld{world_of(file_), std::move(conditions)};
     const PhysicalPart& part = *file_.physical;
     const bool by_failure_model = part.notes.by_failure_model;
     if (part.edition != (by_failure_model ? failures_edition : physical_edition) || part.notes.foreign_parts)
@@ -92,7 +93,7 @@ class DriveReplay final : public Replay {
       conditions["failure_rates"] = part.failure_rates;
       conditions["failure_rates_hash"] = part.rates_hash;
     }
-    return RecordedWorld{file_.world, std::move(conditions)};
+    return RecordedWorld{world_of(file_), std::move(conditions)};
   }
   Json play() const override { return play_json(file_); }
   std::string picture() const override { return draw_contest(file_); }

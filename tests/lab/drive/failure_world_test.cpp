@@ -153,7 +153,7 @@ TEST(FailureWorld, KeepsRecordsThatAreDrivenAgainByTheFailureRatesThatTheProgram
     ReadDriveRecordResult read = read_drive_record(text);
     ASSERT_TRUE(read.file) << describe("", read.problems.front());
     EXPECT_TRUE(read.file->physical->notes.by_failure_model);
-    EXPECT_EQ(read.file->world, "failures");
+    EXPECT_EQ(world_of(*read.file), "failures");
     EXPECT_EQ(read.file->physical->conditions.map, MapKind::log_odds);
     const auto& runs = read.file->record.runs;
     EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [](const DriveRun& run) { return run.pace < 1.0; }));
