@@ -197,8 +197,8 @@ def names_of_worlds(line):
 
 def world_violations(root):
     """Library, command line, Python and page serve all worlds: they include none and say none's name."""
-    paths = [*library(root, "lab"), *sources(root / "apps/cli"), *sources(root / "apps/python"),
-             *sorted((root / "apps/web/page/src").rglob("*.ts*"))]
+    paths = [*library(root, "lab"), *library(root, "external"), *sources(root / "apps"),
+             *sorted((root / "apps/python/labmouse").rglob("*.py")), *sorted((root / "apps/web/page/src").rglob("*.ts*"))]
     for path in paths:
         if not serves_all_worlds(name_of(path, root)):
             continue

@@ -14,7 +14,6 @@
 #include <limits>
 #include <numbers>
 #include <set>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>

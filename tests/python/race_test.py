@@ -232,12 +232,16 @@ class Stubborn:  # whatever it is told
             except BaseException:
                 pass
 def interrupt():
-    while time.monotonic() < begin + {wait}: time.sleep(0.01)
+    while time.monotonic() < begin[0] + {wait}: time.sleep(0.01)
     sent.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell has it ignored in what runs in its background
 guest = 'program:"' + sys.executable + '" -c "import time; time.sleep(1000)"'
-sent, begin = [], time.monotonic()
+sent, begin = [], [time.monotonic()]
+def finish(*given, finish=labmouse._progress.finish):  # called once the contests run, which takes long on a busy machine
+    begin[0] = time.monotonic()
+    return finish(*given)
+labmouse._progress.finish = finish
 threading.Thread(target=interrupt).start()
 rounds = 0
 try:

@@ -191,12 +191,12 @@ def race(
 
     mice: SPECs, classes with `decide(self, seen)`, or a dictionary from names to both; None for all built-in mice.
     mazes: mazes, files, folders or patterns; None for all built-in mazes.
-    world: 'steps', 'seconds', 'physical', 'failures' or 'mms'; None for the first one that takes the mice.
-        `robot` and `rules` (a built-in name or a file) are settings of the worlds in seconds, `budget` (steps per
-        contest) is one of 'steps'. Other settings have the names of the command line's options. Without `rules`, a race in
-        half-size mazes only (a side over 16) has 'all-japan-half', any other 'all-japan'.
-    runs: contests per maze of a stochastic mouse, and of every mouse in 'physical' and 'failures'; None for 20, and
-        for 3 in 'physical'.
+    world: a name that `labmouse race --world` takes; None for the first one that takes the mice.
+        `robot` and `rules` (a built-in name or a file) are settings of worlds in which robots drive, `budget` (steps per
+        contest) is one where steps count. Other settings have the names of the command line's options. Without `rules`, a
+        race in half-size mazes only (a side over 16) has 'all-japan-half', any other 'all-japan'.
+    runs: contests per maze of a stochastic mouse, and of every mouse in a stochastic world; None for the world's own
+        number, which `labmouse race --help` says.
     seed: for all random choices, 0 to 2**64 - 1.
     jobs: number of threads, and of processes for mice in Python; 0 for one per processor. Results do not depend on it:
         each contest of a mouse in Python starts with your variables as they were at the call, and does not change them.

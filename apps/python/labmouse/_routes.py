@@ -20,8 +20,7 @@ def bound(
 ) -> "float | None":
     """The best possible score in a maze, that of a mouse that knows the maze. None if no goal can be reached.
 
-    Its unit is that of the world: steps ('steps'), seconds ('seconds', 'physical') or points ('mms'). The settings are
-    those of `race`. Raises Error if the world refuses the maze or a setting is wrong.
+    Its unit is that of the world: steps, seconds or points. The settings are those of `race`. Raises Error if the world refuses the maze or a setting is wrong.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     return _native.bound(maze_of(maze), chosen)

@@ -64,7 +64,7 @@ void join(std::vector<Race> races, const std::vector<int>& deal, Study& study) {
     const std::size_t position = places[from].size();
     places[from].push_back(joined.mazes.size());
     joined.mazes.push_back(races[from].mazes[position]);
-    joined.facts.push_back(std::move(races[from].facts[position]));
+    joined.facts.push_back(races[from].facts[position]);
     study.fold_of.push_back(fold);
   }
   for (std::size_t fold = 0; fold < races.size(); ++fold)
