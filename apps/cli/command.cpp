@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
@@ -224,8 +225,13 @@ void print_part(std::string_view part) { write_out(part, printed, false); }
 void keep_other_files(std::string_view option, FileKind kind, const std::string& path) {
   std::error_code unknown;
   if (is_stream(path) || !std::filesystem::is_regular_file(path, unknown)) return;
-  const FileContent file = read_file(path, std::size_t{1} << 28U);
-  if (file.error.empty() && (file.content.empty() || kind_of_file(file.content) == kind)) return;
+  constexpr std::size_t enough = std::size_t{1} << 20U;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw UsageError(fmt::format("{}: error: cannot be read, so {} does not replace it", path, option));
+  std::string begin(enough, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  if (begin.empty() || kind_of_file(begin) == kind) return;
   throw UsageError(
       fmt::format("{}: error: this does not look like a file that {} writes, so it is not replaced; use "
                   "another name, or remove the file",

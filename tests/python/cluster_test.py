@@ -235,6 +235,20 @@ def test_a_comparison_is_that_of_one_machine(client, tmp_path):
         cluster.compare(client, "certify", "flood", better_by=7, store=tmp_path / "a.db")
 
 
+def test_a_comparison_ends_at_ctrl_c(client, tmp_path, monkeypatch):
+    before_call(monkeypatch, 3, lambda: os.kill(os.getpid(), signal.SIGINT), cluster._native, "merge_stores", after=True)
+    with pytest.raises(labmouse.Interrupted) as stopped:
+        cluster.compare(client, "flood", "flood:stride=2", generator="prim", size=8, better_by=0.0001, most=100_000,
+                        store=tmp_path / "a.db", progress=False)
+    assert not stopped.value.partial.complete
+
+
+def test_a_comparison_refuses_workers_with_other_mice(client, tmp_path, monkeypatch):
+    monkeypatch.setattr(cluster._Spread, "_merge", lambda self, parts: self.came.update(one for picked, _ in parts for one in picked))
+    with pytest.raises(labmouse.Error, match="a.db"):
+        cluster.compare(client, "flood", "certify", generator="prim", size=8, store=tmp_path / "a.db", progress=False)
+
+
 def test_a_sweep_races_all_combinations_of_two_parameters(client, tmp_path):
     mazes, values = MAZES[:2], [(bias, join) for bias in (1, 2.5) for join in (True, False)]
     swept = cluster.sweep(client, "two-way", {"bias": [1, 2.5], "join_legs": (True, False)}, mazes, store=tmp_path / "a.db")

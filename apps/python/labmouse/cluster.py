@@ -69,7 +69,7 @@ class _Comparison(NamedTuple):
 
 
 class _Plan(NamedTuple):
-    """A race or a study in a form that can be sent to workers, each of which runs a part of it."""
+    """A race, a study or a comparison in a form that can be sent to workers, each of which runs a part of it."""
 
     specs: "list[tuple[str, str]]"
     own: "list[tuple[str, bytes, bool, str]]"
@@ -157,7 +157,11 @@ class _Spread:
         missing, self.from_store, settings = plan.missing(mazes, store)
         # A worker gets some of the mazes only, so it cannot know the defaults that depend on all of them.
         self.plan = plan._replace(world=(plan.world[0], settings))
-        self.done = self.all = self.from_store
+        self.done = self.from_store
+        # Nobody knows how many contests a comparison will need: at least this many, unless it is decided before.
+        self.all = 2 * plan.comparison.test[4] if plan.comparison else 0
+        self.came: set[_Contest] = set()
+        self.stopped = False
         self._take(missing)
         self.remarks: list[str] = []
         self.futures: dict[Any, list[_Contest]] = {}
@@ -171,8 +175,11 @@ class _Spread:
     def wait(self, seconds: float) -> bool:
         """Submits tasks and merges finished ones; may wait for one. Returns whether all contests are in the store."""
         if not self.futures and not self.waiting:
-            if self.plan.comparison:
-                self._take(self.plan.missing(self.mazes, self.store)[0])
+            if self.plan.comparison and not self.stopped:
+                missing = self.plan.missing(self.mazes, self.store)[0]
+                if not self.came.isdisjoint(missing):
+                    raise _lost_contests(self.store)
+                self._take(missing)
             if not self.waiting:
                 return True
         self._count_threads()
@@ -191,12 +198,13 @@ class _Spread:
     def _take(self, missing: "list[_Contest]") -> None:
         # Sorted by maze: each task computes the bounds of its mazes again.
         self.waiting.extend(sorted(missing, key=lambda contest: (contest[1], contest[0], contest[2])))
-        self.all += len(missing)
+        self.all = max(self.all, self.done + len(missing))
 
     def stop(self) -> None:
         """Cancels all tasks that are not done."""
         from distributed.client import ClosedClientError
 
+        self.stopped = True
         self.waiting.clear()
         with contextlib.suppress(ClosedClientError, RuntimeError):  # the client, or its thread, has ended
             self.client.cancel(list(self.futures))
@@ -296,6 +304,7 @@ class _Spread:
                 Path(paths[-1]).write_bytes(data)
             _native.merge_stores(paths, self.store)
         self.done += sum(len(picked) for picked, _ in parts)
+        self.came.update(contest for picked, _ in parts for contest in picked)
         if not self.checked:
             self.checked = True
             self._check([contest for picked, _ in parts for contest in picked])
@@ -309,6 +318,12 @@ class _Spread:
 def _other_contests(store: str) -> Error:
     return Error(f"{store}: the workers held contests of other mice than were asked for; "
                  "give all machines the same labmouse, the same Python and the same files of external mice")
+
+
+def _lost_contests(store: str) -> Error:
+    return Error(f"{store}: lacks contests that the workers have run: their mice were other ones than were asked for, or a machine was "
+                 "too busy to judge them; give all machines the same labmouse, the same Python and the same files of external mice, "
+                 "and start again")
 
 
 def _spread(client: "Client", who: Given, mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
@@ -435,8 +450,9 @@ def compare(
     same numbers as `labmouse.compare`.
 
     The workers run up to twice as many contests as the verdict needs, because they go on while it is not known. `store` and
-    `patience` are as in `race`, all other arguments as in `labmouse.compare`. Raises Error. Ctrl-C raises Interrupted; its
-    `partial` is the Verdicts so far.
+    `patience` are as in `race`, all other arguments as in `labmouse.compare`. The result's `from_store` counts only the
+    contests that the store had before the first one that it lacked. Raises Error. Ctrl-C raises Interrupted; its `partial`
+    is the Verdicts so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who, first_is_own = compared(first, candidates)

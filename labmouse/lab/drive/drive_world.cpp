@@ -29,6 +29,7 @@ WorldTraits with_rules(WorldTraits its, const DriveRules& rules) {
   its.unit = unit_of(rules.counts);
   its.score_place = {.key = "score", .inner = "value", .unit = 1e-6, .least = -in_seconds(rules.untouched_bonus)};
   its.limit_score = in_seconds(rules.time_limit);
+  its.has_ratio = rules.counts != Counted::dead_end;
   if (rules.counts == Counted::dead_end) its.score_place.most = its.limit_score = rules.marks;
   its.tie_breaker = "search_us";
   its.why_no_bound = "in which no mouse could score";

@@ -1,5 +1,6 @@
 #include "labmouse/lab/mice/maze_holders.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -34,10 +35,22 @@ std::string in_lower_case(std::string_view text) {
   return lower;
 }
 
+/// The text without a byte order mark, blanks, comments and the declaration of XML at its beginning.
+std::string_view from_first_tag(std::string_view text) {
+  constexpr std::string_view mark = "\xef\xbb\xbf", blanks = " \t\r\n";
+  if (text.starts_with(mark)) text.remove_prefix(mark.size());
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    const std::string_view end = text.starts_with("<?") ? "?>" : text.starts_with("<!--") ? "-->" : "";
+    if (end.empty()) return text;
+    text.remove_prefix(std::min(text.find(end), text.size() - end.size()) + end.size());
+  }
+}
+
 }  // namespace
 
 bool holds_maze(const std::string& path) {
-  std::array<char, 64> bytes{};
+  std::array<char, 1024> bytes{};
   std::ifstream file(path, std::ios::binary);
   file.read(bytes.data(), bytes.size());
   const std::string_view begin(bytes.data(), static_cast<std::size_t>(file.gcount()));
@@ -47,8 +60,8 @@ bool holds_maze(const std::string& path) {
   if (begin.starts_with('{') && begin.find("\"labmouse\"") != std::string_view::npos) return true;
   // Pictures, reports, and what a build of labmouse makes.
   const std::string start = in_lower_case(begin), name = in_lower_case(path);
-  for (const std::string_view text : {"<svg", "<!doctype html", "<html"})
-    if (start.find(text) != start.npos) return true;
+  for (const std::string_view tag : {"<svg", "<!doctype svg", "<!doctype html", "<html"})
+    if (from_first_tag(start).starts_with(tag)) return true;
   for (const std::string_view end : {".svg", ".html", ".htm", "/labmouse_core.wasm", "/builtin_mazes.cpp"})
     if (name.ends_with(end)) return true;
   std::error_code error;

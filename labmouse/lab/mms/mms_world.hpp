@@ -18,7 +18,6 @@ inline constexpr const char* mms_formula =
 /// What can be set of the world.
 inline constexpr std::array mms_rows = {
     row<&MmsOptions::strict>({.name = "strict",
-                              .placeholder = "",
                               .meaning = "End a run at the first line that mms would not answer",
                               .default_value = "false"}),
     row<&MmsOptions::presses>({.name = "presses",

@@ -166,6 +166,7 @@ struct WorldTraits {
   bool numbers_runs = true;    ///< whether a mouse may have several contests in a maze; then their files are numbered
   std::string_view unit = {};  ///< of scores, for axes
   ScorePlace score_place = {};
+  bool has_ratio = true;  ///< whether the ratio of a score to the best possible one means anything
   /// What a contest without a score counts in means over all; nothing where it has no place there.
   std::optional<double> failure_score = {};
   /// What a contest without a score counts where mice are compared, where it always has to count: the score at the time

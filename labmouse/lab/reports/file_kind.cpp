@@ -26,7 +26,9 @@ bool is_results(std::string_view text) {
 
 bool is_page(std::string_view text) {
   constexpr std::size_t longest_head = 4096;
-  return text.starts_with("<!doctype html>") && text.substr(0, longest_head).find("<title>labmouse") != text.npos;
+  if (!text.starts_with("<!doctype html>")) return false;
+  if (text.substr(0, longest_head).find("<title>labmouse") != text.npos) return true;
+  return text.find("labmouse:report") != text.npos || text.find("labmouse-report") != text.npos;
 }
 
 struct Beginning {

@@ -89,7 +89,10 @@ class RulesReader {
   /// The text of a required key, which must not be empty.
   std::string text(const DriveRulesKey& key) {
     const toml::node* node = table_.get(key.name);
-    if (node == nullptr) return add_missing(key), "";
+    if (node == nullptr) {
+      add_missing(key);
+      return "";
+    }
     std::string value = node->value<std::string>().value_or("");
     if (value.empty()) refuse(key, form_of(key));
     return value;

@@ -83,7 +83,9 @@ Standing standing_of(const Race& race, std::size_t mouse) {
 }  // namespace
 
 std::optional<double> share_of_best(const Race& race, const ContestResult& contest) {
-  if (!counts(race, contest) || contest.score.has_value() != contest.ratio.has_value()) return std::nullopt;
+  if (!race.world().traits().has_ratio || !counts(race, contest) ||
+      contest.score.has_value() != contest.ratio.has_value())
+    return std::nullopt;
   if (!contest.ratio) return 0.0;
   return *contest.ratio <= 1.0 ? 1.0 : 1.0 / *contest.ratio;
 }

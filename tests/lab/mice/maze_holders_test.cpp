@@ -47,8 +47,10 @@ TEST_F(MazeHolders, AreKnownByTheirContent) {
   EXPECT_TRUE(holds_maze(file("report.htm", "<!doctype html>")));
   EXPECT_TRUE(holds_maze(file("picture.SVG", "<?xml version='1.0'?><svg/>")));
   EXPECT_TRUE(holds_maze(file("saved.txt", "\xef\xbb\xbf\n<!DOCTYPE HTML>")));
+  EXPECT_TRUE(holds_maze(file("drawn", "<?xml version='1.0'?>\n<!-- by hand -->\n<svg/>")));
   EXPECT_TRUE(holds_maze(file("labmouse_core.wasm", "asm")));
   EXPECT_TRUE(holds_maze(file("builtin_mazes.cpp", "// Mazes")));
+  EXPECT_FALSE(holds_maze(file("pages.py", "import sys\nHTML = '<!DOCTYPE html><svg>'\n")));
   EXPECT_FALSE(holds_maze(file("robot.py", "class Robot(object):\n    pass\n")));
   EXPECT_FALSE(holds_maze(file("settings.json", R"({"speed": 3})")));
   EXPECT_FALSE(holds_maze(file("program", std::string("\x7f\x45LF\0\0\0", 7))));

@@ -10,6 +10,7 @@
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 #include "tests/says.hpp"
 
@@ -313,6 +314,13 @@ TEST(Standings, CountAFailureAsAHundred) {
   EXPECT_DOUBLE_EQ(standing.mean_finished.value(), 4.0);
   EXPECT_DOUBLE_EQ(standing.mean_all.value(), 52.0);
   EXPECT_DOUBLE_EQ(standing.mean_share.value(), 3.0 / 4.0 / 2);
+}
+
+TEST(Standings, HaveNoShareOfTheBestWhereScoresHaveNoRatio) {
+  Race race = made_up();
+  EXPECT_EQ(share_of_best(race, race.results[1]), 0.0);
+  race.order.world = find_world("seconds")->make({{"rules", "coverage"}}).world;
+  EXPECT_EQ(share_of_best(race, race.results[1]), std::nullopt);
 }
 
 TEST(Standings, AreSortedByTheMeanOverAll) {
