@@ -36,17 +36,16 @@ struct HeldComparison {
 using GivenGenerator = std::tuple<std::string, int, int, int>;
 /// better_by, alpha, beta, whether the test is gsprt, most mazes, seed, and number of threads.
 using GivenTest = std::tuple<double, double, double, bool, std::size_t, std::uint64_t, int>;
-/// The batch to run; none for a whole comparison.
-using GivenPart = std::optional<std::size_t>;
+/// The number of the first maze of the batch to run; none for a whole comparison.
+using GivenBatch = std::optional<std::size_t>;
 
 /// A comparison that runs in a thread.
 class RunningComparison {
  public:
   RunningComparison(const GivenMice& mice, bool first_is_own, std::vector<NamedMaze> mazes,
                     const GivenGenerator& generator, const GivenWorld& world, const GivenTest& test,
-                    const GivenStore& store, const GivenPart& part) {
+                    const GivenStore& store, const GivenBatch& batch) {
     CompareOrder order;
-    order.part = part;
     bool gsprt = false;
     std::tie(order.test.better_by, order.test.alpha, order.test.beta, gsprt, order.most, order.race.seed,
              order.race.jobs) = test;
@@ -68,10 +67,15 @@ class RunningComparison {
         std::find_if(all.begin(), all.end(), [&](const Contestant& mouse) { return mouse.name == name; });
     std::rotate(all.begin(), first, first + 1);
     held_ = std::make_shared<HeldComparison>();
-    work_.start([this, order, all = std::move(field.entry.mice)]() mutable {
+    work_.start([this, order, batch, all = std::move(field.entry.mice)]() mutable {
+      if (batch) {
+        // The client takes the contests from the store.
+        static_cast<void>(shares_of_batch(std::move(all), order, {*batch, &work_.stopped()}));
+        return;
+      }
       CompareHooks hooks;
       hooks.stop = &work_.stopped();
-      hooks.lacks = [this] { return !store_->missing().empty(); };
+      hooks.lacks_contests = [this] { return !store_->missing().empty(); };
       hooks.advanced = [this](const Compared& compared) {
         while (work_.done() < compared.mazes) work_.advance(compared.order.most);
       };
@@ -129,9 +133,9 @@ void bind_comparisons(nb::module_& module) {
       .def("json", [](const HeldComparison& held) { return json_of(held.compared); });
   nb::class_<RunningComparison> comparison(module, "RunningComparison");
   comparison.def(nb::init<const GivenMice&, bool, std::vector<NamedMaze>, const GivenGenerator&, const GivenWorld&,
-                          const GivenTest&, const GivenStore&, const GivenPart&>(),
+                          const GivenTest&, const GivenStore&, const GivenBatch&>(),
                  "mice"_a, "first_is_own"_a, "mazes"_a, "generator"_a, "world"_a, "test"_a, "store"_a,
-                 "part"_a = nb::none());
+                 "batch"_a = nb::none());
   bind_running(comparison);
   module.def(
       "batch_of", [](const std::string& maze) { return batch_of(maze); }, "maze"_a,

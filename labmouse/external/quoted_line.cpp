@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "labmouse/functions/byte_order_mark.hpp"
+
 namespace labmouse {
 namespace {
-
-constexpr std::string_view order_mark = "\xEF\xBB\xBF";
 
 /// How much of a line is quoted, in bytes.
 constexpr std::size_t most_quoted = 60;
@@ -31,11 +31,9 @@ std::string letter_shown(char letter) {
 }  // namespace
 
 std::string quoted_line(std::string_view line) {
-  const bool marked = line.starts_with(order_mark), returns = line.ends_with('\r');
+  const bool marked = line.starts_with(byte_order_mark), returns = line.ends_with('\r');
   std::string text = marked ? "'\\ufeff" : "'";
-  std::string_view rest = line.substr(0, most_quoted);
-  if (marked) rest.remove_prefix(order_mark.size());
-  for (const char letter : rest) text += letter_shown(letter);
+  for (const char letter : without_mark(line.substr(0, most_quoted))) text += letter_shown(letter);
   text += line.size() > most_quoted ? "...'" : "'";
   if (marked) text += " (it begins with a byte-order mark)";
   if (returns) text += " (it ends with a carriage return)";

@@ -155,7 +155,7 @@ TEST(ExternalParts, ForfeitByAnAnswerThatIsNone) {
 }
 
 TEST(ExternalParts, EndWithTheirContestAndByTheirLimits) {
-  Launch launch = scripted("tracker", "while sleep 0.02; do echo drive 0 0; done");
+  Launch launch = test::bad_program("part slow");
   launch.limits.contest = 300ms;
   const Contest held = contest(launch);
   EXPECT_EQ(held.record.drive.reason, ForfeitReason::out_of_time);

@@ -728,6 +728,20 @@ def test_outputs_overwrite_no_input(tmp_path, capsys):
     assert path.read_text() == "t,g\n0,0\n1,0\n"
 
 
+def test_outputs_overwrite_no_base_and_no_file_of_another_kind(driven, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    base, mouse = tmp_path / "base.toml", tmp_path / "mouse.py"
+    base.write_text(subprocess.run(["labmouse", "robot", "show", "kerise"], capture_output=True, text=True, check=True).stdout)
+    mouse.write_text("# mine\n")
+    before = base.read_text(encoding="utf-8")
+    for words in (["--base", "base.toml", "--out", "./base.toml"], ["--base", "kerise", "--out", "mouse.py"],
+                  ["--base", "base.toml", "--out", "mine.toml", "--plot", "base.toml"]):
+        assert fit_command([driven, "--columns", DRIVEN, *words]) == 2
+    assert (base.read_text(encoding="utf-8"), mouse.read_text()) == (before, "# mine\n")
+    # The name of a built-in robot is no file.
+    assert fit_command([driven, "--columns", DRIVEN, "--base", "kerise", "--out", "kerise"]) == 0
+
+
 def test_what_a_log_should_tell_and_does_not_is_an_exit_code(tmp_path, capsys):
     path = written(tmp_path, "t,g\n" + "".join(f"{t},0\n" for t in range(200)))
     assert fit_command([str(path), "--base", "kerise", "--columns", "time=t,gyro=g"]) == 1

@@ -7,6 +7,7 @@ import asyncio
 import collections
 import concurrent.futures
 import contextlib
+import dataclasses
 import itertools
 import math
 import os
@@ -15,7 +16,7 @@ import tempfile
 import time
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from . import _native
 from ._arguments import LARGEST_SEED, path, runs_given, shown, whole
@@ -59,16 +60,13 @@ _SECONDS_FOR_AN_ANSWER = 10.0
 #: The one kind of all contests of a study, whose time includes the training of mice, and of a comparison.
 _ANY: _Kind = ("", 0)
 
-
-class _Comparison(NamedTuple):
-    """What a comparison has beside mice and world."""
-
-    first_is_own: bool
-    generator: "tuple[str, int, int, int]"
-    test: "tuple[float, float, float, bool, int]"
+#: (path, contests to run if it does not have them or None for all, use). The use is "keep", "read" (runs none) or "send" (a
+#: temporary file, whose content goes to the client).
+_Store = tuple[str, Union[list[_Contest], None], str]
 
 
-class _Plan(NamedTuple):
+@dataclasses.dataclass(frozen=True)
+class _Work:
     """A race, a study or a comparison in a form that can be sent to workers, each of which runs a part of it."""
 
     specs: "list[tuple[str, str]]"
@@ -76,30 +74,30 @@ class _Plan(NamedTuple):
     """Mice in Python: (name, pickled maker, whether it is stochastic, identity in stores)."""
     label: str
     world: "tuple[str, dict[str, str]]"
-    runs: "int | None"
     seed: int
-    folds: "tuple[int, bool] | None"
-    """For a study: (number of folds, whether mice learn)."""
-    comparison: "_Comparison | None" = None
 
-    def begin(self, mazes: "list[Maze]", store: "tuple[str, list[_Contest] | None, str]", jobs: int = 0,
-              batch: "int | None" = None) -> "_Part":
-        """Starts the contests. store: (path, contests to run if it does not have them or None for all, use). The use is
-        "keep", "read" (runs none) or "send" (a temporary file, whose content goes to the client). batch: of a comparison,
-        the only one to run."""
+    #: Whether each contest needs all mazes: for folds, or to draw from.
+    of_all_mazes = True
+    #: Whether contests may be missing that nobody knew of at the beginning.
+    goes_on = False
+
+    def expected(self) -> int:
+        """The number of contests that it has at least, where it is known before."""
+        return 0
+
+    def batch(self, contest: _Contest) -> int:
+        """Contests of different batches cannot be run by one task."""
+        return 0
+
+    def start(self, mice: Any, mazes: "list[Maze]", store: _Store, jobs: int) -> _Running:
+        raise NotImplementedError
+
+    def begin(self, mazes: "list[Maze]", store: _Store, jobs: int = 0) -> "_Part":
+        """Starts the contests that the store names."""
         workers = Workers([data for _, data, _, _ in self.own], jobs or processors()) if self.own else None
         own = [(name, None, uses_chance, workers.elsewhere(number), identity)
                for number, (name, _, uses_chance, identity) in enumerate(self.own) if workers is not None]
-        mice = self.specs, own, _python(), self.label
-        running: _Running
-        if self.comparison is not None:
-            first_is_own, generator, test = self.comparison
-            running = _native.RunningComparison(mice, first_is_own, mazes, generator, self.world, (*test, self.seed, jobs), store, batch)
-        elif self.folds is None:
-            running = _native.RunningRace(mice, mazes, self.world, self.runs, self.seed, jobs, "", False, store)
-        else:
-            running = _native.RunningStudy(mice, mazes, self.world, (*self.folds, self.runs, self.seed, jobs), store)
-        return _Part(running, workers)
+        return _Part(self.start((self.specs, own, _python(), self.label), mazes, store, jobs), workers)
 
     def missing(self, mazes: "list[Maze]", store: str) -> "tuple[list[_Contest], int, dict[str, str]]":
         """The contests that the store does not have, the number of those that it has, and the settings of the world."""
@@ -108,6 +106,47 @@ class _Plan(NamedTuple):
                 pass
             held = running.result()
             return running.missing(), held.from_store, running.settings
+
+
+@dataclasses.dataclass(frozen=True)
+class _Race(_Work):
+    runs: "int | None"
+
+    of_all_mazes = False
+
+    def start(self, mice: Any, mazes: "list[Maze]", store: _Store, jobs: int) -> _Running:
+        return _native.RunningRace(mice, mazes, self.world, self.runs, self.seed, jobs, "", False, store)
+
+
+@dataclasses.dataclass(frozen=True)
+class _Study(_Work):
+    runs: "int | None"
+    folds: int
+    learning: bool
+
+    def start(self, mice: Any, mazes: "list[Maze]", store: _Store, jobs: int) -> _Running:
+        return _native.RunningStudy(mice, mazes, self.world, (self.folds, self.learning, self.runs, self.seed, jobs), store)
+
+
+@dataclasses.dataclass(frozen=True)
+class _Comparison(_Work):
+    first_is_own: bool
+    generator: "tuple[str, int, int, int]"
+    test: "tuple[float, float, float, bool, int]"
+
+    goes_on = True
+
+    def expected(self) -> int:
+        # Unless it is decided before.
+        return 2 * self.test[4]
+
+    def batch(self, contest: _Contest) -> int:
+        return _native.batch_of(contest[1])
+
+    def start(self, mice: Any, mazes: "list[Maze]", store: _Store, jobs: int) -> _Running:
+        _, picked, use = store
+        batch = self.batch(picked[0]) if use == "send" and picked else None
+        return _native.RunningComparison(mice, self.first_is_own, mazes, self.generator, self.world, (*self.test, self.seed, jobs), store, batch)
 
 
 class _Part:
@@ -125,13 +164,12 @@ class _Part:
             self.workers.close()
 
 
-def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[bytes, _Spent]":
+def _hold(work: _Work, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[bytes, _Spent]":
     """The task of a Dask worker: runs contests. Returns the content of a store with them, and their times."""
     begin = time.perf_counter()
-    batch = _native.batch_of(picked[0][1]) if plan.comparison else None
     with tempfile.TemporaryDirectory() as folder:
         store = os.path.join(folder, "part.db")
-        part = plan.begin(mazes, (store, picked, "send"), 1, batch)
+        part = work.begin(mazes, (store, picked, "send"), 1)
         with part as running:
             while not running.wait(1.0):
                 pass
@@ -146,7 +184,7 @@ def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[
 class _Spread:
     """Distributes contests to workers and merges their results into the store. Only this client writes to the store."""
 
-    def __init__(self, client: "Client", plan: _Plan, mazes: "list[Maze]", store: str, patience: float) -> None:
+    def __init__(self, client: "Client", work: _Work, mazes: "list[Maze]", store: str, patience: float) -> None:
         self.client: Any = client
         self.patience = patience
         self.mazes = mazes
@@ -154,12 +192,11 @@ class _Spread:
         self.by_name = {maze.name: maze for maze in mazes}
         self.cells = {maze.name: maze.width * maze.height for maze in mazes}
         self.waiting: collections.deque[_Contest] = collections.deque()
-        missing, self.from_store, settings = plan.missing(mazes, store)
+        missing, self.from_store, settings = work.missing(mazes, store)
         # A worker gets some of the mazes only, so it cannot know the defaults that depend on all of them.
-        self.plan = plan._replace(world=(plan.world[0], settings))
+        self.work = dataclasses.replace(work, world=(work.world[0], settings))
         self.done = self.from_store
-        # Nobody knows how many contests a comparison will need: at least this many, unless it is decided before.
-        self.all = 2 * plan.comparison.test[4] if plan.comparison else 0
+        self.all = work.expected()
         self.came: set[_Contest] = set()
         self.stopped = False
         self._take(missing)
@@ -175,10 +212,10 @@ class _Spread:
     def wait(self, seconds: float) -> bool:
         """Submits tasks and merges finished ones; may wait for one. Returns whether all contests are in the store."""
         if not self.futures and not self.waiting:
-            if self.plan.comparison and not self.stopped:
-                missing = self.plan.missing(self.mazes, self.store)[0]
+            if self.work.goes_on and not self.stopped:
+                missing = self.work.missing(self.mazes, self.store)[0]
                 if not self.came.isdisjoint(missing):
-                    raise _lost_contests(self.store)
+                    raise _other_contests(self.store)
                 self._take(missing)
             if not self.waiting:
                 return True
@@ -235,7 +272,7 @@ class _Spread:
             enough, seconds = len(self.waiting) / (2 * threads), 0.0
             picked: list[_Contest] = []
             while self.waiting and seconds < (_SECONDS_A_TASK if len(picked) < enough else _SECONDS_A_LAST_TASK):
-                if picked and self.plan.comparison and _native.batch_of(self.waiting[0][1]) != _native.batch_of(picked[0][1]):
+                if picked and self.work.batch(self.waiting[0]) != self.work.batch(picked[0]):
                     break
                 picked.append(self.waiting.popleft())
                 seconds += self._seconds_of(picked[-1])
@@ -244,20 +281,17 @@ class _Spread:
     def _seconds_of(self, contest: _Contest) -> float:
         """Expected time of a contest in s. Kinds with few measurements get a high value, so that tasks stay small."""
         mouse, maze, _ = contest
-        kind = (mouse, self.cells[maze]) if self._is_race() else _ANY
+        kind = _ANY if self.work.of_all_mazes else (mouse, self.cells[maze])
         number, seconds = self.spent.get(kind, (1.0, 0.0))
         return max(seconds / number, _SECONDS_A_TASK / (_FIRST * number))
 
     def _send(self, picked: "list[_Contest]") -> None:
-        future = self.client.submit(_hold, self.plan, self._mazes_of(picked), picked, pure=False)
+        future = self.client.submit(_hold, self.work, self._mazes_of(picked), picked, pure=False)
         self._await(future, picked)
 
     def _mazes_of(self, picked: "list[_Contest]") -> "list[Maze]":
-        """The mazes that these contests need. Studies and comparisons need all of them for folds, and to draw from."""
-        return [self.by_name[name] for name in sorted({maze for _, maze, _ in picked})] if self._is_race() else self.mazes
-
-    def _is_race(self) -> bool:
-        return self.plan.folds is None and self.plan.comparison is None
+        """The mazes that these contests need."""
+        return self.mazes if self.work.of_all_mazes else [self.by_name[name] for name in sorted({maze for _, maze, _ in picked})]
 
     def _await(self, future: Any, picked: "list[_Contest]") -> None:
         self.futures[future] = picked
@@ -311,43 +345,42 @@ class _Spread:
 
     def _check(self, came: "list[_Contest]") -> None:
         """Raises Error if the workers ran other contests than this machine would: their mice have other identities."""
-        if not set(came).isdisjoint(self.plan.missing(self._mazes_of(came), self.store)[0]):
+        if not set(came).isdisjoint(self.work.missing(self._mazes_of(came), self.store)[0]):
             raise _other_contests(self.store)
 
 
 def _other_contests(store: str) -> Error:
-    return Error(f"{store}: the workers held contests of other mice than were asked for; "
-                 "give all machines the same labmouse, the same Python and the same files of external mice")
-
-
-def _lost_contests(store: str) -> Error:
     return Error(f"{store}: lacks contests that the workers have run: their mice were other ones than were asked for, or a machine was "
                  "too busy to judge them; give all machines the same labmouse, the same Python and the same files of external mice, "
                  "and start again")
 
 
-def _spread(client: "Client", who: Given, mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
-            numbers: "tuple[int | None, int]", folds: "tuple[int, bool] | None", progress: "bool | None",
-            patience: float, chosen: "tuple[str, dict[str, str]]", comparison: "_Comparison | None" = None) -> "tuple[Any, int, bool]":
+def _parts(client: "Client", who: Given, label: "str | None", chosen: "tuple[str, dict[str, str]]", seed: int) -> "tuple[Any, ...]":
+    """The fields that all kinds of work have."""
     if not hasattr(client, "submit"):
         raise Error(f"client is a distributed.Client, not {shown(client)}")
-    runs, seed = numbers
-    numbers = runs_given(runs), whole("seed", seed, 0, LARGEST_SEED)
-    if folds is not None:
-        folds = whole("folds", folds[0], 2, 1_000_000), folds[1]
+    seed = whole("seed", seed, 0, LARGEST_SEED)
     specs, native, _, known = who.native(None, label, True)
     own = [(name, data, uses_chance, identity)
            for (name, _, uses_chance, _, identity), data in zip(native, snapshot(who.own))]
-    plan = _Plan(specs, own, known, chosen, *numbers, folds, comparison)
-    field = [] if comparison and mazes is None else mazes_of(mazes) or _native.find_mazes([])
+    return specs, own, known, chosen, seed
+
+
+def _all_of(mazes: "Mazes | None") -> "list[Maze]":
+    return mazes_of(mazes) or _native.find_mazes([])
+
+
+def _spread(client: "Client", work: _Work, mazes: "list[Maze]", store: "str | os.PathLike[str]", progress: "bool | None",
+            patience: float) -> "tuple[Any, int, bool]":
+    """Runs the work. Returns its result, the number of contests that the store had, and whether Ctrl-C stopped it."""
     kept = path("store", store)
-    spread = _Spread(client, plan, field, kept, patience)
+    spread = _Spread(client, work, mazes, kept, patience)
     try:
         stopped = finish(spread, progress)
     finally:
         spread.stop()
     # The store has all contests now or, after Ctrl-C, those that are done.
-    with plan.begin(field, (kept, None, "read")) as running:
+    with work.begin(mazes, (kept, None, "read")) as running:
         finish(running, False)
         held = running.result()
     if not stopped and not held.complete:
@@ -382,7 +415,8 @@ def race(
     robots and rules under the same paths. Raises Error. Ctrl-C raises Interrupted, whose `partial` is the Race so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    held, from_store, stopped = _spread(client, given(mice), mazes, store, label, (runs, seed), None, progress, patience, chosen)
+    work = _Race(*_parts(client, given(mice), label, chosen, seed), runs_given(runs))
+    held, from_store, stopped = _spread(client, work, _all_of(mazes), store, progress, patience)
     race = Race(held, from_store)
     if stopped:
         raise Interrupted(race)
@@ -414,7 +448,8 @@ def study(
     other arguments as in `labmouse.study`. Raises Error. Ctrl-C raises Interrupted; its `partial` is the Study so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    held, from_store, stopped = _spread(client, given(mice), mazes, store, label, (runs, seed), (folds, learning), progress, patience, chosen)
+    work = _Study(*_parts(client, given(mice), label, chosen, seed), runs_given(runs), whole("folds", folds, 2, 1_000_000), learning)
+    held, from_store, stopped = _spread(client, work, _all_of(mazes), store, progress, patience)
     study = Study(held, from_store)
     if stopped:
         raise Interrupted(study)
@@ -456,8 +491,9 @@ def compare(
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who, first_is_own = compared(first, candidates)
-    comparison = _Comparison(first_is_own, generator_of(generator, size, loops), test_of(better_by, alpha, beta, test, most))
-    held, from_store, stopped = _spread(client, who, mazes, store, label, (None, seed), None, progress, patience, chosen, comparison)
+    work = _Comparison(*_parts(client, who, label, chosen, seed), first_is_own, generator_of(generator, size, loops),
+                       test_of(better_by, alpha, beta, test, most))
+    held, from_store, stopped = _spread(client, work, [] if mazes is None else _all_of(mazes), store, progress, patience)
     verdicts = Verdicts(held, from_store)
     if stopped:
         raise Interrupted(verdicts)

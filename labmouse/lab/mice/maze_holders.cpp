@@ -1,6 +1,5 @@
 #include "labmouse/lab/mice/maze_holders.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include <string_view>
 
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/markup.hpp"
 #include "labmouse/maze/formats/format.hpp"
 
 namespace labmouse {
@@ -35,18 +35,6 @@ std::string in_lower_case(std::string_view text) {
   return lower;
 }
 
-/// The text without a byte order mark, blanks, comments and the declaration of XML at its beginning.
-std::string_view from_first_tag(std::string_view text) {
-  constexpr std::string_view mark = "\xef\xbb\xbf", blanks = " \t\r\n";
-  if (text.starts_with(mark)) text.remove_prefix(mark.size());
-  for (;;) {
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    const std::string_view end = text.starts_with("<?") ? "?>" : text.starts_with("<!--") ? "-->" : "";
-    if (end.empty()) return text;
-    text.remove_prefix(std::min(text.find(end), text.size() - end.size()) + end.size());
-  }
-}
-
 }  // namespace
 
 bool holds_maze(const std::string& path) {
@@ -59,9 +47,8 @@ bool holds_maze(const std::string& path) {
   // Records, and results of races.
   if (begin.starts_with('{') && begin.find("\"labmouse\"") != std::string_view::npos) return true;
   // Pictures, reports, and what a build of labmouse makes.
-  const std::string start = in_lower_case(begin), name = in_lower_case(path);
-  for (const std::string_view tag : {"<svg", "<!doctype svg", "<!doctype html", "<html"})
-    if (from_first_tag(start).starts_with(tag)) return true;
+  if (is_markup(begin)) return true;
+  const std::string name = in_lower_case(path);
   for (const std::string_view end : {".svg", ".html", ".htm", "/labmouse_core.wasm", "/builtin_mazes.cpp"})
     if (name.ends_with(end)) return true;
   std::error_code error;

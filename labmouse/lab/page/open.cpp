@@ -1,9 +1,7 @@
 // Opens a dropped file of any kind: a maze, a record, results of a race, or a robot.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
+#include "labmouse/functions/byte_order_mark.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/played_record.hpp"
@@ -15,6 +13,7 @@
 #include "labmouse/lab/text/encoding.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/json_problem.hpp"
+#include "labmouse/lab/text/markup.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {
@@ -22,8 +21,7 @@ namespace {
 
 /// The text without byte order mark and leading white space.
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  text = without_mark(text);
   const auto first = text.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
@@ -45,15 +43,8 @@ bool is_record(std::string_view text) {
   return gist(text).starts_with("{\"labmouse\":\"") && gist(text).find("record\"") != std::string::npos;
 }
 
-bool is_markup(std::string_view text) {
-  const std::string begin = gist(text);
-  constexpr std::array<std::string_view, 4> beginnings = {"<!doctype", "<html", "<?xml", "<svg"};
-  return std::any_of(beginnings.begin(), beginnings.end(),
-                     [&](std::string_view each) { return begin.starts_with(each); });
-}
-
 PageReply open_markup(const std::string& name, std::string_view text) {
-  const bool ours = text.find("labmouse") != std::string_view::npos && !gist(text).starts_with("<svg");
+  const bool ours = text.find("labmouse") != std::string_view::npos && !first_tag(text).starts_with("<svg");
   return failed(ours ? fmt::format("{} is a labmouse page; open it in the browser, like any web page", name)
                      : fmt::format("{} is a web page or a picture; open mazes, records or race results here", name));
 }

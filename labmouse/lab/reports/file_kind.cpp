@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "labmouse/functions/byte_order_mark.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "labmouse/maze/formats/format.hpp"
@@ -53,7 +54,7 @@ constexpr auto beginnings = std::to_array<Beginning>({
 }  // namespace
 
 FileKind kind_of_file(std::string_view text) {
-  if (constexpr std::string_view mark = "\xef\xbb\xbf"; text.starts_with(mark)) text.remove_prefix(mark.size());
+  text = without_mark(text);
   if (is_record(text)) return FileKind::record;
   for (const Beginning& each : beginnings)
     if (text.starts_with(each.begin)) return each.kind;

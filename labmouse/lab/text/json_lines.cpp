@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "labmouse/functions/byte_order_mark.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/json_problem.hpp"
 
@@ -19,8 +20,7 @@ std::string_view next_line(std::string_view& text) {
 }  // namespace
 
 std::vector<Problem> read_json_lines(std::string_view text, const LineReader& reader) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  text = without_mark(text);
   const bool last_is_whole = text.ends_with('\n');
   bool empty = true;
   for (int number = 1; !text.empty(); ++number) {

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
+#include "labmouse/functions/byte_order_mark.hpp"
 #include "labmouse/functions/parse_number.hpp"
 
 namespace labmouse::formats {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::string_view blanks_and_ends = " \t\r\n";
-
-std::string_view without_mark(std::string_view content) {
-  if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
-  return content;
-}
 
 std::string_view without_last(std::string_view text, std::string_view letters) {
   return text.substr(0, text.find_last_not_of(letters) + 1);

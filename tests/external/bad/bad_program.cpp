@@ -139,6 +139,10 @@ void misbehave(std::string how) {
   if (how == "write notes") do
       std::cerr << "a note\n", say(manners.answer);
     while (hear(manners.question));
+  if (how == "slow") {
+    do wait_for(20), say(manners.answer);
+    while (hear(manners.question));
+  }
   if (how == "late") work(500), say(manners.answer), hang();
   if (how == "work") work(1'000'000);
   if (how == "die") std::cerr << "one\ntwo\nthree: no way out\n", std::exit(3);

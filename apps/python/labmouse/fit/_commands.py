@@ -98,13 +98,13 @@ def _fit(options: argparse.Namespace) -> int:
     if options.plot and len(paths) > 1:
         raise Error("--plot shows one log; name one")
     _check_outputs([*paths, options.turns, options.base], [options.out, options.plot])
+    if options.out and not options.out.endswith(".toml") and os.path.isfile(options.out) and os.path.getsize(options.out):
+        raise Error(f"{options.out}: error: is there, and no robot file, whose name ends in .toml; use another name, or remove the file")
     path = options.turns or ", ".join(paths)
     fitted = _of_turns(options) if options.turns else _of_logs(options, paths)
     if options.plot and not fitted.fits:
         raise Error(f"{path}: error: has no turns with speeds, so there is no fit for --plot; leave it out")
     if options.out:
-        if not options.out.endswith(".toml") and os.path.isfile(options.out) and os.path.getsize(options.out):
-            raise Error(f"{options.out}: error: is there, and no robot file, whose name ends in .toml; use another name, or remove the file")
         _native.write_file(options.out, fitted.text)
     else:
         print(fitted.text, end="")
