@@ -43,6 +43,8 @@ PageReply answer_robot(const ReadJson& request, std::string_view bytes);
 PageReply answer_regions(const ReadJson& request, std::string_view bytes);
 PageReply answer_unpack(const ReadJson& request, std::string_view bytes);
 PageReply answer_race(const ReadJson& request, std::string_view bytes);
+PageReply answer_paired_shares(const ReadJson& request, std::string_view bytes);
+PageReply answer_verdict(const ReadJson& request, std::string_view bytes);
 PageReply answer_compare(const ReadJson& request, std::string_view bytes);
 PageReply answer_losses(const ReadJson& request, std::string_view bytes);
 PageReply answer_beliefs(const ReadJson& request, std::string_view bytes);

@@ -35,6 +35,8 @@ constexpr std::array calls = {
     Call{"unpack", answer_unpack},
     Call{"race", answer_race},
     Call{"compare", answer_compare},
+    Call{"paired_shares", answer_paired_shares},
+    Call{"verdict", answer_verdict},
     Call{"losses", answer_losses},
     Call{"beliefs", answer_beliefs},
     Call{"picture", answer_picture},

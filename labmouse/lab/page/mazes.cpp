@@ -1,12 +1,11 @@
 // Built-in and generated mazes, and properties of a maze.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/bounds/mms_bound.hpp"
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/entrants.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/replays/fields.hpp"
 #include "labmouse/lab/replays/maze_data.hpp"
@@ -68,14 +67,8 @@ PageReply answer_builtin_maze(const ReadJson& json, std::string_view) {
 
 PageReply answer_make_maze(const ReadJson& json, std::string_view) {
   PageRequest request(json);
-  const std::string name = request.text("generator");
-  const Size size{request.whole("width", 1, max_side), request.whole("height", 1, max_side)};
-  const double loops = request.number("loops", 0.0, 1.0);
-  const GeneratorOrder order{size, request.seed(), static_cast<int>(std::lround(loops * 1000.0))};
+  const auto [generator, order] = read_generator(request);
   if (!request.error().empty()) return failed(request.error());
-  const Generator* generator = find_generator(name);
-  if (generator == nullptr) return failed(fmt::format("unknown generator '{}'", name));
-  if (const auto reason = generator->refuses(order); !reason.empty()) return failed(std::string(reason));
   return answered({{"maze", maze_data(name_of_made(*generator, order), generator->make(order))}});
 }
 

@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/entrants.hpp"
 #include "labmouse/lab/page/external.hpp"
-#include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
@@ -19,43 +19,14 @@ namespace {
 constexpr std::size_t most_contests = 20'000;
 constexpr int most_runs = 1'000;
 
-std::vector<Contestant> read_mice(PageRequest& request, const World* world) {
-  const ReadJson& list = request.list("mice");
-  if (world == nullptr || (list.empty() && request.has("played"))) return {};
-  if (list.empty()) return residents_of(*world);
-  std::vector<std::string> specs;
-  for (const ReadJson& spec : list)
-    if (spec.is_string())
-      specs.push_back(spec.get<std::string>());
-    else
-      request.reject("'mice' has an entry that is not a string");
-  SpecResult result = read_page_mice(specs);
-  request.reject(result.error);
-  for (const Contestant& mouse : result.contestants) request.reject(world->refuse(mouse));
-  return std::move(result.contestants);
-}
-
-std::vector<NamedMaze> read_mazes(PageRequest& request, const World* world) {
-  std::vector<NamedMaze> mazes;
-  for (const ReadJson& each : request.list("mazes")) {
-    mazes.push_back(request.maze_at(each, fmt::format("mazes[{}]", mazes.size())));
-    const auto same = [&](const NamedMaze& maze) { return maze.name == mazes.back().name; };
-    if (std::count_if(mazes.begin(), mazes.end(), same) > 1)
-      request.reject(fmt::format("two mazes are named '{}'", mazes.back().name));
-    if (const std::string reason = world != nullptr ? world->refuse(mazes.back().maze) : ""; !reason.empty())
-      request.reject(fmt::format("{} {}", mazes.back().name, reason));
-    if (!request.error().empty()) break;
-  }
-  if (mazes.empty()) request.reject("a race needs at least one maze");
-  return mazes;
-}
-
 }  // namespace
 
 PageReply answer_race(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   Entry entry = read_page_world(request);
-  std::vector<Contestant> mice = read_mice(request, entry.world.get());
+  // A race of the user's mouse alone has no others.
+  const bool is_alone = request.has("played") && request.list("mice").empty();
+  std::vector<Contestant> mice = is_alone ? std::vector<Contestant>() : read_mice(request, entry.world.get());
   std::vector<NamedMaze> mazes = read_mazes(request, entry.world.get());
   if (entry.world != nullptr) suit_defaults(entry, mazes);
   RaceOrder order;

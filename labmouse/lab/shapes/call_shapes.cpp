@@ -58,6 +58,17 @@ std::vector<CallShape> call_shapes() {
        object({field("results", named("RaceResults"))})},
       {"compare", "Means of a mouse in the same mazes as another.",
        object({field("differences", list(number)), maybe("seed", number)}), named("PairedDifference")},
+      {"paired_shares",
+       "Contests of one batch of a comparison, as those of `labmouse compare`: the share of the best possible score of "
+       "each mouse in each maze, null where the maze does not count. `begin`: the number of its first maze, a multiple "
+       "of "
+       "32. With `mazes` these are drawn from; without, they are generated. The first mouse is compared with the "
+       "others; "
+       "those that are decided may be left out.",
+       object({field("begin", number)}, {"ComparisonOrder", "Fields"}), object({field("shares", named("Shares"))})},
+      {"verdict", "The comparison of mice by the shares of all batches so far. Once it is `over`, no more are needed.",
+       object({field("shares", named("Shares"))}, {"ComparisonOrder", "Fields"}),
+       object({field("comparison", named("Comparison")), field("over", flag)})},
       {"losses",
        "Where contests in steps in one maze lose their steps; labmouse/lab/replays/lost_steps.hpp says what that "
        "means. Lists run over cells; those that were not finished are left out of all but `contests`. `points` is "

@@ -26,11 +26,10 @@ bool is_exact(const std::vector<Contestant>& mice, const CompareOrder& order) {
                       [](const Contestant& mouse) { return mouse.external || mouse.uses_chance; });
 }
 
-/// The contest of a mouse in a maze, in a race with one in each.
-const ContestResult& contest_in(const Race& race, std::string_view mouse, std::size_t maze) {
-  return *std::find_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
-    return contest.maze == maze && race.mice[contest.mouse].name == mouse;
-  });
+bool is_undecided(const ComparedMouse& candidate) { return candidate.verdict == SequentialVerdict::undecided; }
+
+bool any_undecided(const Compared& compared) {
+  return std::any_of(compared.candidates.begin(), compared.candidates.end(), is_undecided);
 }
 
 class Comparing {
@@ -51,42 +50,43 @@ class Comparing {
   }
 
   Compared hold() && {
-    const std::vector<NamedMaze>& list = compared_.order.mazes.list;
-    if (compared_.order.part) {
-      static_cast<void>(compared_.exact
-                            ? race_in(list, compared_.order.race)
-                            : race_in(mazes_from(*compared_.order.part), order_from(*compared_.order.part)));
-      compared_.stopped = true;
-      return finished();
-    }
-    if (compared_.exact) {
-      add(race_in(list, compared_.order.race));
-      for (ComparedMouse& candidate : compared_.candidates) decide_exactly(candidate);
-      return finished();
-    }
     std::size_t begin = 0;
-    while (compared_.mazes < compared_.order.most && is_undecided() && !is_pointless()) {
+    while (!compared_.stopped && compared_.never_started.empty() && !is_over(compared_)) {
       begin = compared_.mazes;
-      race_from(begin);
+      const Race race = race_from(begin);
+      if (race.stopped || lacks_contests()) {
+        compared_.stopped = true;
+        break;
+      }
+      // Who started once has not failed to start in every contest.
+      if (compared_.mazes == 0) compared_.never_started = never_started_lines(race);
+      if (compared_.never_started.empty()) add(shares_of(race, begin));
       show(false);
       if (hooks_.advanced) hooks_.advanced(compared_);
     }
-    if (lacks()) look_ahead(begin);
-    show(true);
+    if (lacks_contests() && !compared_.exact) look_ahead(begin);
     return finished();
+  }
+
+  Compared judge(const std::vector<MazeShares>& shares) && {
+    add(shares);
+    return finished();
+  }
+
+  std::vector<MazeShares> batch_shares(std::size_t begin) const {
+    const Race race = race_from(begin);
+    return race.stopped ? std::vector<MazeShares>() : shares_of(race, begin);
   }
 
  private:
   /// The result, without the store, which ends with the race.
   Compared finished() {
+    if (compared_.exact)
+      for (ComparedMouse& candidate : compared_.candidates) decide_exactly(candidate);
+    else
+      show(true);
     compared_.order.race.store.reset();
     return std::move(compared_);
-  }
-
-  /// Whether no maze so far counted, or there will be no more.
-  bool is_pointless() const {
-    return compared_.stopped || !compared_.never_started.empty() ||
-           (compared_.mazes > 0 && compared_.skipped == compared_.mazes);
   }
 
   struct Sums {
@@ -101,79 +101,67 @@ class Comparing {
         for (const NamedMaze& maze : compared_.order.mazes.list) mouse.hidden->add_if_there(maze.name);
   }
 
-  bool is_undecided() const {
-    return std::any_of(compared_.candidates.begin(), compared_.candidates.end(), [](const ComparedMouse& candidate) {
-      return candidate.verdict == SequentialVerdict::undecided;
-    });
-  }
-
-  bool lacks() const { return hooks_.lacks && hooks_.lacks(); }
+  bool lacks_contests() const { return hooks_.lacks_contests && hooks_.lacks_contests(); }
 
   /// The size of the batch that begins with the maze of that number.
-  std::size_t count_from(std::size_t begin) const { return std::min(batch, compared_.order.most - begin); }
-
-  RaceOrder order_from(std::size_t begin) const {
-    RaceOrder order = compared_.order.race;
-    order.seed = seed_for(order.seed, "contests", begin);
-    order.first_told = begin;
-    return order;
+  std::size_t count_from(std::size_t begin) const {
+    return compared_.exact ? compared_.order.mazes.list.size() : std::min(batch, compared_.order.most - begin);
   }
 
-  /// The mazes of that batch, without those that the world refuses.
+  /// The mazes of that batch, in the order of drawing.
   std::vector<NamedMaze> mazes_from(std::size_t begin) const {
+    if (compared_.exact) return compared_.order.mazes.list;
     std::vector<NamedMaze> mazes;
-    for (std::size_t i = 0; i < count_from(begin); ++i) {
-      NamedMaze maze = drawn_maze(compared_.order.mazes, compared_.order.race.seed, begin + i);
-      if (compared_.order.race.world->refuse(maze.maze).empty()) mazes.push_back(std::move(maze));
-    }
+    for (std::size_t i = 0; i < count_from(begin); ++i)
+      mazes.push_back(drawn_maze(compared_.order.mazes, compared_.order.race.seed, begin + i));
     return mazes;
   }
 
-  void race_from(std::size_t begin) {
+  /// Races in that batch, without the mazes that the world refuses.
+  Race race_from(std::size_t begin) const {
+    RaceOrder order = compared_.order.race;
     std::vector<NamedMaze> mazes = mazes_from(begin);
-    const std::size_t refused = count_from(begin) - mazes.size();
-    add(race_in(std::move(mazes), order_from(begin)));
-    compared_.mazes += refused;
-    compared_.skipped += refused;
-  }
-
-  /// Lets the store see the contests of as many mazes as were raced in.
-  void look_ahead(std::size_t begin) const {
-    const std::size_t end = std::min(compared_.order.most, 2 * begin);
-    for (std::size_t ahead = begin + batch; ahead < end; ahead += batch)
-      static_cast<void>(race_in(mazes_from(ahead), order_from(ahead)));
-  }
-
-  Race race_in(std::vector<NamedMaze> mazes, const RaceOrder& order) const {
+    if (!compared_.exact) {
+      order.seed = seed_for(order.seed, "contests", begin);
+      order.first_told = begin;
+      std::erase_if(mazes, [&](const NamedMaze& maze) { return !order.world->refuse(maze.maze).empty(); });
+    }
     std::vector<Contestant> mice = {mice_.front()};
     for (std::size_t i = 0; i < tests_.size(); ++i)
-      if (compared_.candidates[i].verdict == SequentialVerdict::undecided) mice.push_back(mice_[i + 1]);
+      if (is_undecided(compared_.candidates[i])) mice.push_back(mice_[i + 1]);
     RaceHooks hooks;
     hooks.stop = hooks_.stop;
     return hold_race(std::move(mice), std::move(mazes), order, hooks);
   }
 
-  void add(const Race& race) {
-    if (race.stopped || lacks()) {
-      compared_.stopped = true;
-      return;
-    }
-    // Who started once has not failed to start in every contest.
-    if (compared_.mazes == 0) compared_.never_started = never_started_lines(race);
-    if (!compared_.never_started.empty()) return;
-    // The race has them by name, which is in the order of drawing.
-    for (std::size_t maze = 0; maze < race.mazes.size() && is_undecided(); ++maze) add(race, maze);
+  /// Lets the store see the contests of as many mazes as were raced in.
+  void look_ahead(std::size_t begin) const {
+    const std::size_t end = std::min(compared_.order.most, 2 * begin);
+    for (std::size_t ahead = begin + batch; ahead < end; ahead += batch) static_cast<void>(race_from(ahead));
   }
 
-  void add(const Race& race, std::size_t maze) {
+  /// The shares of a race in that batch. The race has its mazes by name, which is in the order of drawing; those that
+  /// it lacks come last.
+  std::vector<MazeShares> shares_of(const Race& race, std::size_t begin) const {
+    std::vector<MazeShares> shares(count_from(begin), MazeShares(mice_.size()));
+    for (std::size_t i = 0; i < mice_.size(); ++i)
+      for (const ContestResult& contest : race.results)
+        if (race.mice[contest.mouse].name == mice_[i].name) shares[contest.maze][i] = share_of_best(race, contest);
+    return shares;
+  }
+
+  void add(const std::vector<MazeShares>& shares) {
+    for (const MazeShares& maze : shares)
+      if (any_undecided(compared_)) add(maze);
+  }
+
+  void add(const MazeShares& shares) {
     ++compared_.mazes;
-    const auto first = share_of_best(race, contest_in(race, compared_.first, maze));
     bool used = false;
     for (std::size_t i = 0; i < tests_.size(); ++i) {
       ComparedMouse& candidate = compared_.candidates[i];
-      if (candidate.verdict != SequentialVerdict::undecided || !first) continue;
-      const auto share = share_of_best(race, contest_in(race, candidate.mouse, maze));
-      if (!share) continue;
+      const auto &first = shares.front(), &share = shares[i + 1];
+      if (!is_undecided(candidate) || !first || !share) continue;
       used = true;
       sums_[i].share += *share;
       sums_[i].first_share += *first;
@@ -230,9 +218,10 @@ NamedMaze drawn_maze(const MazeSource& source, std::uint64_t seed, std::size_t n
   return maze;
 }
 
+std::size_t batch_with(std::size_t number) { return number / batch * batch; }
+
 std::size_t batch_of(std::string_view name) {
-  const auto number = parse_whole<std::size_t>(name.substr(0, name.find('-')));
-  return number.value_or(0) / batch * batch;
+  return batch_with(parse_whole<std::size_t>(name.substr(0, name.find('-'))).value_or(0));
 }
 
 SequentialOrder order_of_each(const SequentialOrder& order, std::size_t candidates) {
@@ -244,6 +233,22 @@ SequentialOrder order_of_each(const SequentialOrder& order, std::size_t candidat
 
 Compared hold_comparison(std::vector<Contestant> mice, const CompareOrder& order, const CompareHooks& hooks) {
   return Comparing(std::move(mice), order, hooks).hold();
+}
+
+std::vector<MazeShares> shares_of_batch(std::vector<Contestant> mice, const CompareOrder& order,
+                                        const BatchOrder& part) {
+  CompareHooks hooks;
+  hooks.stop = part.stop;
+  return Comparing(std::move(mice), order, hooks).batch_shares(part.begin);
+}
+
+Compared judged(std::vector<Contestant> mice, const CompareOrder& order, const std::vector<MazeShares>& shares) {
+  return Comparing(std::move(mice), order, {}).judge(shares);
+}
+
+bool is_over(const Compared& compared) {
+  return !any_undecided(compared) || compared.mazes >= compared.order.most ||
+         (compared.mazes > 0 && (compared.exact || compared.skipped == compared.mazes));
 }
 
 }  // namespace labmouse

@@ -8,13 +8,13 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/studies/sequential_test.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 
 namespace labmouse {
@@ -29,7 +29,9 @@ struct MazeSource {
 /// The maze of that number, from 0. Equal numbers and seeds give equal mazes with equal names.
 NamedMaze drawn_maze(const MazeSource& source, std::uint64_t seed, std::size_t number);
 
-/// The number of the first maze of those that are raced in together with the drawn maze of that name.
+/// The number of the first maze of those that are raced in together with the maze of that number.
+std::size_t batch_with(std::size_t number);
+/// The same for the name of a drawn maze.
 std::size_t batch_of(std::string_view name);
 
 /// The most pairs of contests with a candidate.
@@ -40,9 +42,6 @@ struct CompareOrder {
   MazeSource mazes;
   SequentialOrder test;
   std::size_t most = 5000;  ///< at most so many mazes are drawn, 1 to `most_pairs`
-  /// For a machine that runs a part of the contests: only the batch with that number, of which it judges nothing. The
-  /// store of the race decides which contests of it are run.
-  std::optional<std::size_t> part = {};
 };
 
 /// A mouse that is compared with the first one. Both race in the same mazes with the same seeds.
@@ -76,7 +75,7 @@ struct CompareHooks {
   const std::atomic<bool>* stop = nullptr;
   /// Read after each race: whether the store lacks contests, which are to run elsewhere. Then the comparison stops. It
   /// looks ahead at as many mazes as it has raced in, so that the store knows what it may need next.
-  std::function<bool()> lacks = {};
+  std::function<bool()> lacks_contests = {};
 };
 
 /// The alpha and beta of each candidate: those of the order divided by the number of candidates (Bonferroni), so that
@@ -87,10 +86,38 @@ SequentialOrder order_of_each(const SequentialOrder& order, std::size_t candidat
 /// @param mice two or more with different names, none of which the world refuses.
 Compared hold_comparison(std::vector<Contestant> mice, const CompareOrder& order, const CompareHooks& hooks = {});
 
+/// In one maze: the share of the best possible score of each mouse, in the order of the mice. Nothing where the maze
+/// does not count for that mouse, or the mouse did not race.
+using MazeShares = std::vector<std::optional<double>>;
+
+/// A part of a comparison, for one of several machines: the contests of one batch.
+struct BatchOrder {
+  /// The number of the first maze of the batch, as of batch_of().
+  std::size_t begin = 0;
+  /// Read before each contest; once it is true, no other begins, and the result is empty.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Runs the contests of one batch. Of an exact comparison all mazes are one batch.
+/// @param mice those of the comparison that are not decided; all others have no shares.
+/// @returns the shares of each maze, in the order of drawing.
+std::vector<MazeShares> shares_of_batch(std::vector<Contestant> mice, const CompareOrder& order,
+                                        const BatchOrder& part);
+
+/// Compares mice by shares that are there already, of one batch after the other.
+/// @param mice as for hold_comparison().
+/// @param order that of the batches.
+Compared judged(std::vector<Contestant> mice, const CompareOrder& order, const std::vector<MazeShares>& shares);
+
+/// Whether a comparison needs no more contests: all candidates are decided, all mazes are used, or none counts.
+bool is_over(const Compared& compared);
+
 /// A line for each candidate, and what the verdicts mean.
 std::string table_of(const Compared& compared);
 
-/// JSON: docs/reference/results.md lists its fields.
+/// docs/reference/results.md lists its fields.
+Json comparison_json(const Compared& compared);
+/// The same as text.
 std::string json_of(const Compared& compared);
 
 }  // namespace labmouse

@@ -81,7 +81,7 @@ std::string table_of(const Compared& compared) {
   return text;
 }
 
-std::string json_of(const Compared& compared) {
+Json comparison_json(const Compared& compared) {
   const World& world = *compared.order.race.world;
   const SequentialOrder& test = compared.order.test;
   Json json = {{"labmouse", version()},
@@ -108,7 +108,9 @@ std::string json_of(const Compared& compared) {
                                   {"first_share", candidate.first_share},
                                   {"difference", candidate.difference},
                                   {"interval", {candidate.interval.low, candidate.interval.high}}});
-  return text_of(json);
+  return json;
 }
+
+std::string json_of(const Compared& compared) { return text_of(comparison_json(compared)); }
 
 }  // namespace labmouse

@@ -666,6 +666,48 @@ export interface PairedDifference {
   verdict: string;
 }
 
+/** A comparison until a verdict, with the settings of its world beside `world`, by their names. */
+export interface ComparisonOrder {
+  mice: string[];
+  seed: number;
+  /** Mazes. */
+  most: number;
+  better_by: number;
+  alpha: number;
+  beta: number;
+  world?: string;
+  mazes?: MazeData[];
+  generator?: string;
+  width?: number;
+  height?: number;
+  loops?: number;
+}
+
+/** Maze by maze: a share of each mouse. */
+export type Shares = (number | null)[][];
+
+/** As `labmouse compare --format json`. */
+export interface Comparison extends Fields {
+  first: string;
+  /** Mazes. */
+  raced_in: number;
+  skipped: number;
+  exact: boolean;
+  alpha: number;
+  better_by: number;
+  candidates: ComparedMouse[];
+}
+
+export interface ComparedMouse {
+  mouse: string;
+  verdict: string;
+  pairs: number;
+  share: number;
+  first_share: number;
+  difference: number;
+  interval: [number, number];
+}
+
 /** `open`: what a dropped file turned out to be. */
 export type Opened = {
   kind: 'maze';
@@ -869,6 +911,21 @@ export interface Calls {
   compare: {
     request: { differences: number[]; seed?: number };
     answer: PairedDifference;
+  };
+  /**
+   * Contests of one batch of a comparison, as those of `labmouse compare`: the share of the best possible score of
+   * each mouse in each maze, null where the maze does not count. `begin`: the number of its first maze, a multiple
+   * of 32. With `mazes` these are drawn from; without, they are generated. The first mouse is compared with the
+   * others; those that are decided may be left out.
+   */
+  paired_shares: {
+    request: ComparisonOrder & Fields & { begin: number };
+    answer: { shares: Shares };
+  };
+  /** The comparison of mice by the shares of all batches so far. Once it is `over`, no more are needed. */
+  verdict: {
+    request: ComparisonOrder & Fields & { shares: Shares };
+    answer: { comparison: Comparison; over: boolean };
   };
   /**
    * Where contests in steps in one maze lose their steps; labmouse/lab/replays/lost_steps.hpp says what that means.
