@@ -1,0 +1,41 @@
+// Compares mice until it is decided which is better, batch by batch, so that the page stays lively between the batches.
+import { Stopped, type Core } from '../core/client';
+import type { Comparison, ComparisonOrder, Fields, Shares } from '../core/types';
+
+/** What is compared, by the mice in it: the first one is compared with all others. */
+export type ComparisonRequest = ComparisonOrder & Fields;
+
+/** The answer of a call; null where it was stopped. */
+const unlessStopped = <Answer>(answer: Promise<Answer>): Promise<Answer | null> =>
+  answer.catch((error) => {
+    if (error instanceof Stopped) return null;
+    throw error;
+  });
+
+/**
+ * `report` hears of the comparison after each batch; `wanted` is asked between them whether to go on. Null where it was
+ * stopped in the first one.
+ */
+export async function compareMice(
+  core: Core,
+  request: ComparisonRequest,
+  report: (comparison: Comparison) => void,
+  wanted: () => boolean,
+): Promise<Comparison | null> {
+  const shares: Shares = [];
+  let comparison: Comparison | null = null;
+  for (let isOver = false; !isOver && wanted();) {
+    const isOpen = (place: number) =>
+      place === 0 || comparison === null || comparison.candidates[place - 1].verdict === 'undecided';
+    const open = request.mice.map((_, place) => place).filter(isOpen);
+    const mice = open.map((place) => request.mice[place]);
+    const batch = await unlessStopped(core.call('paired_shares', { ...request, mice, begin: shares.length }));
+    if (!batch) break;
+    for (const row of batch.shares) shares.push(request.mice.map((_, place) => row[open.indexOf(place)] ?? null));
+    const verdict = await unlessStopped(core.call('verdict', { ...request, shares }));
+    if (!verdict) break;
+    ({ comparison, over: isOver } = verdict);
+    report(comparison);
+  }
+  return comparison;
+}
