@@ -44,7 +44,6 @@ std::string last_words_of(const Race& race, const ContestResult& result) {
 /// Runs the contest and shows it like a record.
 int run_in(std::shared_ptr<const World> world, const RunOptions& options, const Contestant& mouse,
            const NamedMaze& maze) {
-  const Interruptible interruptible;
   Race race;
   race.order.world = std::move(world);
   race.mice = {mouse};
@@ -53,7 +52,11 @@ int run_in(std::shared_ptr<const World> world, const RunOptions& options, const 
   ContestResult result;
   result.seed = result.told = options.seed;
   const Keep keep = {.record = true, .reasons = options.explain.wanted};
-  const ContestOutput held = race.world().hold(race, result, keep, &interruptible.stopped());
+  // Once the contest is over, a signal ends the program at once.
+  const ContestOutput held = [&] {
+    const Interruptible interruptible;
+    return race.world().hold(race, result, keep, &interruptible.stopped());
+  }();
   if (!result.done) return exit_interrupted();
   if (!options.record.empty()) save(options.record, held.record);
   ReplayOptions shown_as;

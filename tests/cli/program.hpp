@@ -63,6 +63,11 @@ class Program {
            (std::stoull(status.substr(caught + 7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
   }
 
+  /// Whether it waits for something, such as the other end of a pipe.
+  bool sleeps() const {
+    return content_of("/proc/" + std::to_string(child_) + "/status").find("State:\tS") != std::string::npos;
+  }
+
   /// Whether it has not ended yet; wait() says how it did.
   bool runs() const {
     siginfo_t ended{};

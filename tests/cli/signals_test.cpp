@@ -94,6 +94,18 @@ TEST_P(AnImpatientUser, EndsARaceThatHangs) {
   EXPECT_EQ(program.wait().code, -GetParam());
 }
 
+/// Nobody ever reads the record.
+TEST_P(AnImpatientUser, EndsARunWhoseContestIsOver) {
+  file("corridor.txt", corridor);
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  const Program program(folder_, {"run", "flood", "corridor.txt", "--record", "pipe"});
+  EXPECT_TRUE(patiently([&] { return program.sleeps() && !program.handles_interrupts(); }));
+  program.signal(GetParam());
+  EXPECT_TRUE(patiently([&] { return !program.runs(); }));
+  program.kill();
+  EXPECT_EQ(program.wait().code, -GetParam());
+}
+
 INSTANTIATE_TEST_SUITE_P(Signals, AnImpatientUser, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 class AUserOfASweep : public test::AUser {};
