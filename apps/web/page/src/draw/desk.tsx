@@ -148,7 +148,9 @@ export function DeskRoom({ desk }: { desk: Desk }) {
             <section class="card" aria-label="New drawing">
               <h2>New</h2>
               <Making page={page} made={load} />
-              <Button label="Open a file…" act={() => askForFiles(([file]) => void openInto(page, load, file))} />
+              <span>
+                <Button label="Open a file…" act={() => askForFiles(([file]) => void openInto(page, load, file))} />
+              </span>
             </section>
           </div>
         </div>

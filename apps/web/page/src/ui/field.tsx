@@ -27,12 +27,12 @@ export function Field({ label, help, error = '', hidden, class: name = '', child
   const row = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => void (error && showError(row.current!)), [error]);
   const [control, ...below] = toChildArray(children) as [VNode<object>, ...ComponentChildren[]];
-  const described = `${help ? `${id}-help ` : ''}${id}-error`;
+  const described = `${help !== undefined ? `${id}-help ` : ''}${id}-error`;
   return (
     <div class={`field ${name}`.trim()} hidden={hidden} ref={row}>
       <label for={id}>{label}</label>
       {cloneElement(control, { id, 'aria-describedby': described, 'aria-invalid': error ? 'true' : undefined })}
-      {help && (
+      {help !== undefined && (
         <span class="field-help" id={`${id}-help`}>
           {help}
         </span>

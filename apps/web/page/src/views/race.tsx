@@ -1,6 +1,6 @@
 // The view of a race: who is best, where, by how much, and each contest a click away from its replay.
 import type { ComponentChildren } from 'preact';
-import { useErrorBoundary } from 'preact/hooks';
+import { useErrorBoundary, useMemo } from 'preact/hooks';
 import { addressOf, readAddress } from '../link/address';
 import type { EarlyPage, View } from '../page/page';
 import { createHold, HoldPart, type Hold } from '../race/hold-part';
@@ -41,9 +41,13 @@ function Race({ page, stage, form, isFirst, race, drawn, failed }: RaceProps) {
   // Not while this is still being drawn.
   const [error] = useErrorBoundary((error) => void setTimeout(() => failed(error)));
   const raced = useRace(race, drawn);
+  const { boards, search, orders } = raced;
+  // They may be large, and a change of the form is none of theirs.
+  const [tables, pictures] = useMemo(
+    () => [<Tables page={page} raced={raced} isExample={isFirst} />, <Pictures page={page} raced={raced} />],
+    [isFirst, boards, search, orders],
+  );
   if (error) return null;
-  const tables = <Tables page={page} raced={raced} isExample={isFirst} />;
-  const pictures = <Pictures page={page} raced={raced} />;
   if (!hasStage(race))
     return (
       <div class="race">

@@ -31,15 +31,14 @@ interface Draft {
 
 const firstOf = (language: Language, name = usualName): Work => ({ language, name, text: language.templates[0].text });
 
-/** Keeps what is written, and says so; `draw` is called where it says something else. */
+/** Keeps what is written, and says so; `draw` is called where another tab did. */
 function createKeeping(page: Page, draft: Draft, stored: Stored, draw: () => void) {
   let says = '';
   let isKept = false;
-  function say(words: string) {
-    says = words;
+  stored.onOverwritten(() => {
+    says = both;
     draw();
-  }
-  stored.onOverwritten(() => say(both));
+  });
   return {
     says: () => says,
     isKept: () => isKept,
@@ -47,9 +46,9 @@ function createKeeping(page: Page, draft: Draft, stored: Stored, draw: () => voi
       if (draft.foreign) return;
       const others = stored.others().length;
       isKept = page.shelf.keeps() && stored.keep(draft.work);
-      if (!isKept) say('This browser keeps nothing: save it as a file.');
-      else if (stored.others().length > others) say(both);
-      else if (says !== both) say('Kept in this browser.');
+      if (!isKept) says = 'This browser keeps nothing: save it as a file.';
+      else if (stored.others().length > others) says = both;
+      else if (says !== both) says = 'Kept in this browser.';
     },
     /** Keeps what stood there, in case somebody wants it back; the program of a link is nobody's. */
     putAside(own: Work | null = draft.work) {
