@@ -6,7 +6,6 @@ import { blockText, readRecords, readReport } from './results/blocks';
 import type { Order } from './results/holding';
 import { myRobot, setMyRobot } from './link/my-robot';
 import { loadedRace, type Sources } from './results/loaded';
-import { listenForFiles } from './shell/drop';
 import { fileTaker } from './shell/files';
 import { createFrame } from './shell/frame';
 import { lacking } from './shell/needs';
@@ -16,7 +15,6 @@ import { copyLink } from './shell/copy-link';
 import { createFinder, createKeeper } from './shell/kept';
 import { createShelf } from './page/shelf';
 import { createStage, Link } from './shell/stage';
-import { h } from './ui/dom';
 import { createDraw } from './views/draw';
 import { createHome } from './views/home';
 import { createLive } from './views/live';
@@ -35,16 +33,18 @@ const noCore = (reason: string): Core => ({
 });
 
 const notices = createNotices();
-const intake = listenForFiles((files) => void takeFiles(files));
 const shelf = createShelf();
-const frame = createFrame(notices, intake, shelf, () => void copyLink(stage, notices));
+const frame = createFrame(notices, shelf, {
+  take: (files) => void takeFiles(files),
+  copyLink: () => void copyLink(stage, notices),
+  stop: () => core.stop(),
+});
 const stage = createStage(frame, notices.complain);
 const missing = lacking();
 const core = missing ? noCore(missing) : startCore(() => new CoreWorker(), notices.busy);
 const ready: Promise<About> = core.call('about', {});
 // For those who open the browser's console: `await labmouse.call('about', {})`.
 Object.assign(window, { labmouse: core });
-notices.onStop(() => core.stop());
 const keeper = createKeeper(core, shelf);
 
 /** Mazes that were opened in this page, by name, so that results find theirs. */
@@ -84,7 +84,7 @@ const page: EarlyPage = {
   mazes: () => [...opened.values(), ...[stage.view('draw')?.maze?.() ?? []].flat()],
   drawn: () => stage.view('draw')?.maze?.() ?? null,
   open: (files) => void takeFiles(files),
-  choose: intake.choose,
+  choose: frame.choose,
   hold(results, raced, message, order, records = []) {
     if (stage.current() === 'race') {
       showResults(results, raced, order, records);
@@ -99,7 +99,7 @@ const page: EarlyPage = {
   complain: notices.complain,
   save(fileName, content, type = 'text/plain') {
     const url = URL.createObjectURL(new Blob([content], { type }));
-    h('a', { href: url, download: fileName }).click();
+    Object.assign(document.createElement('a'), { href: url, download: fileName }).click();
     setTimeout(() => URL.revokeObjectURL(url), 10_000);
   },
 };

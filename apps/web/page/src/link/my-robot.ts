@@ -34,4 +34,8 @@ export function setMyRobot(robot: string | null) {
   for (const listener of listeners) listener();
 }
 
-export const onMyRobot = (listener: () => void) => void listeners.add(listener);
+/** Calls whenever it is another one; the function returned ends that. */
+export function onMyRobot(listener: () => void): () => void {
+  listeners.add(listener);
+  return () => void listeners.delete(listener);
+}

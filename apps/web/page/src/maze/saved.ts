@@ -1,6 +1,5 @@
 // What is painted on a canvas of its own size, as a file: in pixels, or as a drawing.
 import { SvgContext } from './svg-context';
-import { h } from '../ui/dom';
 import type { Geometry } from './geometry';
 import type { Context } from './painter';
 
@@ -10,7 +9,7 @@ export async function pngOf(
   { canvasWidth: width, canvasHeight: height }: Size,
   paint: (context: CanvasRenderingContext2D) => void,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  const canvas = h('canvas', { width, height });
+  const canvas = Object.assign(document.createElement('canvas'), { width, height });
   paint(canvas.getContext('2d', { alpha: false })!);
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
   if (!blob) throw new Error('This browser could not make the picture. Make the window smaller, and try again.');

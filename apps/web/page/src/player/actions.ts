@@ -5,7 +5,7 @@ import { nextTime, timeOf, type Actions, type State } from './state';
 
 export interface Effects {
   /** The player, which fills the screen and folds its panel. */
-  element: HTMLElement;
+  room(): HTMLElement;
   /** Shows what has changed, in the next frame of the browser. */
   wake(): void;
   /** The numbers and lists at once. */
@@ -14,7 +14,7 @@ export interface Effects {
   believe(): void;
 }
 
-export function createActions(state: State, { element, wake, refresh, believe }: Effects): Actions {
+export function createActions(state: State, { room, wake, refresh, believe }: Effects): Actions {
   const { clock, layers } = state;
   const chosen = () => state.sides[state.chosen];
   const stage = () => chosen()?.scene.stage;
@@ -50,9 +50,9 @@ export function createActions(state: State, { element, wake, refresh, believe }:
     zoom: (by) => zoomStage(stage(), by),
     pan: (x, y) => panStage(stage(), x, y),
     fold() {
-      state.folded = element.classList.toggle('folded');
+      state.folded = room().classList.toggle('folded');
       refresh();
     },
-    enlarge: () => enlarge(element),
+    enlarge: () => enlarge(room()),
   };
 }

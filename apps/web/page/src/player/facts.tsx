@@ -32,7 +32,8 @@ const scoreRow = (label: string, value: Row['value'], meaning?: Row['meaning']):
   label,
   meaning,
   value,
-  text: (side, score) => (score === null ? absent : [decimal(score, digits(side)), side.track.play.traits.unit].filter(Boolean).join(' ')),
+  text: (side, score) =>
+    score === null ? absent : [decimal(score, digits(side)), side.track.play.traits.unit].filter(Boolean).join(' '),
   score: true,
 });
 const countOf = (label: string, value: (play: Played) => number | null, more: Partial<Row> = {}): Row => ({

@@ -4,6 +4,7 @@ import { FilmStopped } from '../film/film';
 import type { EarlyPage } from '../page/page';
 import { fileName, filmOf, pngOf, svgOf } from './pictures';
 import type { PanelProps } from './state';
+import { Button } from '../ui/controls';
 
 export function Files({ page, state }: Omit<PanelProps, 'actions'> & { page: EarlyPage }) {
   const chosen = state.sides[state.chosen];
@@ -35,14 +36,12 @@ export function Files({ page, state }: Omit<PanelProps, 'actions'> & { page: Ear
   const saveSvg = () => page.save(fileName(state.sides, 'svg'), svgOf(state), 'image/svg+xml');
 
   const button = (label: string, act: () => void | Promise<void>, title?: string, disabled = false) => (
-    <button
-      type="button"
+    <Button
+      label={label}
       title={title}
       disabled={disabled}
-      onClick={() => void Promise.resolve(act()).catch(page.complain)}
-    >
-      {label}
-    </button>
+      act={() => void Promise.resolve(act()).catch(page.complain)}
+    />
   );
   const unrecorded = chosen.record === '';
   return (

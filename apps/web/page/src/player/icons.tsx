@@ -1,5 +1,4 @@
 // The signs on the player's buttons.
-import { elementOf } from '../ui/element';
 
 const lens = 'M10 3a7 7 0 1 0 0 14a7 7 0 1 0 0-14zM10 5a5 5 0 1 1 0 10a5 5 0 1 1 0-10zM15 16.4l1.4-1.4 5 5-1.4 1.4z';
 
@@ -26,5 +25,3 @@ export const Icon = ({ name }: { name: IconName }) => (
     <path d={shapes[name]} fill="currentColor" />
   </svg>
 );
-
-export const icon = (name: IconName): SVGElement => elementOf(<Icon name={name} />);

@@ -64,12 +64,12 @@ export function press(key: string, shift: boolean, state: State, actions: Action
 }
 
 /** Listens while the player is to be seen and nothing else wants the keys. */
-export function listen(element: HTMLElement, state: State, actions: Actions) {
+export function listen(room: () => HTMLElement | null, state: State, actions: Actions) {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     // Of an editor in a shadow root, the event names only what stands around it.
     const [target] = event.composedPath();
-    if (state.sides.length === 0 || !element.checkVisibility() || needsKey(target, event.key)) return;
+    if (state.sides.length === 0 || !room()?.checkVisibility() || needsKey(target, event.key)) return;
     if (press(event.key, event.shiftKey, state, actions)) event.preventDefault();
   });
 }

@@ -4,6 +4,7 @@ import type { Play } from '../core/types';
 import { has, isUsual, layerNames, usualLayers, type LayerName, type Layers } from './layers';
 import { Sample, type SampleName } from './samples';
 import type { PanelProps, Side } from './state';
+import { Button } from '../ui/controls';
 
 const tints = '; if the cells are too small for numbers, a tone, stronger when nearer';
 
@@ -207,9 +208,12 @@ export function Legend(props: PanelProps) {
             </div>
           ))}
       </div>
-      <button type="button" class="quiet" hidden={isUsual(layers)} onClick={() => props.actions.setLayers(usualLayers)}>
-        Layers as at first
-      </button>
+      <Button
+        label="Layers as at first"
+        class="quiet"
+        hidden={isUsual(layers)}
+        act={() => props.actions.setLayers(usualLayers)}
+      />
     </section>
   );
 }

@@ -1,6 +1,5 @@
 // How one looks at a stage: nearer and farther, aside, alone on the screen, without what stands at its side.
-import { render } from 'preact';
-import { h } from '../ui/dom';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { needsKey } from '../ui/needs-key';
 import type { Stage } from '../maze/stage';
 import { Sign } from './sign';
@@ -50,23 +49,29 @@ export const lookKeys: Record<string, (actions: LookActions) => void> = {
   f: ({ enlarge }) => enlarge(),
 };
 
-/** The buttons and the keys of a stage without a player; `room` is what fills the screen, and in what the panel folds. */
-export function createLooks(stage: Stage, room: HTMLElement): HTMLElement {
-  const element = h('div.looks-room');
+/** The buttons and the keys of a stage without a player, in `.desk`, which fills the screen and in which the panel folds. */
+export function StageLooks({ stage }: { stage: Stage }) {
+  const [folded, setFolded] = useState(false);
+  const element = useRef<HTMLDivElement>(null);
+  const room = () => element.current!.closest<HTMLElement>('.desk')!;
   const actions: LookActions = {
     zoom: (by) => zoomStage(stage, by),
     pan: (x, y) => panStage(stage, x, y),
-    fold: () => draw(room.classList.toggle('folded')),
-    enlarge: () => enlarge(room),
+    fold: () => setFolded(room().classList.toggle('folded')),
+    enlarge: () => enlarge(room()),
   };
-  const draw = (folded: boolean) => render(<Looks folded={folded} actions={actions} />, element);
-  draw(false);
-  document.addEventListener('keydown', (event) => {
-    const act = lookKeys[event.key.toLowerCase()];
-    if (!act || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (!element.checkVisibility() || needsKey(event.composedPath()[0], event.key)) return;
-    act(actions);
-    event.preventDefault();
-  });
-  return element;
+  useEffect(() => {
+    document.addEventListener('keydown', (event) => {
+      const act = lookKeys[event.key.toLowerCase()];
+      if (!act || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (!element.current?.checkVisibility() || needsKey(event.composedPath()[0], event.key)) return;
+      act(actions);
+      event.preventDefault();
+    });
+  }, []);
+  return (
+    <div class="looks-room" ref={element}>
+      <Looks folded={folded} actions={actions} />
+    </div>
+  );
 }

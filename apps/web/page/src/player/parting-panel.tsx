@@ -1,6 +1,7 @@
 // Says of two mice in one maze where they part, and leads there.
 import { partingOf, type Parting } from './parting';
 import { isComparable, type PanelProps, type Side } from './state';
+import { Button } from '../ui/controls';
 
 const does = ({ name }: Side, action: string | null) => (action === null ? `${name} has ended` : `${name}: ${action}`);
 
@@ -16,10 +17,7 @@ export function PartingPoint({ state: { sides }, actions }: PanelProps) {
   const time = Math.max(...sides.map(({ track }) => track.time[Math.min(parting.frame, track.last)]));
   return (
     <p class="parting">
-      {wordsOf(sides, parting)}{' '}
-      <button type="button" onClick={() => actions.seek(time)}>
-        Go there
-      </button>
+      {wordsOf(sides, parting)} <Button label="Go there" act={() => actions.seek(time)} />
     </p>
   );
 }

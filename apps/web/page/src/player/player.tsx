@@ -1,14 +1,13 @@
 // The player: one contest, or two beside each other on one clock.
 import type { Camera } from '../maze/camera';
 import type { Tone } from '../maze/palette';
-import { render } from 'preact';
-import { h } from '../ui/dom';
+import { render, type ComponentChildren, type ComponentProps } from 'preact';
 import type { EarlyPage } from '../page/page';
 import '../styles/player.css';
 import { fetchBeliefs } from './beliefs';
 import { createActions } from './actions';
 import { createClock, start, tick, usual } from './clock';
-import { createCurves } from './curves';
+import { createCurves, DriveCurves, type Curves } from './curves';
 import { Facts } from './facts';
 import { mazeText } from './figures';
 import { Files } from './files';
@@ -20,8 +19,7 @@ import { count, createMeter } from './meter';
 import { PartingPoint } from './parting-panel';
 import { Reasons } from './reasons';
 import { Runs } from './runs';
-import { createSide, type Shown } from './side';
-import { Standing } from '../ui/element';
+import { Contest, createSide, type Shown } from './side';
 import type { Actions, PanelProps, Side, State } from './state';
 import { Steps } from './steps';
 import { Transport } from './transport';
@@ -42,21 +40,17 @@ const panelPause = 100;
 /** Of stillness, before a moment is worth keeping. */
 const restPause = 300;
 
-/** Something that goes with the replay, beside the player's own panels. */
-export interface Companion {
-  update(time: number): void;
-}
-
-type Lead = HTMLElement | (HTMLElement & Companion);
+/** What stands above the numbers, at that time of the clock. */
+type Lead = (time: number) => ComponentChildren;
 
 /** Numbers, lists and words. */
-const Panel = ({ page, curves, ...props }: PanelProps & { page: EarlyPage; curves: HTMLElement }) => (
+const Panel = ({ page, curves, ...props }: PanelProps & { page: EarlyPage; curves: Curves }) => (
   <>
     <p class="moment" aria-live={props.state.clock.playing ? 'off' : 'polite'}>
       {props.state.sides.map(momentText).join('\n')}
     </p>
     <PartingPoint {...props} />
-    <Standing element={curves} />
+    <DriveCurves state={props.state} curves={curves} />
     <Runs {...props} />
     <div class="numbers">
       <Facts {...props} />
@@ -72,28 +66,35 @@ const Panel = ({ page, curves, ...props }: PanelProps & { page: EarlyPage; curve
   </>
 );
 
-/** The elements of a player, and what draws them anew from its state. */
-function createPanels(page: EarlyPage, state: State, actions: Actions, element: HTMLElement, lead: Lead[]) {
-  const sides = h('div.sides');
-  const transport = h('div.transport');
-  const parts = h('div.parts');
-  const curves = createCurves(state, actions);
-  element.append(h('div.theatre', sides, transport), h('div.panel', ...lead, parts));
-  function refresh() {
-    for (const side of state.sides) side.update();
-    render(<Transport state={state} actions={actions} />, transport);
-    render(<Panel {...{ page, state, actions }} curves={curves.element} />, parts);
-    curves.update();
-    for (const one of lead) if ('update' in one) one.update(state.clock.time);
-    if (!state.clock.playing)
-      for (const side of state.sides)
-        side.scene.stage.describe(`Maze ${mazeText(side.track.maze)}. ${momentText(side)}`);
-  }
-  return { sides, refresh, tick: curves.tick };
+interface WholeProps extends PanelProps {
+  page: EarlyPage;
+  curves: Curves;
+  lead: Lead;
 }
 
+/** All of a player; without a contest what stands above its numbers. */
+const Whole = ({ lead, ...props }: WholeProps) => {
+  const { sides, clock } = props.state;
+  return (
+    <>
+      <div class="theatre">
+        <div class="sides">
+          {sides.map((side) => (
+            <Contest key={side.track} side={side} />
+          ))}
+        </div>
+        <div class="transport">{sides.length > 0 && <Transport {...props} />}</div>
+      </div>
+      <div class="panel">
+        {lead(clock.time)}
+        <div class="parts">{sides.length > 0 && <Panel {...props} />}</div>
+      </div>
+    </>
+  );
+};
+
 /** Frames of the browser, as long as the clock runs; `rested` hears of those in which it stands. */
-function createLoop(state: State, panels: () => { refresh(): void; tick(): void }, rested: () => void) {
+function createLoop(state: State, draw: () => void, curves: () => Curves, rested: () => void) {
   const { clock } = state;
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   const meter = createMeter();
@@ -102,7 +103,7 @@ function createLoop(state: State, panels: () => { refresh(): void; tick(): void 
   let dirty = true;
   function refresh() {
     dirty = false;
-    panels().refresh();
+    draw();
   }
   /** Makes nothing while the frame of the replay stays the same. */
   function frame(now: number) {
@@ -114,7 +115,7 @@ function createLoop(state: State, panels: () => { refresh(): void; tick(): void 
     for (const { scene, track } of state.sides)
       // In seconds the numbers change between the frames, too.
       if (scene.show(clock.time, !still.matches) || track.drive) dirty = true;
-    panels().tick();
+    curves().tick();
     if (!clock.playing) rested();
     if (!clock.playing || (dirty && now - told >= panelPause)) {
       told = now;
@@ -145,7 +146,6 @@ async function fetchMissing(page: EarlyPage, { sides }: State, actions: Actions)
 
 /** Puts one or two contests into the state. `looked` hears of a closer look at one of them. */
 function setSides(state: State, plays: Shown[], looked: (side: number, camera: Camera) => void) {
-  for (const side of state.sides) side.scene.stage.close();
   const two = plays.slice(0, 2);
   const names = namesOf(two.map(({ play }) => play));
   state.sides = two.map((shown, i) =>
@@ -177,59 +177,88 @@ function setShape(element: HTMLElement, { sides }: State) {
   element.style.setProperty('--aspect', String(width / height));
 }
 
+/** Who looks closer at one of two mazes of one size looks so at the other. */
+function lookTogether({ sides }: State, from: number, camera: Camera) {
+  const size = ({ track: { maze } }: Side) => `${maze.width}x${maze.height}`;
+  for (const [i, side] of sides.entries())
+    if (i !== from && size(side) === size(sides[from])) side.scene.stage.look(camera);
+}
+
+/** Whether what the mice believed is to be shown; where nothing is known of that, the true distances are. */
+function keepsBelieved({ layers, sides }: State): boolean {
+  if (layers.distances === 'believed' && !sides.some(believes)) layers.distances = 'true';
+  return layers.distances === 'believed';
+}
+
+/** Who hears of a player. */
+interface Listeners {
+  /** Whenever the clock stands still in another moment. */
+  rested?(): void;
+  /** With the time after each drawing of the numbers. */
+  drawn?(time: number): void;
+}
+
+/** Calls once it was not called for a while; some calls come with every frame while somebody scrubs. */
+function later(act: () => void) {
+  let waiting: ReturnType<typeof setTimeout> | undefined;
+  return () => {
+    clearTimeout(waiting);
+    waiting = setTimeout(act, restPause);
+  };
+}
+
 /** `lead` stands above the numbers. */
-export function createPlayer(page: EarlyPage, ...lead: Lead[]) {
+export function createPlayer(page: EarlyPage, lead: Lead = () => null, { rested, drawn }: Listeners = {}) {
   const clock = createClock();
   const state: State = { clock, layers, sides: [], chosen: 0, folded: false };
-  const element = h('div.player', { hidden: true });
-  let resting: ReturnType<typeof setTimeout> | undefined;
-  let restedListener = () => {};
-  /** Some of these come with every frame while somebody scrubs. */
-  function rest() {
-    clearTimeout(resting);
-    resting = setTimeout(() => restedListener(), restPause);
+  let room: HTMLElement | null = null;
+  const rest = later(() => rested?.());
+  function draw() {
+    if (room) setShape(room, state);
+    if (room) render(<Whole {...{ page, state, actions, curves, lead }} />, room);
+    if (!clock.playing)
+      for (const side of state.sides)
+        side.scene.stage.describe(`Maze ${mazeText(side.track.maze)}. ${momentText(side)}`);
+    drawn?.(clock.time);
   }
-  const { meter, wake, refresh } = createLoop(state, () => panels, rest);
+  const { meter, wake, refresh } = createLoop(state, draw, () => curves, rest);
   const believe = () => void fetchMissing(page, state, actions);
-  const actions = createActions(state, { element, wake, refresh, believe });
-  const panels = createPanels(page, state, actions, element, lead);
-  Object.assign(element, { meter });
+  const actions = createActions(state, { room: () => room!, wake, refresh, believe });
+  const curves = createCurves(state, actions);
 
-  /** Who looks closer at one of two mazes of one size looks so at the other. */
-  function lookTogether(from: number, camera: Camera) {
+  function looked(from: number, camera: Camera) {
     rest();
-    const size = ({ track: { maze } }: Side) => `${maze.width}x${maze.height}`;
-    for (const [i, side] of state.sides.entries())
-      if (i !== from && size(side) === size(state.sides[from])) side.scene.stage.look(camera);
+    lookTogether(state, from, camera);
   }
-  listen(element, state, actions);
+  listen(() => room, state, actions);
   return {
-    element,
-    /** Calls whenever the clock stands still in another moment. */
-    rested: (listener: () => void) => void (restedListener = listener),
+    /** Takes its room; see PlayerRoom. */
+    enter(next: HTMLElement | null) {
+      if (!next && room) render(null, room);
+      room = next && Object.assign(next, { meter });
+      if (room) draw();
+    },
+    /** Draws its lead, and all else, anew. */
+    refresh,
+    focus: () => room?.focus({ preventScroll: true }),
+    /** Marks what it shows as older than what was asked for last. */
+    setStale: (is: boolean) => void room?.classList.toggle('stale', is),
+    isEmpty: () => state.sides.length === 0,
     /** The time of the clock, and where one looks at the chosen maze from. */
     moment: () => ({ time: clock.time, look: state.sides[state.chosen]?.scene.stage.camera() }),
     /** Shows one or two of them, from the beginning or at the end, or from that time on; what was shown before is gone. */
     show(plays: Shown[], at: 'start' | 'end' = 'start', time: number = 0, look?: Camera) {
-      setSides(state, plays, lookTogether);
-      setShape(element, state);
-      panels.sides.replaceChildren(...state.sides.map((side) => side.element));
+      setSides(state, plays, looked);
       setClock(state, at, time);
-      if (layers.distances === 'believed' && !state.sides.some(believes)) layers.distances = 'true';
-      if (layers.distances === 'believed') believe();
-      if (state.sides.length > 0) refresh();
+      if (keepsBelieved(state)) believe();
+      refresh();
       // Once its caption is there the stage has its size, and what is beyond a border does not depend on when it came.
-      if (look && state.sides.length > 0) {
-        state.sides[0].scene.stage.look(look);
-        lookTogether(0, look);
-      }
+      if (look) state.sides[0]?.scene.stage.look(look);
+      if (look) looked(0, look);
       wake();
     },
     /** Plays on from where it is. */
-    play() {
-      start(clock);
-      wake();
-    },
+    play: () => (start(clock), wake()),
     /** Pauses: call it when the player is hidden. */
     stop() {
       clock.playing = false;
@@ -238,3 +267,8 @@ export function createPlayer(page: EarlyPage, ...lead: Lead[]) {
     seek: actions.seek,
   };
 }
+
+/** Where a player stands. */
+export const PlayerRoom = ({ player, ...more }: { player: Player } & ComponentProps<'div'>) => (
+  <div class="player" ref={player.enter} {...more} />
+);

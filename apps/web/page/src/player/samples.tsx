@@ -1,6 +1,5 @@
 // Small pictures of what the layers look like, for the legend. Their tones are classes of the style sheet.
 import type { ComponentChildren, SVGAttributes } from 'preact';
-import { elementOf } from '../ui/element';
 import type { LayerName } from './layers';
 
 const line = (tone: string, more: SVGAttributes<SVGPathElement> = {}) => (
@@ -68,5 +67,3 @@ export const Sample = ({ name }: { name: SampleName }) => (
     {shapes[name]()}
   </svg>
 );
-
-export const sample = (name: SampleName): SVGElement => elementOf(<Sample name={name} />);

@@ -1,6 +1,5 @@
 // One play on its canvas: what changes with the frame is painted on a canvas below, and only when it has changed; the
 // mouse is painted on a copy of that in every frame of the browser.
-import { h } from '../ui/dom';
 import type { Geometry } from '../maze/geometry';
 import type { Tone } from '../maze/palette';
 import { createStage, type Stage, type StageOptions } from '../maze/stage';
@@ -56,7 +55,7 @@ function setSize(canvas: HTMLCanvasElement, { canvasWidth, canvasHeight }: Geome
 export function createScene(track: Track, layers: Layers, options: SceneOptions = {}): Scene {
   const past = createPast(track);
   const place = createPlace(track);
-  const context = h('canvas').getContext('2d', { alpha: false })!;
+  const context = document.createElement('canvas').getContext('2d', { alpha: false })!;
   let below: Brush | null = null;
   let front: Brush | null = null;
   let beliefs: Uint16Array | null = null;

@@ -1,5 +1,4 @@
 // What is on the stage as a picture: each maze below the name of its mouse, and the time below all.
-import { h } from '../ui/dom';
 import { fontOf } from '../maze/fonts';
 import type { Geometry } from '../maze/geometry';
 import { paintGround, type Context } from '../maze/painter';
@@ -61,9 +60,10 @@ export function createSheet(plays: Pictured[], layers: Layers, palette: Palette)
   const ratio = plays[0].geometry.ratio;
   const px = (length: number) => Math.round(length * ratio);
   const painters = plays.map((one) => painterOf(one, layers, palette));
-  const canvases = plays.map(({ geometry: { canvasWidth: width, canvasHeight: height } }) =>
-    h('canvas', { width, height }).getContext('2d', { alpha: false })!,
-  );
+  const canvases = plays.map(({ geometry: { canvasWidth: width, canvasHeight: height } }) => {
+    const canvas = Object.assign(document.createElement('canvas'), { width, height });
+    return canvas.getContext('2d', { alpha: false })!;
+  });
   const [lefts, width] = sideBySide(plays, px(gap));
   const top = px(line + gap / 2);
   const most = Math.max(...plays.map(({ geometry }) => geometry.canvasHeight));

@@ -1,8 +1,8 @@
 // One contest in the player: its names, its score as it ticks, its picture.
-import { render } from 'preact';
-import type { Play } from '../core/types';
+import { useState } from 'preact/hooks';
+import type { Cell, Play } from '../core/types';
 import { cellAt } from '../maze/geometry';
-import { h } from '../ui/dom';
+import { StageRoom } from '../maze/stage';
 import { counted, decimal, sizeText } from './figures';
 import type { Layers } from './layers';
 import { createScene, type Scene, type SceneOptions } from './scene';
@@ -16,20 +16,12 @@ export interface Shown {
   record: string;
 }
 
-/** What is to be said of the cell under the pointer. */
-function readout(track: Track, { stage, past, distanceOf }: Scene): HTMLElement {
-  const element = h('p.readout', { 'aria-hidden': 'true' });
-  stage.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) => {
-    const cell = cellAt(stage.geometry(), offsetX, offsetY);
-    if (!cell) return element.replaceChildren();
-    const [x, y] = cell;
-    const index = y * track.maze.width + x;
-    const distance = distanceOf(index);
-    const way = distance < 0 ? '' : `, ${counted(distance, track.drive ? 'cell' : 'step')} to the goal`;
-    element.textContent = `(${x},${y}): ${counted(past.visits[index], 'visit')}${way}`;
-  });
-  stage.canvas.addEventListener('pointerleave', () => element.replaceChildren());
-  return element;
+/** What is to be said of that cell. */
+function readingOf({ maze, drive }: Track, { past, distanceOf }: Scene, [x, y]: Cell): string {
+  const index = y * maze.width + x;
+  const distance = distanceOf(index);
+  const way = distance < 0 ? '' : `, ${counted(distance, drive ? 'cell' : 'step')} to the goal`;
+  return `(${x},${y}): ${counted(past.visits[index], 'visit')}${way}`;
 }
 
 export function Caption({ name, track, scene }: Pick<Side, 'name' | 'track' | 'scene'>) {
@@ -65,6 +57,26 @@ export function Caption({ name, track, scene }: Pick<Side, 'name' | 'track' | 's
   );
 }
 
+export function Contest({ side: { name, track, scene, hue } }: { side: Side }) {
+  const [pointed, point] = useState('');
+  function read({ target, offsetX, offsetY }: PointerEvent) {
+    const cell = target === scene.stage.canvas && cellAt(scene.stage.geometry(), offsetX, offsetY);
+    point(cell ? readingOf(track, scene, cell) : '');
+  }
+  return (
+    <figure class={hue === 'ink' ? 'side' : `side ${hue}`}>
+      <figcaption>
+        <Caption name={name} track={track} scene={scene} />
+      </figcaption>
+      <StageRoom stage={scene.stage} onPointerMove={read} onPointerLeave={() => point('')}>
+        <p class="readout" aria-hidden="true">
+          {pointed}
+        </p>
+      </StageRoom>
+    </figure>
+  );
+}
+
 export function createSide(
   { play, record }: Shown,
   name: string,
@@ -72,17 +84,5 @@ export function createSide(
   { looked, hue }: Pick<SceneOptions, 'looked' | 'hue'>,
 ): Side {
   const track = prepare(play);
-  const scene = createScene(track, layers, { looked, hue });
-  const caption = h('figcaption');
-  const element = h('figure', { class: hue ? `side ${hue}` : 'side' }, caption, scene.stage.element);
-  scene.stage.element.append(readout(track, scene));
-  return {
-    record,
-    name,
-    track,
-    scene,
-    hue: hue ?? 'ink',
-    element,
-    update: () => render(<Caption name={name} track={track} scene={scene} />, caption),
-  };
+  return { record, name, track, scene: createScene(track, layers, { looked, hue }), hue: hue ?? 'ink' };
 }

@@ -8,6 +8,7 @@ interface SignProps {
   class?: string;
   pressed?: boolean;
   hidden?: boolean;
+  disabled?: boolean;
   act: () => void;
 }
 

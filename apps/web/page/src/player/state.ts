@@ -13,11 +13,8 @@ export interface Side {
   name: string;
   track: Track;
   scene: Scene;
-  element: HTMLElement;
   /** The tone of its mouse. */
   hue: Tone;
-  /** Its score and its step, after the frame has changed. */
-  update(): void;
 }
 
 export interface State {

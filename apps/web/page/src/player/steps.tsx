@@ -5,6 +5,7 @@ import { turnMeanings } from '../ui/terms';
 import { headings, placeText } from './figures';
 import type { PanelProps } from './state';
 import type { Track } from './track';
+import { Button } from '../ui/controls';
 
 /** As high as fingers need it, or as eyes like it. */
 const fingers = matchMedia('(max-width: 40rem), (pointer: coarse)');
@@ -144,9 +145,7 @@ export function Steps({ state, actions }: PanelProps) {
       <h3>Steps</h3>
       <div class="chooser" role="group" aria-label="Whose steps" hidden={state.sides.length < 2}>
         {state.sides.map(({ name }, i) => (
-          <button type="button" title={name} aria-pressed={i === state.chosen} onClick={() => actions.choose(i)}>
-            {name}
-          </button>
+          <Button label={name} title={name} aria-pressed={i === state.chosen} act={() => actions.choose(i)} />
         ))}
       </div>
       {track.drive && <Meanings of={turnMeanings.map(([name, meaning]) => [`turn ${name}`, meaning])} />}

@@ -7,9 +7,15 @@ import { Looks } from './looks';
 import { Sign } from './sign';
 import { timeOf, type Mark, type PanelProps, type Side } from './state';
 import { momentText } from './words';
+import { Button } from '../ui/controls';
 
 /** Of a run in seconds. */
-const runTones: Record<DriveRun['kind'], string> = { search: 'to-goal', home: 'onwards', speed: 'route', laps: 'route' };
+const runTones: Record<DriveRun['kind'], string> = {
+  search: 'to-goal',
+  home: 'onwards',
+  speed: 'route',
+  laps: 'route',
+};
 
 type Part = [tone: string, from: number, to: number];
 
@@ -71,9 +77,7 @@ function Marks({ state, actions }: PanelProps) {
   const side = state.sides[state.chosen];
   const { runs } = side.track.play.traits;
   const mark = (words: string, name: Mark) => (
-    <button type="button" class="mark" disabled={timeOf(side, name) === null} onClick={() => actions.jump(name)}>
-      {words}
-    </button>
+    <Button label={words} class="mark" disabled={timeOf(side, name) === null} act={() => actions.jump(name)} />
   );
   return (
     <span class="marks">

@@ -1,10 +1,8 @@
 // Which contest is played: one of our mice or of the user's own, in any maze, alone or beside another.
-import { render } from 'preact';
 import type { Core } from '../core/client';
 import type { About, Fields, MazeData, Play, WorldInPage } from '../core/types';
 import { namedApart } from '../choice/picks';
 import { mazesOf } from '../results/holding';
-import { h } from '../ui/dom';
 import type { Page } from '../page/page';
 import { holdContest } from '../write/contest';
 import type { Work } from '../write/keeping';
@@ -12,6 +10,7 @@ import { kept } from '../write/stored';
 import { languages } from '../write/languages';
 import { createCage } from '../write/sandbox/cage';
 import type { Shown } from '../player/side';
+import { Button } from '../ui/controls';
 
 export interface Picked {
   world: string;
@@ -107,11 +106,8 @@ const Mazes = ({ about, mazes }: Pick<FormProps, 'about' | 'mazes'>) => (
 const Others = ({ own, open, part, conditions }: Pick<FormProps, 'own' | 'open' | 'part' | 'conditions'>) => (
   <>
     <p class="note">
-      Real mice err:{' '}
-      <button type="button" onClick={part}>
-        Watch belief and truth part
-      </button>{' '}
-      and come together again.{conditions && ` Here: ${conditions}.`}
+      Real mice err: <Button label="Watch belief and truth part" act={part} /> and come together again.
+      {conditions && ` Here: ${conditions}.`}
     </p>
     <p class="note">
       {own.length === 0 && (
@@ -120,16 +116,14 @@ const Others = ({ own, open, part, conditions }: Pick<FormProps, 'own' | 'open' 
         </>
       )}
       A record holds a contest step by step: drop one anywhere on this page, or{' '}
-      <button type="button" onClick={open}>
-        Open a record
-      </button>
-      . They are written by <code>labmouse run MOUSE MAZE --record FILE</code>, by races with <code>--out DIR</code>, by
-      programs for mms, and by real robots; with <code>--explain</code> they also say why ariadne went where it did.
+      <Button label="Open a record" act={open} />. They are written by{' '}
+      <code>labmouse run MOUSE MAZE --record FILE</code>, by races with <code>--out DIR</code>, by programs for mms, and
+      by real robots; with <code>--explain</code> they also say why ariadne went where it did.
     </p>
   </>
 );
 
-export function Form({ picked, about, own, mazes, choose, ...others }: FormProps) {
+function Form({ picked, about, own, mazes, choose, ...others }: FormProps) {
   const world = worldNamed(about, picked.world);
   const select = (label: string, field: keyof Picked, options: preact.ComponentChildren) => (
     <label>
@@ -198,64 +192,84 @@ function createHolding({ core, about }: Page) {
   };
 }
 
-/** `shown` hears of what was played, and whether somebody asked for just that. */
-export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean, time?: number) => void) {
+export type Chooser = ReturnType<typeof createChooser>;
+
+/** `shown` hears of what was played, and whether somebody asked for just that; `draw` of all else that has changed. */
+export function createChooser(
+  page: Page,
+  draw: () => void,
+  shown: (plays: Shown[], asked: boolean, time?: number) => void,
+) {
   const { core, about } = page;
   const hold = createHolding(page);
-  const room = h('div');
-  const element = h('details.choices.controls', h('summary', 'Choose a contest'), room);
   const picked = usualPick(about);
-  /** Settings of the contest that are not the usual ones, until another world is chosen. */
-  let unusual: Fields | null = null;
+  /** `unusual`: settings of the contest that are not the usual ones, until another world is chosen. */
+  const state = { open: false, busy: false, mazes: [] as MazeData[], unusual: null as Fields | null };
   /** Counts up with each choice; what comes of an older one is not wanted. */
   let number = 0;
-  let mazes: MazeData[] = [];
-  function choose(changes: Partial<Picked>) {
-    change(picked, changes, about);
-    if (changes.world !== undefined) unusual = null;
+  function setBusy(is: boolean) {
+    state.busy = is;
     draw();
-    void play(true);
-  }
-  function draw() {
-    const props = { picked, about, own: ownMice(), mazes, choose, part, conditions: inWords(unusual) };
-    render(<Form {...props} open={() => page.choose()} />, room);
-  }
-  function part() {
-    const { settings, seed, ...contest } = about.parting;
-    Object.assign(picked, contest, { beside: '' });
-    unusual = { ...settings, seed };
-    draw();
-    void play(true, true);
   }
   /** `parts`: from where its mouse begins to err. */
   async function play(asked: boolean, parts = false) {
     const mine = ++number;
     const wanted = () => mine === number;
-    element.setAttribute('aria-busy', 'true');
+    setBusy(true);
     try {
-      const [maze] = await mazesOf(core, [mazes.find(({ name }) => name === picked.maze) ?? picked.maze]);
-      const plays = await hold({ ...picked }, maze, unusual, wanted);
+      const [maze] = await mazesOf(core, [state.mazes.find(({ name }) => name === picked.maze) ?? picked.maze]);
+      const plays = await hold({ ...picked }, maze, state.unusual, wanted);
       if (plays) shown(plays, asked, parts ? partingTime(plays[0].play) : undefined);
     } catch (error) {
       if (wanted()) page.complain(error);
     } finally {
-      if (wanted()) rest();
+      if (wanted()) setBusy(false);
     }
   }
-  const rest = () => element.removeAttribute('aria-busy');
   return {
-    element,
+    page,
+    picked,
+    state,
+    choose(changes: Partial<Picked>) {
+      change(picked, changes, about);
+      if (changes.world !== undefined) state.unusual = null;
+      void play(true);
+    },
+    part() {
+      const { settings, seed, ...contest } = about.parting;
+      Object.assign(picked, contest, { beside: '' });
+      state.unusual = { ...settings, seed };
+      void play(true, true);
+    },
     play: () => play(false),
     /** Offers what there is by now; open while what is shown was chosen here. */
     refresh(open: boolean) {
-      mazes = namedApart(page.mazes(), about.mazes);
-      element.open = open;
+      state.mazes = namedApart(page.mazes(), about.mazes);
+      state.open = open;
       draw();
     },
     /** What is shown came from elsewhere: a contest that still runs is not wanted any more. */
     forget() {
       number += 1;
-      rest();
+      setBusy(false);
     },
   };
 }
+
+export const ContestChooser = ({ chooser: { page, picked, state, choose, part } }: { chooser: Chooser }) => (
+  <details
+    class="choices controls"
+    open={state.open}
+    aria-busy={state.busy || undefined}
+    onToggle={({ currentTarget }) => (state.open = currentTarget.open)}
+  >
+    <summary>Choose a contest</summary>
+    <div>
+      <Form
+        {...{ picked, choose, part, about: page.about, own: ownMice(), mazes: state.mazes }}
+        conditions={inWords(state.unusual)}
+        open={page.choose}
+      />
+    </div>
+  </details>
+);

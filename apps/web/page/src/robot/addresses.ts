@@ -9,14 +9,12 @@ import type { Page } from '../page/page';
 import { originOf, type Draft } from './draft';
 import type { RobotForm } from './form';
 import type { Question as Varied } from './regions';
-import type { StartCard } from './start-card';
 
 /** The parts of the view that a link or a kept robot sets. */
 export interface RobotDesk {
   page: Page;
   draft: Draft;
   form: RobotForm;
-  start: StartCard;
   mazes: MazeChoice;
   begin(from: Origin): void;
   /** Asks the core about the robot in the form. */
@@ -63,7 +61,7 @@ export async function followRobot(desk: RobotDesk, hash: string) {
 export async function reopenRobot(desk: RobotDesk, { name, text, origin = { name, text }, at }: KeptRobot) {
   const { core } = desk.page;
   desk.begin(origin);
-  desk.start.name.value = name;
+  desk.draft.name = name;
   const { values, keys } = await core.call('robot', { name }, new TextEncoder().encode(text));
   // Somebody was quicker, and began with another robot or edited this one.
   if (desk.draft.origin !== origin || !desk.draft.fresh) return;

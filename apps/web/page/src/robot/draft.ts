@@ -6,6 +6,8 @@ import type { Question as Varied } from './regions';
 
 export interface Draft {
   origin: Origin;
+  /** As it was typed. */
+  name: string;
   /** Nothing was edited since it began. */
   fresh: boolean;
   /** The keys that the form shows. */
@@ -31,6 +33,7 @@ export function createDraft({ robots }: About): Draft {
   const usual = robots.find(({ name }) => name === 'classic') ?? robots[0];
   return {
     origin: { name: usual?.name ?? '', text: null },
+    name: 'my-mouse',
     fresh: true,
     keys: [],
     maze: null,
@@ -56,3 +59,6 @@ export function leaveLink(draft: Draft) {
   if (draft.linked && draft.isShown) history.replaceState(null, '', '#robot');
   draft.linked = false;
 }
+
+/** What it is called, in one line. */
+export const calledOf = ({ name }: Draft) => name.trim().replaceAll('\n', ' ') || 'robot';

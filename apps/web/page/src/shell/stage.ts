@@ -1,5 +1,4 @@
 // One view is shown at a time. Views come when the core has started; what was meant for them waits until then.
-import { h } from '../ui/dom';
 import type { View } from '../page/page';
 import type { Frame } from './frame';
 import { routeOf, type ViewName } from '../link/routes';
@@ -35,8 +34,6 @@ export function createStage(frame: Frame, complain: (error: unknown) => void) {
   const set = (name: ViewName, thing: unknown) => (given.add(name), things.set(name, thing));
   /** How far down each view was when it was left. */
   const places = new Map<ViewName, number>();
-  const starting = h('p.starting', { hidden: true }, 'Starting …');
-  frame.main.append(starting);
   let current: ViewName | null = null;
   // The browser keeps one place for the whole page and an entry of the way back, which is not the same.
   history.scrollRestoration = 'manual';
@@ -55,7 +52,7 @@ export function createStage(frame: Frame, complain: (error: unknown) => void) {
       views.set(name, view);
       view.element.hidden = current !== name;
       frame.main.append(view.element);
-      starting.hidden = current === null || views.has(current);
+      frame.setStarting(current !== null && !views.has(current));
       give(name);
     },
     /** Shows that view, with `thing` from its top; then the address names the view, unless it is to be kept. */
@@ -68,7 +65,7 @@ export function createStage(frame: Frame, complain: (error: unknown) => void) {
       }
       current = name;
       for (const [other, view] of views) view.element.hidden = other !== name;
-      starting.hidden = views.has(name);
+      frame.setStarting(!views.has(name));
       frame.mark(name);
       if (thing !== undefined && !keepAddress) nameInAddress(name);
       give(name);

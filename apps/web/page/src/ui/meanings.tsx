@@ -1,15 +1,16 @@
 // What the terms of a list or a table mean, to be read where they stand: a title needs a pointer.
-import { elementOf } from './element';
 
 interface Props {
   /** Terms with their meanings; those without one are left out. */
   of: [term: string, meaning: string | undefined][];
+  title?: string;
+  class?: string;
 }
 
 /** Folded away. */
-export const Meanings = ({ of }: Props) => (
-  <details class="meanings controls">
-    <summary>What they mean</summary>
+export const Meanings = ({ of, title = 'What they mean', class: name = 'meanings' }: Props) => (
+  <details class={`${name} controls`}>
+    <summary>{title}</summary>
     <dl>
       {of.map(
         ([term, meaning]) =>
@@ -23,5 +24,3 @@ export const Meanings = ({ of }: Props) => (
     </dl>
   </details>
 );
-
-export const meanings = (of: Props['of']): HTMLElement => elementOf(<Meanings of={of} />);

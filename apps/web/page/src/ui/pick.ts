@@ -1,13 +1,9 @@
-// A file that the user picks.
-import { h } from './dom';
+// Files that the user picks.
 
-/** A button that asks for a file and gives its name and content. */
-export function filePicker(label: string, picked: (name: string, content: Uint8Array) => void): HTMLElement {
-  const input = h('input', { type: 'file', hidden: true });
-  input.addEventListener('change', async () => {
-    const file = input.files?.[0];
-    input.value = '';
-    if (file) picked(file.name, new Uint8Array(await file.arrayBuffer()));
-  });
-  return h('span', h('button', { type: 'button', onclick: () => input.click() }, label), input);
+/** Asks for one file, or for several, and gives them. */
+export function askForFiles(picked: (files: File[]) => void, { multiple = false, accept = '' } = {}) {
+  const input = document.createElement('input');
+  Object.assign(input, { type: 'file', multiple, accept });
+  input.onchange = () => picked([...(input.files ?? [])]);
+  input.click();
 }

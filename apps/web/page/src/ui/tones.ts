@@ -1,7 +1,5 @@
 // The page's tones as they are now, for what is painted: canvases have to be painted anew when they change.
 
-import { h } from './dom';
-
 const listeners = new Set<() => void>();
 
 let probe: HTMLElement | undefined;
@@ -9,7 +7,10 @@ let probe: HTMLElement | undefined;
 /** The colour of a tone of the style sheets, as a canvas takes it: `tone('ink')`. */
 export function tone(name: string): string {
   // A custom property is text; only where it is used does the browser choose between its light and its dark colour.
-  if (!probe) document.body.append((probe = h('i', { hidden: true })));
+  if (!probe) {
+    probe = document.body.appendChild(document.createElement('i'));
+    probe.hidden = true;
+  }
   probe.style.color = `var(--${name})`;
   return getComputedStyle(probe).color;
 }

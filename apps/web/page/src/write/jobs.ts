@@ -28,7 +28,7 @@ function createTurns(page: Page, desk: Desk, controls: Controls, cage: Cage) {
     page.core.stop('race');
     controls.busy(false);
     // What was under way comes to no end.
-    if (controls.verdict.dataset.state === 'fair') controls.verdict.hidden = true;
+    if (controls.state.verdict?.kind === 'fair') controls.set({ verdict: null });
   }
   /** Does that with the program, and says what went wrong with it. */
   async function doing(act: (work: Work, wanted: () => boolean) => Promise<void>) {
@@ -45,7 +45,7 @@ function createTurns(page: Page, desk: Desk, controls: Controls, cage: Cage) {
     } catch (error) {
       if (mine !== number || error instanceof Stopped) return;
       const message = errorText(error);
-      controls.verdict.hidden = true;
+      controls.set({ verdict: null });
       if (/\bname\b/.test(message)) desk.complain(message);
       else page.complain(error);
     } finally {
@@ -71,9 +71,9 @@ export function createJobs(page: Page, desk: Desk, controls: Controls, display: 
   }
   async function race(work: Work, wanted: () => boolean) {
     const { form, report } = controls;
-    const chosen = form.mazes();
+    const chosen = form.mazes.chosenMazes();
     if (chosen.length === 0) return page.complain('Choose at least one maze.');
-    const order = { mice: form.mice(), mazes: await mazesOf(page.core, chosen), runs: usualRuns, seed };
+    const order = { mice: form.mice.chosen(), mazes: await mazesOf(page.core, chosen), runs: usualRuns, seed };
     const changed = raced && (raced.runner.program !== work.text || raced.runner.language !== work.language);
     const last = changed ? raced : before;
     const reported: typeof report = (progress) => wanted() && report(progress);

@@ -23,9 +23,11 @@ afterEach(() => {
 
 it('shows nothing in a frame that was asked for before all was taken away', () => {
   const player = createPlayer({} as EarlyPage);
+  const room = document.createElement('div');
+  player.enter(room);
   player.show([{ play: steps(), record: '' }]);
   expect(frames).toHaveLength(1);
   player.show([]);
   expect(paint).not.toThrow();
-  expect(player.element.hidden).toBe(true);
+  expect(room.hidden).toBe(true);
 });

@@ -9,12 +9,11 @@ const kept = { name: 'mine', text: 'cell = 180', origin: classic };
 /** A desk whose core answers once `answer` is called. */
 function waitingDesk() {
   let answer = () => {};
-  const draft = { origin: null as Origin | null, fresh: true };
+  const draft = { origin: null as Origin | null, fresh: true, name: '' };
   const show = vi.fn();
   const desk = {
     draft,
     form: { show },
-    start: { name: { value: '' } },
     begin: (origin: Origin) => Object.assign(draft, { origin, fresh: true }),
     ask: () => {},
     page: {
@@ -29,7 +28,7 @@ it('stands in the form again', async () => {
   const { desk, show, answered } = waitingDesk();
   await answered();
   expect(show).toHaveBeenCalledWith({ cell: 180 }, []);
-  expect(desk.draft).toMatchObject({ origin: classic, fresh: false });
+  expect(desk.draft).toMatchObject({ origin: classic, fresh: false, name: 'mine' });
 });
 
 it('does not take the place of a robot that somebody began meanwhile, or edited', async () => {
