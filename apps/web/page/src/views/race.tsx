@@ -3,6 +3,7 @@ import type { ComponentChildren } from 'preact';
 import { useErrorBoundary, useMemo } from 'preact/hooks';
 import { addressOf, readAddress } from '../link/address';
 import type { EarlyPage, View } from '../page/page';
+import { ComparePart, createComparePanel, type ComparePanel } from '../race/compare-part';
 import { createHold, HoldPart, type Hold } from '../race/hold-part';
 import { isQuick, orderIn, orderMoment } from '../race/linked-order';
 import { Pictures, Tables, useRace } from '../race/race-parts';
@@ -99,7 +100,8 @@ function createRoom(page: EarlyPage) {
   const { element, draw } = createRoot('race-view', 'Race', () => {
     const { race, isFirst, hold } = state;
     if (!hold) return null;
-    const props = { page, stage, isFirst, form: <HoldPart key={hold} hold={hold} first={isFirst} /> };
+    const form = [<HoldPart key={hold} hold={hold} first={isFirst} />, <ComparePart key="compare" panel={compare} />];
+    const props = { page, stage, isFirst, form };
     return (
       <>
         <h2 class="unseen">Race</h2>
@@ -112,6 +114,12 @@ function createRoom(page: EarlyPage) {
     );
   });
   const stage = createRaceStage(page, draw);
+  let compare: ComparePanel | null = null;
+  // What keeps the core from starting is said by the page itself.
+  void page.ready.then(
+    (about) => void (compare = createComparePanel(page, about, draw)),
+    () => undefined,
+  );
   /** The form as it is before there is a race, with what is chosen in it. */
   let firstForm: Hold | null = null;
   /** Nothing is drawn before the view is shown. */

@@ -2,7 +2,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import type { RaceResults } from '../../src/core/types';
+import type { Comparison, RaceResults } from '../../src/core/types';
 import { barriers, builtPage, drop, native, open, picture, proof, temporary } from './harness';
 
 const pack = (json: unknown) => gzipSync(JSON.stringify(json)).toString('base64');
@@ -123,6 +123,24 @@ test('a race is held in the page', async () => {
   await page.getByRole('button', { name: 'Start the race' }).click();
   await page.getByRole('status').getByText('The race is over: 5 mice, 43 mazes.').waitFor();
   expect(await mice(page)).toHaveLength(5);
+});
+
+test('mice are compared until it is decided, as on the command line', async () => {
+  const said = native('compare', 'flood', 'certify', '--generator', 'prim', '--size', '6', '--format', 'json');
+  const [candidate] = (JSON.parse(said) as Comparison).candidates;
+  const page = await open('#race');
+  await page.getByText('Compare mice until it is decided').click();
+  const form = page.locator('form.compare');
+  await form.getByLabel('Kind').selectOption('prim');
+  for (const side of ['Width', 'Height']) await form.getByLabel(side).fill('6');
+  await form.getByRole('button', { name: 'Compare' }).click();
+  await form.getByRole('button', { name: 'Stop' }).waitFor();
+  await form.getByRole('button', { name: 'Stop' }).waitFor({ state: 'detached', timeout: 60_000 });
+  const cells = page.getByRole('region', { name: 'Verdicts' }).locator('tbody tr > *');
+  const [mouse, mazes, share, first, difference, , verdict] = await cells.allTextContents();
+  expect([mouse, mazes, verdict]).toEqual(['certify', String(candidate.pairs), candidate.verdict]);
+  expect([share, first]).toEqual([candidate.share, candidate.first_share].map((one) => one.toFixed(3)));
+  expect(Number(difference)).toBeCloseTo(candidate.difference, 4);
 });
 
 test('a race that ends leaves its user in the view where they are, and offers to show it', async () => {
