@@ -175,6 +175,17 @@ TEST_F(ACourse, GivesNothingToAMouseOfAnotherWorld) {
   EXPECT_THAT(grades.students[0].tasks[0].contests, IsEmpty());
 }
 
+TEST(CourseTemplate, IsATaskFileThatLacksOnlyItsSeed) {
+  const std::string path = LABMOUSE_SOURCE_DIR "/templates/course/tasks.toml";
+  TaskFileResult read = read_task_file(read_file(path).content);
+  for (const Problem& problem : read.problems) ADD_FAILURE() << describe(path, problem);
+  EXPECT_EQ(read.file.seed, "");
+  read.file.seed = "secret";
+  const GradingPlan made = plan_grading(std::move(read.file), path);
+  EXPECT_THAT(made.errors, IsEmpty());
+  EXPECT_THAT(made.mazes_of, SizeIs(3));
+}
+
 TEST(PointsText, HasNoMoreDecimalsThanItNeeds) {
   EXPECT_EQ(points_text(5.0), "5");
   EXPECT_EQ(points_text(7.5), "7.5");
