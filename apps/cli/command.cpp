@@ -120,6 +120,8 @@ KindWords words_of(FileKind kind) {
               "`--failure-rates FILE` uses it"};
     case FileKind::junit:
       return {"a JUnit file", "`labmouse race --junit FILE` writes one", "tools for tests show it"};
+    case FileKind::gradescope:
+      return {"results for Gradescope", "`labmouse grade --gradescope FOLDER` writes them", "Gradescope shows them"};
     case FileKind::study:
       return {"the CSV of a study", "`labmouse study --csv FILE` writes it", "a spreadsheet shows it"};
     case FileKind::sweep:

@@ -1,4 +1,6 @@
 // labmouse page: writes the page for a browser. labmouse report: writes that page with a race in it.
+#include "page.hpp"
+
 #include <fmt/format.h>
 
 #include <memory>
@@ -15,19 +17,6 @@ struct PageOptions {
   std::string results, page, out;
 };
 
-/// The page of --page, or else the embedded one. Throws UsageError where there is none.
-std::string find_page(const PageOptions& options) {
-  if (options.page.empty() && embedded_page().empty())
-    throw UsageError(
-        "error: this program was built without the page; run `make page` and build the program again, or name a page "
-        "with --page FILE");
-  if (options.page.empty()) return std::string(embedded_page());
-  FileContent file = read_file(options.page, std::size_t{1} << 26U);
-  if (file.error.empty()) file.error = wrong_page(file.content);
-  if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.page, file.error));
-  return std::move(file.content);
-}
-
 /// Prints the first notes and counts the others.
 void tell_notes(const std::vector<std::string>& notes) {
   constexpr std::size_t told = 10;
@@ -36,7 +25,7 @@ void tell_notes(const std::vector<std::string>& notes) {
 }
 
 void report(const PageOptions& options) {
-  const std::string page = find_page(options);
+  const std::string page = find_page(options.page);
   expect_outputs({{"--page", options.page}, {"--out", options.out, FileKind::page}});
   const ReportPage report = make_report(options.results, page);
   if (!report.error.empty()) throw UsageError(report.error);
@@ -51,13 +40,25 @@ void add_page_options(Command& command, PageOptions& options) {
 
 }  // namespace
 
+std::string find_page(const std::string& path) {
+  if (path.empty() && embedded_page().empty())
+    throw UsageError(
+        "error: this program was built without the page; run `make page` and build the program again, or name a page "
+        "with --page FILE");
+  if (path.empty()) return std::string(embedded_page());
+  FileContent file = read_file(path, std::size_t{1} << 26U);
+  if (file.error.empty()) file.error = wrong_page(file.content);
+  if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", path, file.error));
+  return std::move(file.content);
+}
+
 void add_page(Command& app, int& exit) {
   auto options = std::make_shared<PageOptions>();
   Command* command = app.add_subcommand("page", "Write the page for a browser: replays, comparisons and a maze editor");
   add_page_options(*command, *options);
   command->footer("Example: labmouse page -o labmouse.html");
   command->callback([options, &exit] {
-    const std::string page = find_page(*options);
+    const std::string page = find_page(options->page);
     expect_outputs({{"--page", options->page}, {"--out", options->out, FileKind::page}});
     save(options->out, page);
     exit = exit_good;

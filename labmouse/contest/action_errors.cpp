@@ -1,5 +1,7 @@
 #include "labmouse/contest/action_errors.hpp"
 
+#include "labmouse/mouse/knowledge.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -21,6 +23,12 @@ void count(ActionErrorCount& kind, bool is_one, int step) {
   if (is_one && kind.steps++ == 0) kind.first = step;
 }
 
+/// The wall ahead of the mouse, or behind it where it backs, at the place where its movement ended.
+Wall wall_at_end(const StepRecord& step, Cell end) {
+  const Heading ahead = rotated(step.pose.heading, step.action.rotation);
+  return wall_at(end, step.action.movement < 0 ? opposite(ahead) : ahead);
+}
+
 }  // namespace
 
 ActionErrors action_errors_of(const RunRecord& record, const Rules& rules) {
@@ -33,6 +41,20 @@ ActionErrors action_errors_of(const RunRecord& record, const Rules& rules) {
     count(action_errors.idle_resets, is_idle_reset(record, i), step.step);
   }
   return action_errors;
+}
+
+int known_wall_hits(const RunRecord& record, Size size) {
+  Knowledge known(size);
+  int hits = 0;
+  for (std::size_t i = 0; i < record.steps.size(); ++i) {
+    const StepRecord& step = record.steps[i];
+    // A contradiction is learned as nothing; readings of the truth have none.
+    static_cast<void>(known.learn(step.pose, step.sighting));
+    if (!step.blocked) continue;
+    const Pose& end = i + 1 < record.steps.size() ? record.steps[i + 1].pose : record.end;
+    if (known.state(wall_at_end(step, end.cell)) == WallState::closed) ++hits;
+  }
+  return hits;
 }
 
 }  // namespace labmouse

@@ -4,6 +4,7 @@
 
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
+#include "labmouse/grid/cell.hpp"
 #include "labmouse/mouse/motion.hpp"
 
 namespace labmouse {
@@ -35,5 +36,10 @@ constexpr bool has_void_rotation(const Action& action) {
 
 /// Counts them over both runs of a complete record.
 ActionErrors action_errors_of(const RunRecord& record, const Rules& rules);
+
+/// The number of steps that ended early at a wall that the mouse knew: one of the border, or one that its readings had
+/// shown as closed by then, that of the step included. Backing into a wall that it has not seen is none.
+/// @param record complete, of a contest in a maze of that size.
+int known_wall_hits(const RunRecord& record, Size size);
 
 }  // namespace labmouse

@@ -40,6 +40,7 @@ const std::map<std::string, Words> usual = {
     {"tune", {"--params", "stride", "--evaluations", "2", "--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
     {"mice-file check", {"mice.toml"}},
     {"mice-file init", {"robots", "--overwrite"}},
+    {"grade", {"--mice", "mice.toml", "--tasks", "tasks.toml", "--jobs", "1"}},
     {"run", {"m.txt"}},
     {"mms", {"false", "--maze", "m.txt"}},
     {"learn", {"m.txt", "-o", "learned.prior"}},
@@ -85,6 +86,7 @@ class EveryCommand : public test::AUser {
     for (const std::string& mouse : built_in_mice())
       mice_file += "[[mouse]]\nname = \"the " + mouse + "\"\nmouse = \"" + mouse + "\"\n";
     file("mice.toml", mice_file);
+    file("tasks.toml", "[[task]]\nname = 'arrives'\npoints = 1\nmazes = ['m.txt']\nfinish = true\n");
   }
 
   /// What of a race later commands take.

@@ -80,6 +80,49 @@ TEST(ActionErrors, AResetInTheLastStepIsIdleOnlyWhereNoGoalWasEntered) {
             (ActionErrorCount{1, 4}));
 }
 
+/// The hits of a mouse with these actions in a maze with a bend: from the start two cells north, then one east.
+int hits_after(std::vector<Action> actions) {
+  const Maze bend = test::drawn(R"(
+      o---o---o
+      |     G |
+      o   o---o
+      |       |
+      o   o---o
+      | S     |
+      o---o---o
+  )");
+  Script script({2, 3}, std::move(actions));
+  const RunRecord record = run(bend, {}, script);
+  return known_wall_hits(record, bend.size());
+}
+
+TEST(KnownWallHits, CountStepsIntoWallsThatWereSeen) {
+  EXPECT_EQ(hits_after({Action::step(0, 2), Action::step(90, 1)}), 0);
+  EXPECT_EQ(hits_after({Action::step(0, 3)}), 1);
+  EXPECT_EQ(hits_after({Action::step(-90, 1), Action::step(0, 1)}), 2);
+  EXPECT_EQ(hits_after({Action::step(0, 3), Action::step(90, 2)}), 2);
+}
+
+TEST(KnownWallHits, CountTheBorderBehindAMouse) { EXPECT_EQ(hits_after({Action::step(0, -1)}), 1); }
+
+TEST(KnownWallHits, LeaveOutWallsThatTheMouseHasNotSeen) {
+  const Maze above = test::drawn(R"(
+      o---o---o
+      | S   G |
+      o---o---o
+      |       |
+      o---o---o
+  )");
+  const auto hits = [&](std::vector<Action> actions) {
+    Script script({2, 2}, std::move(actions));
+    return known_wall_hits(run(above, {}, script), above.size());
+  };
+  EXPECT_EQ(hits({Action::step(0, -1)}), 0);
+  // Once it looks east, the wall is on its right.
+  EXPECT_EQ(hits({Action::step(90, 0), Action::step(90, 1)}), 1);
+  EXPECT_EQ(hits({Action::step(90, 0), Action::step(-90, -1)}), 1);
+}
+
 TEST(ActionErrors, AResetOrAForfeitHasNoRotation) {
   EXPECT_FALSE(has_void_rotation(Action::reset()));
   EXPECT_FALSE(has_void_rotation({Action::Kind::forfeit, 45, 9, ForfeitReason::no_route}));

@@ -15,7 +15,7 @@ LABMOUSE_FUZZER(mice_file) {
   for (const MiceFileEntry& mouse : read.mice) {
     require(!mouse.name.empty() && names.insert(mouse.name).second);
     require(!mouse.what.empty() && mouse.line > 0);
-    const ExternalLimits limits = mouse.limits_over({});
+    const ExternalLimits limits = mouse.limits.over({});
     require(limits.start.count() > 0 && limits.processes > 0 && limits.memory > 0);
   }
   return 0;

@@ -44,7 +44,7 @@ std::string beside(const std::string& folder, const std::string& path) {
 
 /// The options of a mouse of the mice file in that folder.
 ExternalOptions options_of(const MiceFileEntry& mouse, const std::string& folder, ExternalOptions options) {
-  options.limits = mouse.limits_over(options.limits);
+  options.limits = mouse.limits.over(options.limits);
   options.runs = mouse.runs.value_or(options.runs);
   options.arguments = mouse.arguments;
   options.environment = mouse.environment;

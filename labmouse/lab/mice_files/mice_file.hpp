@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "labmouse/external/limits.hpp"
+#include "labmouse/lab/mice_files/file_limits.hpp"
 #include "labmouse/maze/formats/format.hpp"
 
 namespace labmouse {
@@ -22,14 +22,8 @@ struct MiceFileEntry {
   std::vector<std::string> environment;  ///< NAME=VALUE
   std::string directory, interpreter, note;
   std::optional<int> runs;
-  /// Limits that the file sets; empty ones are those of the race.
-  std::optional<double> start, decision, silence, contest;  ///< in seconds
-  std::optional<int> memory, written;                       ///< in MiB
-  std::optional<int> processes, processor_seconds;
+  FileLimits limits;         ///< empty ones are those of the race
   int line = 0, column = 0;  ///< of the entry in its file, from 1
-
-  /// The limits given, overridden by those that the file sets.
-  ExternalLimits limits_over(ExternalLimits limits) const;
 };
 
 /// The key of a kind: "capstone".

@@ -46,6 +46,7 @@ constexpr auto beginnings = std::to_array<Beginning>({
     {FileKind::failure_rates, "{\"labmouse_failure_rates\""},
     {FileKind::failure_rates, "{\"labmouse_hazards\""},
     {FileKind::junit, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"labmouse\""},
+    {FileKind::gradescope, "{\n \"extra_data\": {\n  \"labmouse\""},
     {FileKind::study, "maze,fold,bound"},
     {FileKind::sweep, "value,mean,low,high,"},
     {FileKind::tune, "evaluation,generation,step,"},

@@ -18,9 +18,10 @@ enum class FileKind : std::uint8_t {
   prior,
   failure_rates,
   junit,
-  study,  ///< the scores of a study, as CSV
-  sweep,  ///< the means of a sweep, as CSV
-  tune    ///< the evaluations of a tuning, as CSV
+  gradescope,  ///< results of one student for Gradescope
+  study,       ///< the scores of a study, as CSV
+  sweep,       ///< the means of a sweep, as CSV
+  tune         ///< the evaluations of a tuning, as CSV
 };
 
 /// The kind of a file of labmouse, or FileKind::unknown. It may still be damaged.

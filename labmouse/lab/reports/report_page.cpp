@@ -9,7 +9,6 @@
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
-#include "labmouse/lab/reports/report_records.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -89,10 +88,13 @@ ReportPage make_report(const std::string& path, std::string_view page) {
   const ReadResultsResult read = read_report_results(content.content);
   if (!read.results) return failed(describe(file, *read.problem));
   const fs::path parent = fs::path(file).parent_path();
-  ReportRecords records = read_report_records(*read.results, parent.empty() ? "." : parent.string());
+  return make_report(*read.results, read_report_records(*read.results, parent.empty() ? "." : parent.string()), page);
+}
+
+ReportPage make_report(const ReportResults& results, ReportRecords records, std::string_view page) {
   const std::string report =
       fmt::format(R"({{"labmouse":"report","format":2,"version":{},"results":{},"mazes":{}}})", Json(version()).dump(),
-                  read.results->json, links_of(*read.results, records, records.notes).dump());
+                  results.json, links_of(results, records, records.notes).dump());
   return {with_report(page, report, records.json), "", std::move(records.notes)};
 }
 

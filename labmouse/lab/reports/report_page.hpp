@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "labmouse/lab/reports/report_records.hpp"
+#include "labmouse/lab/reports/report_results.hpp"
+
 namespace labmouse {
 
 /// What is wrong with the text of a page, or nothing. A page must have exactly one place for a report.
@@ -26,5 +29,8 @@ struct ReportPage {
 /// gets the results, the records in that folder or beside the file, and the mazes: those of the records, else those
 /// found by name.
 ReportPage make_report(const std::string& path, std::string_view page);
+
+/// The same of results and records that were read.
+ReportPage make_report(const ReportResults& results, ReportRecords records, std::string_view page);
 
 }  // namespace labmouse

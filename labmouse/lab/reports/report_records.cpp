@@ -46,6 +46,10 @@ Found failed(const RecordPlace& place, const Problem& problem) {
   return {"", std::nullopt, describe(place.path, problem)};
 }
 
+std::string text_of_packed(const Replay& replay) {
+  return replay.packed().dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 Found read_place(const RecordPlace& place) {
   const FileContent file = read_found_file(place.path, longest_file);
   if (!file.error.empty()) return failed(place, file.error);
@@ -57,8 +61,7 @@ Found read_place(const RecordPlace& place) {
   if (of.mouse != place.mouse->name || of.maze.name != *place.maze || (of.seed && !place.seeds->contains(*of.seed)))
     return failed(place, fmt::format("does not belong to this race: it is of {} in {}{}", of.mouse, of.maze.name,
                                      of.seed ? fmt::format(" with seed {}", *of.seed) : ""));
-  return {opened.replay->packed().dump(-1, ' ', false, Json::error_handler_t::replace), of.maze.maze, "",
-          world.make({}).world->traits().fixed_places.empty()};
+  return {text_of_packed(*opened.replay), of.maze.maze, "", world.make({}).world->traits().fixed_places.empty()};
 }
 
 /// The path of a record, with or without the number of the run in its name; empty where there is no such file.
@@ -95,7 +98,9 @@ void add_places(const ReportWorld& world, const std::string& folder, std::vector
 /// Collects packed records until there is no more room.
 class Shelf {
  public:
-  explicit Shelf(std::size_t room) : room_(room) {}
+  explicit Shelf(std::size_t room, std::map<std::string, Maze> mazes = {}) : room_(room) {
+    records_.mazes = std::move(mazes);
+  }
 
   bool full() const { return left_out_ > 0; }
   void leave_out(std::size_t count) { left_out_ += count; }
@@ -105,11 +110,17 @@ class Shelf {
         records_.mazes.try_emplace(*place.maze, *found.maze).first->second != *found.maze)
       found = failed(place, "its maze differs from the one that other records of this race have under that name");
     if (!found.note.empty()) return records_.notes.push_back(std::move(found.note));
-    if (full() || found.packed.size() > room_) return leave_out(1);
-    room_ -= found.packed.size();
-    list_ += (list_.empty() ? "" : ",") + found.packed;
+    if (!add(found.packed)) return;
     // A maze whose start and goals the world has set is used only where there is none of that name yet.
     if (!found.own_places && found.maze) records_.mazes.try_emplace(*place.maze, *found.maze);
+  }
+
+  /// Adds a packed record; returns false where there is no room.
+  bool add(const std::string& packed) {
+    if (full() || packed.size() > room_) return leave_out(1), false;
+    room_ -= packed.size();
+    list_ += (list_.empty() ? "" : ",") + packed;
+    return true;
   }
 
   ReportRecords finish() {
@@ -149,6 +160,22 @@ ReportRecords read_report_records(const ReportResults& results, const std::strin
                            places.size(), most_bytes));
   if (missing > 0 && !places.empty())
     shelf.note(fmt::format("left out: {} missing from {}", counted(missing, "record", "records"), shown(folder)));
+  return shelf.finish();
+}
+
+ReportRecords pack_records(const WorldEntry& world, std::span<const std::string> texts,
+                           std::map<std::string, Maze> mazes, std::size_t most_bytes) {
+  Shelf shelf(most_bytes, std::move(mazes));
+  for (const std::string& text : texts) {
+    const OpenedRecord opened = world.records->open(text, nullptr);
+    if (opened.replay)
+      shelf.add(text_of_packed(*opened.replay));
+    else
+      shelf.note("left out: a record that cannot be played again");
+  }
+  if (shelf.full())
+    shelf.note(fmt::format("left out: {} of {} records, because together they exceed {} bytes", shelf.left_out(),
+                           texts.size(), most_bytes));
   return shelf.finish();
 }
 

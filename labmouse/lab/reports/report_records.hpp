@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,10 @@ struct ReportRecords {
 /// names). Records that cannot be read, or are of another race, are left out and noted.
 ReportRecords read_report_records(const ReportResults& results, const std::string& folder,
                                   std::size_t most_bytes = most_packed_bytes);
+
+/// Packs the texts of records that this program has just written, all of contests in that world.
+/// @param mazes all mazes of the race, by their names.
+ReportRecords pack_records(const WorldEntry& world, std::span<const std::string> texts,
+                           std::map<std::string, Maze> mazes, std::size_t most_bytes = most_packed_bytes);
 
 }  // namespace labmouse

@@ -145,22 +145,6 @@ std::string unjudged_of(const Race& race) {
              : "Not judged, because the machine was too busy; these contests count nowhere, so race again:\n" + lines;
 }
 
-/// What external mice could do to the machine that they raced on.
-std::string sandboxes_of(const Race& race) {
-  std::string note = freedom_note(race.mice);
-  const auto has = [&](bool sandbox) {
-    return std::any_of(race.mice.begin(), race.mice.end(),
-                       [&](const Contestant& mouse) { return mouse.sandboxed == sandbox; });
-  };
-  if (!has(true) || has(false)) return note;
-  const bool all_hidden = std::none_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) {
-    return mouse.hidden && !mouse.hidden->unsearched().empty();
-  });
-  return fmt::format("External mice ran in a sandbox, without access to {}other files and the network (--sandbox).\n",
-                     all_hidden ? "mazes, " : "") +
-         note;
-}
-
 }  // namespace
 
 std::string score_note(const World& world) {
@@ -175,12 +159,26 @@ std::string limit_note(const World& world) {
                      world.traits().limit_score);
 }
 
+std::string sandbox_note(const std::vector<Contestant>& mice) {
+  std::string note = freedom_note(mice);
+  const auto has = [&](bool sandbox) {
+    return std::any_of(mice.begin(), mice.end(), [&](const Contestant& mouse) { return mouse.sandboxed == sandbox; });
+  };
+  if (!has(true) || has(false)) return note;
+  const bool all_hidden = std::none_of(mice.begin(), mice.end(), [](const Contestant& mouse) {
+    return mouse.hidden && !mouse.hidden->unsearched().empty();
+  });
+  return fmt::format("External mice ran in a sandbox, without access to {}other files and the network (--sandbox).\n",
+                     all_hidden ? "mazes, " : "") +
+         note;
+}
+
 std::string notes_of(const Race& race) {
   std::string notes = race.world().notes(race) + failures_of(race) + sizes_of(race) + unjudged_of(race) +
                       race.world().remarks(race) + left_out_of(race) + shared_seeds_of(race);
   if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.reference; }))
     notes += "* knows the maze: attains the bound, and is not a contestant.\n";
-  notes += sandboxes_of(race);
+  notes += sandbox_note(race.mice);
   if (race.stopped) {
     const auto done = std::count_if(race.results.begin(), race.results.end(),
                                     [](const ContestResult& contest) { return contest.done; });

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "labmouse/lab/races/race.hpp"
 
@@ -15,5 +16,8 @@ std::string notes_of(const Race& race);
 std::string score_note(const World& world);
 /// The same for comparisons of mice, in which a failed contest always counts the limit score.
 std::string limit_note(const World& world);
+
+/// What external mice could do to the machine that they ran on, in lines; empty without such mice.
+std::string sandbox_note(const std::vector<Contestant>& mice);
 
 }  // namespace labmouse

@@ -53,7 +53,7 @@ pilot = "./cleo 8"
   EXPECT_EQ(anna.note, "Anna, 2026");
   EXPECT_EQ(anna.line, 6);
   EXPECT_EQ(read.mice[2].directory, "ben");
-  const ExternalLimits limits = anna.limits_over({});
+  const ExternalLimits limits = anna.limits.over({});
   EXPECT_EQ(limits.start, 2s);
   EXPECT_EQ(limits.decision, 500ms);
   EXPECT_EQ(limits.silence, ExternalLimits().silence);
