@@ -20,7 +20,7 @@ constexpr double degrees = 180.0 / 3.141592653589793;
 
 std::string turn_text(const DrivenTurn& turn, const TurnShape& shape) {
   const double rate = turn.speed * shape.ramp.peak * degrees;
-  // Without a limit of yaw jerk, the yaw rate rises at a steady rate; with one, this is the mean.
+  // A trapezoid without a limit of yaw jerk rises at this steady rate; of others it is the mean.
   const double acceleration = rate * turn.speed / shape.ramp.length;
   return fmt::format("    {{{:.1f}f, {:.2f}f, {:.2f}f, {:.2f}f, {:.2f}f, {:.1f}f, {:.1f}f, {:.3f}f}},\n", turn.speed,
                      shape.lead_in, shape.lead_out, shape.length, shape.ramp.length, rate, acceleration,

@@ -53,19 +53,20 @@ function numberRow(key: RobotKey, value: RobotValue | undefined, input: () => vo
 }
 
 function choiceRow(key: RobotKey, value: RobotValue | undefined, input: () => void) {
-  const options = key.kind === 'end' ? ['goal', 'beyond'] : ['true', 'false'];
+  const isText = key.kind === 'choice';
+  const options = isText ? key.choices : ['true', 'false'];
   const control = h(
     'select',
     { onchange: input },
     h('option', { value: '' }, 'default'),
     ...options.map((one) => h('option', { value: one, selected: String(value) === one }, one)),
   );
-  const read = () => (control.value === '' ? undefined : key.kind === 'end' ? control.value : control.value === 'true');
+  const read = () => (control.value === '' ? undefined : isText ? control.value : control.value === 'true');
   return { control, beside: false as const, read };
 }
 
 function createRow(key: RobotKey, value: RobotValue | undefined, changed: () => void) {
-  const isChoice = key.kind === 'yes_or_no' || key.kind === 'end';
+  const isChoice = key.kind === 'yes_or_no' || key.kind === 'choice';
   const { control, beside, read } = (isChoice ? choiceRow : numberRow)(key, value, changed);
   const unit = key.unit && ` (${key.unit})`;
   const help = h('span', key.meaning, h('span.range', ` ${key.range}`));
