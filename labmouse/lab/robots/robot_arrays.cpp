@@ -47,7 +47,7 @@ std::span<const TurnNames> all_turn_names() { return names_in_order; }
 std::string robot_arrays(const Robot& robot, const DriveModel& model, const TurnNames& names) {
   std::string text = fmt::format(
       "/* {}: cells of {:g} mm. Turns to the left; those to the right are mirrored, and those from a diagonal to an\n"
-      "   axis are driven backwards. A curve is a ramp of the yaw rate, an arc, and the same ramp down. */\n"
+      "   axis are driven backwards. A curve is a ramp of the yaw rate{}, an arc, and the same ramp down. */\n"
       "struct labmouse_turn {{\n"
       "    float speed;            /* mm/s */\n"
       "    float lead_in;          /* mm straight on before the curve */\n"
@@ -63,7 +63,8 @@ std::string robot_arrays(const Robot& robot, const DriveModel& model, const Turn
       "    float acceleration; /* mm/s^2 */\n"
       "    float braking;      /* mm/s^2 */\n"
       "}};\n",
-      in_comment(robot.name), robot.cell);
+      in_comment(robot.name), robot.cell,
+      robot.profile == TurnProfile{} ? "" : fmt::format(" (a {})", name_of(robot.profile)));
   Turn last = Turn::out135;  // not shown
   for (const std::size_t i : shown_turns(model)) {
     const DrivenTurn& turn = model.tables.turns[i];
