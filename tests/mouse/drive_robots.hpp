@@ -87,6 +87,13 @@ inline Robot large_jerk_robot() {
   return robot;
 }
 
+/// With the yaw rate of its turns rising in another way.
+inline Robot with_profile(Robot robot, TurnProfile profile) {
+  robot.name += "_" + std::string(name_of(profile));
+  robot.profile = profile;
+  return robot;
+}
+
 /// A robot as it was before there was a choice: two speeds of each turn, and any speed in the goal.
 inline Robot robot_of_the_past(Robot robot) {
   robot.speeds = 2;

@@ -67,7 +67,7 @@ class Path {
 
   /// A curve of that shape, by how its curvature grows: it rises, as evenly as its onsets let it, stays, and falls.
   void turn(const TurnShape& shape, bool left) {
-    const auto [ramp, onset, peak] = shape.ramp;
+    const auto [ramp, onset, peak, profile] = shape.ramp;
     const double most = (left ? peak : -peak) / (ramp - onset), change = onset > 0.0 ? most / onset : 0.0;
     go(onset, 0.0, 0.0, change);
     go(ramp - 2.0 * onset, curvature_, most, 0.0);

@@ -36,12 +36,14 @@ Bends bends_of(const Layout& layout, std::size_t steps) {
   for (std::size_t i = 0; i < steps; ++i) {
     const double time = (static_cast<double>(i) + 0.5) * bends.step / layout.speed;
     for (; phase + 1 < layout.phases.size() && ends(time); ++phase) {
-      rate += layout.phases[phase].acceleration * layout.phases[phase].seconds;
-      passed += layout.phases[phase].seconds;
+      const auto& [acceleration, jerk, seconds] = layout.phases[phase];
+      rate += (acceleration + jerk * seconds / 2.0) * seconds;
+      passed += seconds;
     }
-    const double acceleration = layout.phases[phase].acceleration;
-    bends.curvature.push_back((rate + acceleration * (time - passed)) / layout.speed);
-    bends.growth.push_back(acceleration / (layout.speed * layout.speed));
+    const auto& [acceleration, jerk, seconds] = layout.phases[phase];
+    const double within = time - passed;
+    bends.curvature.push_back((rate + (acceleration + jerk * within / 2.0) * within) / layout.speed);
+    bends.growth.push_back((acceleration + jerk * within) / (layout.speed * layout.speed));
   }
   return bends;
 }
@@ -134,7 +136,10 @@ Robot weak_grip_robot() {
   return robot;
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, GripInSteps, testing::Values(grip_robot(), small_grip_robot(), weak_grip_robot()),
+INSTANTIATE_TEST_SUITE_P(Robots, GripInSteps,
+                         testing::Values(grip_robot(), small_grip_robot(), weak_grip_robot(),
+                                         with_profile(grip_robot(), TurnProfile::sine),
+                                         with_profile(small_grip_robot(), TurnProfile::cubic)),
                          PrintRobot());
 
 }  // namespace

@@ -25,7 +25,10 @@ double curvature_at(const TurnShape& shape, double distance) {
 
 class GripOf : public testing::TestWithParam<Robot> {};
 
-INSTANTIATE_TEST_SUITE_P(Robots, GripOf, testing::Values(grip_robot(), small_grip_robot()),
+INSTANTIATE_TEST_SUITE_P(Robots, GripOf,
+                         testing::Values(grip_robot(), small_grip_robot(),
+                                         with_profile(grip_robot(), TurnProfile::cubic),
+                                         with_profile(small_grip_robot(), TurnProfile::sine)),
                          [](const auto& robot) { return robot.param.name; });
 
 TEST_P(GripOf, ItsTyresIsNeverAskedForMore) {

@@ -102,13 +102,16 @@ TEST_P(TurnsInSteps, TakeTheTimesOfTheTablesAtEachSpeed) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, TurnsInSteps,
-                         testing::Values(builtin("beginner"), builtin("classic"), builtin("half"), builtin("kerise"),
-                                         small_robot(), large_robot(), fan_robot(), jerk_robot(), large_jerk_robot(),
-                                         grip_robot(), small_grip_robot(), unstopped_robot(), square_robot(),
-                                         slow_robot(), strong_robot(), slow_to_turn(), smooth_robot(),
-                                         slow_on_diagonals(), robot_of_speeds<1>(), robot_of_speeds<8>()),
-                         PrintRobot());
+INSTANTIATE_TEST_SUITE_P(
+    Robots, TurnsInSteps,
+    testing::Values(builtin("beginner"), builtin("classic"), builtin("half"), builtin("kerise"), small_robot(),
+                    large_robot(), fan_robot(), jerk_robot(), large_jerk_robot(), grip_robot(), small_grip_robot(),
+                    unstopped_robot(), square_robot(), slow_robot(), strong_robot(), slow_to_turn(), smooth_robot(),
+                    slow_on_diagonals(), robot_of_speeds<1>(), robot_of_speeds<8>(),
+                    with_profile(large_robot(), TurnProfile::sine), with_profile(slow_to_turn(), TurnProfile::sine),
+                    with_profile(large_jerk_robot(), TurnProfile::sine),
+                    with_profile(small_robot(), TurnProfile::cubic), with_profile(smooth_robot(), TurnProfile::cubic)),
+    PrintRobot());
 
 }  // namespace
 }  // namespace labmouse

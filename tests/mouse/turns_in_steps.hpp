@@ -68,8 +68,31 @@ struct Phase {
   double seconds = 0.0;
 };
 
+/// Up to a yaw rate as fast as allowed, with a yaw acceleration that is half a sine wave or a parabola, in short
+/// phases.
+inline std::vector<Phase> smooth_rise_to(double rate, const Robot& robot) {
+  constexpr int count = 1600;
+  const bool sine = robot.profile == TurnProfile::sine;
+  std::vector<double> shares;  // of the largest yaw acceleration
+  for (int i = 0; i <= count; ++i) {
+    const double time = static_cast<double>(i) / count;
+    shares.push_back(sine ? std::sin(std::numbers::pi * time) : 4.0 * time * (1.0 - time));
+  }
+  const double steepest = sine ? std::numbers::pi : 4.0;  // at both ends
+  double mean = 0.0;
+  for (const double share : shares) mean += share / count;
+  double seconds = rate / (mean * robot.yaw_acceleration);
+  if (robot.yaw_jerk > 0.0) seconds = std::max(seconds, std::sqrt(steepest * rate / (mean * robot.yaw_jerk)));
+  const double most = rate / (mean * seconds), time = seconds / count;
+  std::vector<Phase> phases;
+  for (std::size_t i = 0; i < count; ++i)
+    phases.push_back({most * shares[i], most * (shares[i + 1] - shares[i]) / time, time});
+  return phases;
+}
+
 /// Up to a yaw rate as fast as allowed.
 inline std::vector<Phase> rise_to(double rate, const Robot& robot) {
+  if (robot.profile != TurnProfile::trapezoid) return smooth_rise_to(rate, robot);
   if (robot.yaw_jerk <= 0.0) return {{robot.yaw_acceleration, 0.0, rate / robot.yaw_acceleration}};
   const double most = std::min(robot.yaw_acceleration, std::sqrt(rate * robot.yaw_jerk));
   const double change = most / robot.yaw_jerk;

@@ -151,9 +151,9 @@ Json page_robot_keys_json() {
   using With = RobotKey::With;
   using Kind = RobotKey::Kind;
   constexpr std::array with = {"always", "curves", "turns", "search_speed", "search_times", "body"};
-  constexpr std::array kinds = {"number", "whole", "number_or_false", "yes_or_no", "end"};
+  constexpr std::array kinds = {"number", "whole", "number_or_false", "yes_or_no", "choice"};
   static_assert(static_cast<std::size_t>(With::body) + 1 == with.size());
-  static_assert(static_cast<std::size_t>(Kind::end) + 1 == kinds.size());
+  static_assert(static_cast<std::size_t>(Kind::choice) + 1 == kinds.size());
   Json list = Json::array();
   for (const RobotKey& key : robot_keys())
     list.push_back({{"name", key.name},
@@ -165,6 +165,7 @@ Json page_robot_keys_json() {
                     {"with", with[static_cast<std::size_t>(key.with)]},
                     {"needed", key.needed && key.sensor == RobotKey::Sensor::none},
                     {"kind", kinds[static_cast<std::size_t>(key.kind)]},
+                    {"choices", std::vector<std::string_view>(key.choices.begin(), key.choices.end())},
                     {"of_diagonals", key.of_diagonals}});
   return list;
 }

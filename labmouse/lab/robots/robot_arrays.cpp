@@ -20,7 +20,7 @@ constexpr double degrees = 180.0 / 3.141592653589793;
 
 std::string turn_text(const DrivenTurn& turn, const TurnShape& shape) {
   const double rate = turn.speed * shape.ramp.peak * degrees;
-  // Without a limit of yaw jerk, the yaw rate rises at a steady rate; with one, this is the mean.
+  // A trapezoid without a limit of yaw jerk rises at this steady rate; of others it is the mean.
   const double acceleration = rate * turn.speed / shape.ramp.length;
   return fmt::format("    {{{:.1f}f, {:.2f}f, {:.2f}f, {:.2f}f, {:.2f}f, {:.1f}f, {:.1f}f, {:.3f}f}},\n", turn.speed,
                      shape.lead_in, shape.lead_out, shape.length, shape.ramp.length, rate, acceleration,
@@ -47,7 +47,7 @@ std::span<const TurnNames> all_turn_names() { return names_in_order; }
 std::string robot_arrays(const Robot& robot, const DriveModel& model, const TurnNames& names) {
   std::string text = fmt::format(
       "/* {}: cells of {:g} mm. Turns to the left; those to the right are mirrored, and those from a diagonal to an\n"
-      "   axis are driven backwards. A curve is a ramp of the yaw rate, an arc, and the same ramp down. */\n"
+      "   axis are driven backwards. A curve is a ramp of the yaw rate{}, an arc, and the same ramp down. */\n"
       "struct labmouse_turn {{\n"
       "    float speed;            /* mm/s */\n"
       "    float lead_in;          /* mm straight on before the curve */\n"
@@ -63,7 +63,8 @@ std::string robot_arrays(const Robot& robot, const DriveModel& model, const Turn
       "    float acceleration; /* mm/s^2 */\n"
       "    float braking;      /* mm/s^2 */\n"
       "}};\n",
-      in_comment(robot.name), robot.cell);
+      in_comment(robot.name), robot.cell,
+      robot.profile == TurnProfile{} ? "" : fmt::format(" (a {})", name_of(robot.profile)));
   Turn last = Turn::out135;  // not shown
   for (const std::size_t i : shown_turns(model)) {
     const DrivenTurn& turn = model.tables.turns[i];

@@ -139,9 +139,9 @@ class RobotReader {
                                  : add(found->source().begin,
                                        fmt::format("'{}' must be true or false{}", key.name, diagonal_hint(*found)));
     if (key.kind == Kind::number_or_false && found->is_boolean() && !found->as_boolean()->get()) return;
-    if (key.kind == Kind::end) {
+    if (key.kind == Kind::choice) {
       const auto value = found->value<std::string_view>();
-      return value == "goal" || value == "beyond"
+      return value && std::find(key.choices.begin(), key.choices.end(), *value) != key.choices.end()
                  ? void()
                  : add(found->source().begin, fmt::format("'{}' must be {}", key.name, range_of(key)));
     }
@@ -263,6 +263,13 @@ SearchDrive search_times(const RobotReader& reader) {
           time_of(reader, "search.quarter"), time_of(reader, "search.half_cell")};
 }
 
+/// The profile of that name; the first one if there is none.
+TurnProfile profile_of(std::string_view name) {
+  const auto* const found = std::find(turn_profile_names.begin(), turn_profile_names.end(), name);
+  return found == turn_profile_names.end() ? TurnProfile{}
+                                           : static_cast<TurnProfile>(found - turn_profile_names.begin());
+}
+
 void set_layouts(Robot& robot, const RobotReader& reader) {
   const std::string_view section = reader.forms().turns ? "turns" : "layout";
   for (const Turn turn : {Turn::f45, Turn::f90, Turn::f135, Turn::f180, Turn::v90, Turn::s90}) {
@@ -304,6 +311,7 @@ Robot robot_of(const RobotReader& reader, std::string_view name, RobotText kind)
   robot.yaw_acceleration = reader.number("curve.yaw_acceleration");
   robot.yaw_speed = reader.number("curve.yaw_speed");
   robot.yaw_jerk = reader.number("curve.yaw_jerk");
+  robot.profile = profile_of(reader.text("curve.profile", ""));
   robot.grip = reader.number("curve.grip");
   robot.clearance = reader.number("clearance");
   robot.run_up = reader.number("run_up");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "labmouse/lab/robots/hardware_keys.hpp"
@@ -24,6 +25,7 @@ void add_turns(Json& json, const Robot& robot) {
     json["curve.yaw_acceleration"] = robot.yaw_acceleration;
     if (robot.yaw_speed > 0.0) json["curve.yaw_speed"] = robot.yaw_speed;
     if (robot.yaw_jerk > 0.0) json["curve.yaw_jerk"] = robot.yaw_jerk;
+    if (robot.profile != TurnProfile{}) json["curve.profile"] = name_of(robot.profile);
     if (robot.grip > 0.0) json["curve.grip"] = robot.grip;
     // Defaults of records are left out, so that older records stay unchanged.
     if (robot.speeds != recorded_speeds) json["curve.speeds"] = robot.speeds;
@@ -65,9 +67,12 @@ void add_search(Json& json, const Robot& robot) {
 }
 
 bool is_plain(const std::string& name, const ReadJson& value) {
-  const bool end = value.is_string() && (value == "goal" || value == "beyond");
+  const RobotKey* const key = find_robot_key(name);
+  const bool choice =
+      key != nullptr && value.is_string() &&
+      std::find(key->choices.begin(), key->choices.end(), value.get<std::string>()) != key->choices.end();
   return name.find_first_not_of("abcdefghijklmnopqrstuvwxyzSV0123456789._") == std::string::npos &&
-         (value.is_number() || value.is_boolean() || end);
+         (value.is_number() || value.is_boolean() || choice);
 }
 
 /// The text of a robot file; empty, with the error in `fields`, where the JSON has other keys or values.

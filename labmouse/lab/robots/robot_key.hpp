@@ -1,6 +1,7 @@
 // One key of robot files: its range and its conditions.
 #pragma once
 
+#include <span>
 #include <string_view>
 
 namespace labmouse {
@@ -10,7 +11,7 @@ namespace labmouse {
 /// a search. `body`: those that describe the hardware.
 struct RobotKey {
   enum class With : unsigned char { always, curves, turns, search_speed, search_times, body };
-  enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no, end };
+  enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no, choice };
   /// A sensor that a robot may lack; then it needs none of its keys. `infrared`: any infrared sensor.
   enum class Sensor : unsigned char { none, gyro, accelerometer, side, front, infrared, ranger };
 
@@ -25,6 +26,8 @@ struct RobotKey {
   bool of_diagonals = false;
   std::string_view former = {};  ///< its name in earlier versions, which is read, too
   Sensor sensor = Sensor::none;
+  std::span<const std::string_view> choices =
+      {};  ///< the texts that it may have; the first one is the default of files
 };
 
 }  // namespace labmouse

@@ -18,6 +18,8 @@ using Kind = RobotKey::Kind;
 
 constexpr bool needed = true, optional = false, of_diagonals = true;
 
+constexpr std::array<std::string_view, 2> ends = {"goal", "beyond"};
+
 constexpr std::string_view layout_meaning =
     "the speed for which the path of this turn is laid out, for published paths; default: the largest that fits. false "
     "for a turn that is not driven";
@@ -36,6 +38,13 @@ constexpr RobotKey diagonal(std::string_view name, std::string_view meaning, std
   return {name, meaning, unit, low, high, With::always, optional, Kind::number, of_diagonals};
 }
 
+/// A key with a text, one of some.
+constexpr RobotKey choice(std::string_view name, std::string_view meaning, std::span<const std::string_view> choices) {
+  RobotKey key{name, meaning, "", 0.0, 0.0, With::curves, optional, Kind::choice};
+  key.choices = choices;
+  return key;
+}
+
 constexpr std::array limit_keys = {
     RobotKey{"cell", "side of a cell, from the middle of a wall to the middle of the next", "mm", 20.0, 1000.0},
     RobotKey{"clearance",
@@ -49,10 +58,10 @@ constexpr std::array limit_keys = {
              optional, Kind::whole},
     RobotKey{"diagonals", "whether it drives diagonals; default true", "", 0.0, 1.0, With::always, optional,
              Kind::yes_or_no},
-    RobotKey{"stop",
-             "where a run may end: slow enough to stop in the last open cell straight behind the goal (\"goal\"), or "
-             "at any speed (\"beyond\"); default \"goal\"",
-             "", 0.0, 0.0, With::curves, optional, Kind::end},
+    choice("stop",
+           "where a run may end: slow enough to stop in the last open cell straight behind the goal (\"goal\"), or "
+           "at any speed (\"beyond\"); default \"goal\"",
+           ends),
     RobotKey{"straight.speed", "top speed on straights", "mm/s", 50.0, 20'000.0},
     RobotKey{"straight.acceleration", "how quickly it gains speed on straights", "mm/s²", 100.0, 200'000.0},
     RobotKey{"straight.braking",
@@ -72,6 +81,11 @@ constexpr std::array limit_keys = {
              100.0, With::curves, optional},
     RobotKey{"curve.yaw_jerk", "how quickly the yaw acceleration rises and falls; default: at once", "rad/s³", 10.0,
              1e8, With::curves, optional},
+    choice("curve.profile",
+           "how the yaw rate rises at the beginning of a turn and falls at its end: at a steady yaw acceleration "
+           "(\"trapezoid\"), as half a cosine wave (\"sine\"), or as a cubic polynomial (\"cubic\"); the largest yaw "
+           "acceleration is that of curve.yaw_acceleration. Default \"trapezoid\"",
+           turn_profile_names),
     RobotKey{"curve.grip",
              "what the tyres hold in any direction, at least as much as every other acceleration; default: turns are "
              "driven at one speed each. Not together with a yaw jerk",
@@ -182,9 +196,21 @@ std::string_view key_in(std::string_view sentence) {
   return found;
 }
 
+namespace {
+
+/// "goal" or "beyond"
+std::string in_quotes(std::span<const std::string_view> choices) {
+  std::string text;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    text += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ", choices[i]);
+  return text;
+}
+
+}  // namespace
+
 std::string range_of(const RobotKey& key) {
   if (key.kind == Kind::yes_or_no) return "true or false";
-  if (key.kind == Kind::end) return R"("goal" or "beyond")";
+  if (key.kind == Kind::choice) return in_quotes(key.choices);
   return fmt::format("{}{:.10g} to {:.10g}{}{}{}", key.kind == Kind::whole ? "a whole number, " : "", key.low, key.high,
                      key.unit.empty() ? "" : " ", key.unit, key.kind == Kind::number_or_false ? ", or false" : "");
 }

@@ -45,6 +45,11 @@ std::string grip_line(const Robot& robot) {
                      "grip", robot.grip);
 }
 
+std::string profile_line(const Robot& robot) {
+  if (robot.profile == TurnProfile{}) return "";
+  return fmt::format("{:<9} {}: how the yaw rate of a turn rises and falls\n", "profile", name_of(robot.profile));
+}
+
 std::string ends_line(const Robot& robot) {
   if (robot.fixed)
     return fmt::format("{:<9} {:g} mm/s, also at the start and the end; turns lead from node to node\n", "nodes",
@@ -92,7 +97,7 @@ std::string robot_table(const Robot& robot, const DriveModel& model) {
          (robot.diagonals
               ? straight_line("diagonal", robot.speed_diagonal, robot.acceleration_diagonal, robot.braking_diagonal)
               : fmt::format("{:<9} none\n", "diagonal")) +
-         grip_line(robot) + ends_line(robot) + search_line(model.search) +
+         profile_line(robot) + grip_line(robot) + ends_line(robot) + search_line(model.search) +
          fmt::format("{:<9} {}\n", "tables", hash_words(model.tables)) + remark_lines(robot, model);
 }
 

@@ -65,7 +65,7 @@ FittedTurn fitted_around_post(const Robot& robot) {
 }  // namespace
 
 CurveLimits curve_limits(const Robot& robot) {
-  return {robot.lateral_acceleration, robot.yaw_acceleration, robot.yaw_speed, robot.yaw_jerk};
+  return {robot.lateral_acceleration, robot.yaw_acceleration, robot.yaw_speed, robot.yaw_jerk, robot.profile};
 }
 
 std::string to_tenths(double number) {

@@ -13,10 +13,11 @@ struct Bend {
 };
 
 Bend bend_at(const TurnShape& shape, double distance) {
-  const double growth = shape.ramp.peak / shape.ramp.length, left = shape.length - distance;
-  if (distance < shape.ramp.length) return {growth * distance, growth};
-  if (left < shape.ramp.length) return {growth * left, -growth};
-  return {shape.ramp.peak, 0.0};
+  const RampPath& ramp = shape.ramp;
+  const double left = shape.length - distance;
+  if (distance < ramp.length) return {ramp.curvature_at(distance), ramp.growth_at(distance)};
+  if (left < ramp.length) return {ramp.curvature_at(left), -ramp.growth_at(left)};
+  return {ramp.peak, 0.0};
 }
 
 /// The square of the longitudinal acceleration that the grip leaves, for the square of a speed.

@@ -61,7 +61,7 @@ TurnShape placed(TurnShape shape, double cell) {
 TurnShape curve_of_eighths(Turn turn, double ramp) {
   TurnShape shape;
   shape.turn = turn;
-  shape.ramp = {ramp, 0.0, angle_of(turn) / (7.0 * ramp)};
+  shape.ramp = {ramp, 0.0, angle_of(turn) / (7.0 * ramp), TurnProfile::trapezoid};
   shape.length = 8.0 * ramp;
   return shape;
 }
@@ -111,7 +111,7 @@ TurnShape shape_at(Turn turn, double speed, const CurveLimits& limits, double ce
   if (ramp.rate * ramp.seconds > angle) ramp = ramp_of_half(angle, limits);
   TurnShape shape;
   shape.turn = turn;
-  shape.ramp = {speed * ramp.seconds, speed * ramp.onset, ramp.rate / speed};
+  shape.ramp = {speed * ramp.seconds, speed * ramp.onset, ramp.rate / speed, limits.profile};
   shape.length = angle / shape.ramp.peak + shape.ramp.length;
   return placed(shape, cell);
 }

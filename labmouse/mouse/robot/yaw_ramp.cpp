@@ -33,19 +33,76 @@ PathPoint after_clothoid(double distance, double angle) {
   return {ahead, aside, angle};
 }
 
-/// The angle after `distance` mm of a ramp with onsets. The curvature's slope rises evenly in the first, stays, and
-/// falls evenly in the last.
-double angle_on_ramp(const RampPath& ramp, double distance) {
-  const double slope = ramp.peak / (ramp.length - ramp.onset);
-  const auto onset_angle = [&](double driven) { return slope / ramp.onset * driven * driven * driven / 6.0; };
-  if (distance <= ramp.onset) return onset_angle(distance);
-  const double left = ramp.length - distance;
-  if (left <= ramp.onset) return ramp.peak * (ramp.length / 2.0 - left) + onset_angle(left);
-  const double within = distance - ramp.onset;
-  return onset_angle(ramp.onset) + slope * (ramp.onset + within) * within / 2.0;
+/// How the curvature rises along a ramp, whose yaw rate rises alike at one speed. All are symmetric: the mean curvature
+/// is half of the peak.
+struct Rise {
+  /// The largest yaw acceleration and the largest yaw jerk of a rise by 1 rad/s in 1 s. Not of trapezoids, in which the
+  /// limits decide how long the yaw jerk lasts.
+  double acceleration = 0.0, jerk = 0.0;
+  double (*angle)(const RampPath& ramp, double distance);      ///< rad
+  double (*curvature)(const RampPath& ramp, double distance);  ///< rad/mm
+  double (*growth)(const RampPath& ramp, double distance);     ///< of the curvature, rad/mm²
+};
+
+/// The curvature's slope rises evenly in the first onset, stays, and falls evenly in the last.
+constexpr Rise trapezoid = {
+    0.0, 0.0,
+    [](const RampPath& ramp, double distance) {
+      const double slope = ramp.peak / (ramp.length - ramp.onset);
+      const auto onset_angle = [&](double driven) { return slope / ramp.onset * driven * driven * driven / 6.0; };
+      if (distance <= ramp.onset) return onset_angle(distance);
+      const double left = ramp.length - distance;
+      if (left <= ramp.onset) return ramp.peak * (ramp.length / 2.0 - left) + onset_angle(left);
+      const double within = distance - ramp.onset;
+      return onset_angle(ramp.onset) + slope * (ramp.onset + within) * within / 2.0;
+    },
+    [](const RampPath& ramp, double distance) {
+      const double slope = ramp.peak / (ramp.length - ramp.onset);
+      if (distance < ramp.onset) return slope * distance * distance / (2.0 * ramp.onset);
+      const double left = ramp.length - distance;
+      if (left < ramp.onset) return ramp.peak - slope * left * left / (2.0 * ramp.onset);
+      return slope * (distance - ramp.onset / 2.0);
+    },
+    [](const RampPath& ramp, double distance) {
+      const double slope = ramp.peak / (ramp.length - ramp.onset), near = std::min(distance, ramp.length - distance);
+      return near < ramp.onset ? slope * near / ramp.onset : slope;
+    }};
+
+/// (1 - cos(pi u)) / 2 of the peak at the share u of the way.
+constexpr Rise sine = {pi / 2.0, pi / 2.0 * pi,
+                       [](const RampPath& ramp, double distance) {
+                         const double way = pi * distance / ramp.length;
+                         return ramp.peak * ramp.length / (2.0 * pi) * (way - direction_of(way).sine);
+                       },
+                       [](const RampPath& ramp, double distance) {
+                         return ramp.peak * (1.0 - direction_of(pi * distance / ramp.length).cosine) / 2.0;
+                       },
+                       [](const RampPath& ramp, double distance) {
+                         return ramp.peak * pi / (2.0 * ramp.length) * direction_of(pi * distance / ramp.length).sine;
+                       }};
+
+/// 3 u² - 2 u³ of the peak at the share u of the way.
+constexpr Rise cubic = {1.5, 6.0,
+                        [](const RampPath& ramp, double distance) {
+                          const double share = distance / ramp.length;
+                          return ramp.peak * ramp.length * share * share * share * (1.0 - share / 2.0);
+                        },
+                        [](const RampPath& ramp, double distance) {
+                          const double share = distance / ramp.length;
+                          return ramp.peak * share * share * (3.0 - 2.0 * share);
+                        },
+                        [](const RampPath& ramp, double distance) {
+                          const double share = distance / ramp.length;
+                          return ramp.peak / ramp.length * 6.0 * share * (1.0 - share);
+                        }};
+
+const Rise& rise_of(TurnProfile profile) {
+  constexpr static std::array rises = {trapezoid, sine, cubic};
+  static_assert(rises.size() == turn_profile_names.size());
+  return rises[static_cast<unsigned>(profile)];
 }
 
-/// Moves a point along the ramp between two distances within which the angle is one polynomial: Gauss-Legendre
+/// Moves a point along the ramp between two distances within which the angle is one smooth function: Gauss-Legendre
 /// quadrature with eight points, exact to rounding for the angles of turns.
 void integrate(const RampPath& ramp, double from, double to, PathPoint& point) {
   struct Sample {
@@ -55,18 +112,17 @@ void integrate(const RampPath& ramp, double from, double to, PathPoint& point) {
                                               {0.5255324099163290, 0.3137066458778873},
                                               {0.7966664774136267, 0.2223810344533745},
                                               {0.9602898564975363, 0.1012285362903763}}};
+  const auto angle = rise_of(ramp.profile).angle;
   const double middle = (from + to) / 2.0, reach = (to - from) / 2.0;
   for (const Sample& sample : samples)
     for (const double side : {-1.0, 1.0}) {
-      const Direction direction = direction_of(angle_on_ramp(ramp, middle + side * sample.place * reach));
+      const Direction direction = direction_of(angle(ramp, middle + side * sample.place * reach));
       point.ahead += sample.weight * reach * direction.cosine;
       point.aside += sample.weight * reach * direction.sine;
     }
 }
 
-}  // namespace
-
-YawRamp ramp_to(double yaw_rate, const CurveLimits& limits) {
+YawRamp trapezoid_to(double yaw_rate, const CurveLimits& limits) {
   if (limits.yaw_jerk <= 0.0) return {yaw_rate, yaw_rate / limits.yaw_acceleration, 0.0};
   const double onset = limits.yaw_acceleration / limits.yaw_jerk;
   if (yaw_rate >= limits.yaw_acceleration * onset) return {yaw_rate, yaw_rate / limits.yaw_acceleration + onset, onset};
@@ -75,30 +131,46 @@ YawRamp ramp_to(double yaw_rate, const CurveLimits& limits) {
   return {yaw_rate, 2.0 * half, half};
 }
 
-YawRamp ramp_of_half(double angle, const CurveLimits& limits) {
+YawRamp trapezoid_of_half(double angle, const CurveLimits& limits) {
   const double jerk = limits.yaw_jerk, acceleration = limits.yaw_acceleration;
-  if (jerk <= 0.0) return ramp_to(std::sqrt(angle * acceleration), limits);
+  if (jerk <= 0.0) return trapezoid_to(std::sqrt(angle * acceleration), limits);
   const double onset = acceleration / jerk;
   // rate * (rate / acceleration + onset) = angle
   const double rate = acceleration * (std::sqrt(onset * onset + 4.0 * angle / acceleration) - onset) / 2.0;
-  if (rate >= acceleration * onset) return ramp_to(rate, limits);
+  if (rate >= acceleration * onset) return trapezoid_to(rate, limits);
   // 2 jerk * half³ = angle
   const double half = third_root(angle / (2.0 * jerk));
   return {jerk * half * half, 2.0 * half, half};
 }
 
-double RampPath::curvature_at(double distance) const {
-  if (length <= 0.0) return peak;
-  const double slope = peak / (length - onset);
-  if (distance < onset) return slope * distance * distance / (2.0 * onset);
-  const double left = length - distance;
-  if (left < onset) return peak - slope * left * left / (2.0 * onset);
-  return slope * (distance - onset / 2.0);
+}  // namespace
+
+YawRamp ramp_to(double yaw_rate, const CurveLimits& limits) {
+  if (limits.profile == TurnProfile::trapezoid) return trapezoid_to(yaw_rate, limits);
+  const Rise& rise = rise_of(limits.profile);
+  double seconds = rise.acceleration * yaw_rate / limits.yaw_acceleration;
+  if (limits.yaw_jerk > 0.0) seconds = std::max(seconds, std::sqrt(rise.jerk * yaw_rate / limits.yaw_jerk));
+  return {yaw_rate, seconds, seconds / 2.0};
 }
+
+YawRamp ramp_of_half(double angle, const CurveLimits& limits) {
+  if (limits.profile == TurnProfile::trapezoid) return trapezoid_of_half(angle, limits);
+  const Rise& rise = rise_of(limits.profile);
+  // rate * seconds = angle, with the seconds that the yaw acceleration asks for, and with those of the yaw jerk
+  double rate = std::sqrt(angle * limits.yaw_acceleration / rise.acceleration);
+  if (limits.yaw_jerk > 0.0) rate = std::min(rate, third_root(angle * angle * limits.yaw_jerk / rise.jerk));
+  return ramp_to(rate, limits);
+}
+
+double RampPath::curvature_at(double distance) const {
+  return length <= 0.0 ? peak : rise_of(profile).curvature(*this, distance);
+}
+
+double RampPath::growth_at(double distance) const { return rise_of(profile).growth(*this, distance); }
 
 PathPoint RampPath::at(double distance) const {
   if (onset <= 0.0) return after_clothoid(distance, length > 0.0 ? peak * distance * distance / (2.0 * length) : 0.0);
-  PathPoint point{0.0, 0.0, angle_on_ramp(*this, distance)};
+  PathPoint point{0.0, 0.0, rise_of(profile).angle(*this, distance)};
   double from = 0.0;
   for (const double part_end : {onset, length - onset, length}) {
     const double to = std::min(distance, part_end);

@@ -61,6 +61,19 @@ TEST(RobotArrays, HaveTheNamesOfAConvention) {
     }
 }
 
+TEST(RobotArrays, SayWhichProfileTheirRampsHave) {
+  FoundRobot found = find_robot("classic");
+  const auto head = [&] {
+    const std::string text = robot_arrays(found.robot, found.model, all_turn_names()[0]);
+    return text.substr(0, text.find("*/"));
+  };
+  EXPECT_EQ(head().find("trapezoid"), std::string::npos);
+  for (const TurnProfile profile : {TurnProfile::sine, TurnProfile::cubic}) {
+    found.robot.profile = profile;
+    EXPECT_NE(head().find(name_of(profile)), std::string::npos);
+  }
+}
+
 TEST(RobotArrays, DoNotEndTheirCommentWithTheNameOfARobot) {
   FoundRobot found = find_robot("classic");
   found.robot.name = "a */ int b; /*";

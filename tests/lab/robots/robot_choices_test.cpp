@@ -131,6 +131,29 @@ TEST(RobotChoices, AreALimitOfTheYawSpeed) {
               ElementsAre(Says("'curve.yaw_speed'", "0.1 to 100 rad/s", "degrees/s", "write 20")));
 }
 
+TEST(RobotChoices, AreTheProfileOfTurns) {
+  EXPECT_EQ(model_of({"", "profile = \"trapezoid\"", ""}).tables.hash, model_of({}).tables.hash);
+  const auto hardest = [](const DriveModel& model) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+      const double speed = model.tables.turns[i].speed;
+      const RampPath& ramp = model.shapes[i].ramp;
+      most = std::max(most, ramp.growth_at(ramp.length / 2.0) * speed * speed);
+    }
+    return most;
+  };
+  for (std::size_t i = 0; i < turn_profile_names.size(); ++i) {
+    const DriveModel model = model_of({"", fmt::format("profile = \"{}\"", turn_profile_names[i]), ""});
+    EXPECT_EQ(model.robot.profile, static_cast<TurnProfile>(i));
+    EXPECT_NEAR(hardest(model), 300.0, 1e-9) << turn_profile_names[i];
+  }
+  EXPECT_TRUE(read({"", "profile = \"sine\"\ngrip = 12000", ""}).robot);
+  for (const std::string odd : {"\"Sine\"", "\"\"", "1", "true"})
+    EXPECT_THAT(reasons(read({"", "profile = " + odd, ""})),
+                ElementsAre(Says("'curve.profile'", "\"trapezoid\", \"sine\" or \"cubic\"")))
+        << odd;
+}
+
 TEST(RobotChoices, AreWhetherDiagonalsAreDriven) {
   const DriveModel square = model_of({"diagonals = false"});
   for (const Turn turn : all_turns)
@@ -160,7 +183,7 @@ TEST(RobotChoices, AreRefusedBesideGivenTimes) {
   const auto text = std::find_if(builtin_robots().begin(), builtin_robots().end(), [](const BuiltinRobot& robot) {
                       return robot.name == "mm2021";
                     })->text;
-  for (const std::string key : {"speeds = 4", "grip = 12000", "yaw_speed = 9", "yaw_jerk = 9000"})
+  for (const std::string key : {"speeds = 4", "grip = 12000", "yaw_speed = 9", "yaw_jerk = 9000", "profile = \"sine\""})
     EXPECT_THAT(reasons(read_robot(fmt::format("{}\n[curve]\n{}\n", text, key), "mine")),
                 ElementsAre(Says("'curve." + key.substr(0, key.find(' ')) + "'", "[turns]")));
   EXPECT_THAT(reasons(read_robot(fmt::format("stop = \"goal\"\n{}", text), "mine")),
@@ -196,8 +219,9 @@ TEST(RobotChoices, AreKeptInRecords) {
   for (int speeds = 1; speeds <= most_speeds; ++speeds)
     expect_kept(text_of({"stop = \"beyond\"", fmt::format("speeds = {}", speeds), ""}));
   for (const Lines& lines : {Lines{}, Lines{"stop = \"goal\"", "speeds = 2", ""}, Lines{"", "grip = 10500.25", ""},
-                             Lines{"", "yaw_speed = 6.1", ""}, Lines{"", "yaw_speed = 7\nyaw_jerk = 9000", ""},
-                             Lines{"diagonals = false"}, Lines{"diagonals = false", "grip = 1e4", "180 = false"},
+                             Lines{"", "yaw_speed = 6.1", ""}, Lines{"", "profile = \"cubic\"", ""},
+                             Lines{"", "yaw_speed = 7\nyaw_jerk = 9000", ""}, Lines{"diagonals = false"},
+                             Lines{"diagonals = false", "grip = 1e4", "180 = false"},
                              Lines{"sight = 3", "", "45 = false\n90 = false\n135 = false\n180 = false\nV90 = false"},
                              Lines{"", "", "V90 = 950\n180 = 60.5\nS90 = 800"}})
     expect_kept(text_of(lines));

@@ -8,6 +8,7 @@
 
 #include "labmouse/hardware/hardware.hpp"
 #include "labmouse/mouse/robot/tables.hpp"
+#include "labmouse/mouse/robot/yaw_ramp.hpp"
 
 namespace labmouse {
 
@@ -81,6 +82,7 @@ struct Robot {
   double yaw_acceleration = 0.0;                           ///< rad/s², where a curve begins and ends
   double yaw_speed = 0.0;                                  ///< rad/s; 0: as much as the lateral acceleration allows
   double yaw_jerk = 0.0;                                   ///< rad/s³; 0: no limit
+  TurnProfile profile = TurnProfile::trapezoid;            ///< how curves begin and end
   double grip = 0.0;          ///< mm/s², lateral and longitudinal together; 0: turns are driven at one speed each
   double clearance = 0.0;     ///< mm that the robot's middle keeps from the middle of any post and wall that may stand
   double run_up = 0.0;        ///< mm behind the middle of the start cell where it stands before a run

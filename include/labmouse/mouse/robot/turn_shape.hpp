@@ -1,5 +1,5 @@
-// The curve of a turn, driven at one speed: the yaw rate rises, stays (an arc), and falls. It rises at a steady rate (a
-// clothoid), or where yaw jerk is limited, at one that rises and falls itself.
+// The curve of a turn, driven at one speed: the yaw rate rises, stays (an arc), and falls. How it rises is the robot's
+// profile of turns: at a steady rate (a clothoid), or at one that rises and falls itself.
 #pragma once
 
 #include <vector>

@@ -450,7 +450,9 @@ export interface RobotKey {
   /** In which forms of the file it has a meaning. */
   with: 'always' | 'curves' | 'turns' | 'search_speed' | 'search_times' | 'body';
   needed: boolean;
-  kind: 'number' | 'whole' | 'number_or_false' | 'yes_or_no' | 'end';
+  kind: 'number' | 'whole' | 'number_or_false' | 'yes_or_no' | 'choice';
+  /** The texts that a choice may have. */
+  choices: string[];
   of_diagonals: boolean;
 }
 

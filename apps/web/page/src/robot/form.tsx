@@ -35,14 +35,14 @@ const entryOf = (value: RobotValue | undefined): Entry => ({
   isOff: value === false,
 });
 
-const isChoice = ({ kind }: RobotKey) => kind === 'yes_or_no' || kind === 'end';
+const isChoice = ({ kind }: RobotKey) => kind === 'yes_or_no' || kind === 'choice';
 
 /** Undefined where nothing is given; a text where the browser can make no number of it. */
 function read(key: RobotKey, { text, isValid, isOff }: Entry): RobotValue | undefined {
   if (key.kind === 'number_or_false' && isOff) return false;
   if (!isValid) return 'no number';
   if (text === '') return undefined;
-  if (key.kind === 'end') return text;
+  if (key.kind === 'choice') return text;
   return isChoice(key) ? text === 'true' : numberOf(text);
 }
 
@@ -93,13 +93,10 @@ interface RowProps {
 }
 
 function Row({ form: { state, set }, of }: RowProps) {
-  const { name, kind, unit, needed } = of;
+  const { name, kind, unit, needed, choices } = of;
   const { text, isOff } = state.entries.get(name)!;
   const mine = ({ key }: RobotSentence) => key === name;
-  const options: [string, string][] = (kind === 'end' ? ['goal', 'beyond'] : ['true', 'false']).map((one) => [
-    one,
-    one,
-  ]);
+  const options: [string, string][] = (kind === 'choice' ? choices : ['true', 'false']).map((one) => [one, one]);
   const help = (
     <>
       {of.meaning}
