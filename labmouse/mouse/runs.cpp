@@ -1,5 +1,7 @@
 #include "labmouse/mouse/runs.hpp"
 
+#include <algorithm>
+
 #include "labmouse/mouse/drive/drive_fields.hpp"
 
 namespace labmouse {
@@ -16,24 +18,38 @@ void StrideRuns::plan(const Knowledge& knowledge) {
 DriveRuns::DriveRuns(const Briefing& briefing)
     : start_(briefing.start), goals_(briefing.goals), routes_(briefing.drive.fields->routes()) {}
 
-bool DriveRuns::plan(const WallSet& optimistic, const WallSet& open) {
+bool DriveRuns::plan(const WallSet& optimistic, const Knowledge& knowledge) {
   WallSet cut = walls_;
   cut -= optimistic;
   const bool anew = !planned_ || !cut.empty();
   if (anew) {
-    routes_.fill_for(start_, optimistic, goals_);
+    // Fewer passages are possible at each plan, so that those of now give bounds for the next ones.
+    constexpr int plans_for_an_aim = 12;
+    constexpr double longer = 1.05;
+    if (planned_ && time_ < no_time && aimed_plans_-- == 0) {
+      routes_.aim(start_, knowledge.possible(), static_cast<DriveTime>(std::min<double>(no_time, longer * time_)));
+      aimed_plans_ = plans_for_an_aim;
+    }
+    // Routes only become slower, and mostly a little: one not much slower than the last is found faster.
+    const DriveTime limit = planned_ && time_ < no_time ? time_ + time_ / 32 : no_time;
+    routes_.fill_for(start_, optimistic, goals_, limit);
     time_ = routes_.time_from(start_);
+    if (time_ > limit) {
+      routes_.fill_for(start_, optimistic, goals_);
+      time_ = routes_.time_from(start_);
+    }
     walls_ = routes_.walls_from(start_);
     planned_ = true;
   }
   unknown_ = walls_;
-  unknown_ -= open;
+  unknown_ -= knowledge.open();
   return anew;
 }
 
-DriveTime DriveRuns::known_time(const Knowledge& knowledge) {
-  routes_.fill_for(start_, knowledge.open(), goals_);
-  return routes_.time_from(start_);
+DriveTime DriveRuns::known_time(const Knowledge& knowledge, DriveTime limit) {
+  routes_.fill_for(start_, knowledge.open(), goals_, limit);
+  const DriveTime time = routes_.time_from(start_);
+  return time <= limit ? time : no_time;
 }
 
 }  // namespace labmouse

@@ -40,13 +40,16 @@ class DriveRuns {
 
   /// Finds the runs by what is known now; returns whether it made a new plan. It does so only if a newly seen wall cuts
   /// the optimistic route: walls only raise times, so a route that is not cut stays the fastest.
-  bool plan(const Knowledge& knowledge) { return plan(knowledge.possible(), knowledge.open()); }
-  /// The same over passages that a strategy hopes for. Passages that it adds later are used only from the next new plan
-  /// on.
-  bool plan(const WallSet& optimistic, const WallSet& open);
+  bool plan(const Knowledge& knowledge) { return plan(knowledge.possible(), knowledge); }
+  /// The same over those possible passages that a strategy hopes for. Passages that it adds later are used only from
+  /// the next new plan on.
+  bool plan(const WallSet& optimistic, const Knowledge& knowledge);
 
   /// Makes the next call plan anew: passages that were left out are possible again.
-  void forget() { planned_ = false; }
+  void forget() {
+    planned_ = false;
+    aimed_plans_ = 0;
+  }
 
   /// Whether all walls of the optimistic route are open, so that it is the best known one, too. True if no route can be
   /// driven.
@@ -55,8 +58,8 @@ class DriveRuns {
 
   /// The time of the fastest route that may exist.
   DriveTime optimistic_time() const { return time_; }
-  /// The time of the fastest known one, or no_time; searches for it.
-  DriveTime known_time(const Knowledge& knowledge);
+  /// The time of the fastest known one, or no_time if that is above a limit or there is none; searches for it.
+  DriveTime known_time(const Knowledge& knowledge, DriveTime limit);
 
  private:
   Pose start_;
@@ -66,6 +69,7 @@ class DriveRuns {
   WallSet walls_;  ///< of the fastest route that may exist
   WallSet unknown_;
   bool planned_ = false;
+  int aimed_plans_ = 0;  ///< plans until the bounds of the routes are found anew
 };
 
 }  // namespace labmouse

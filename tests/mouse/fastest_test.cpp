@@ -312,6 +312,49 @@ TEST(FastestRoutes, AreTheSameByBoundsThatOthersFound) {
   }
 }
 
+/// By the times over more passages, cut short anywhere, and with limits at and about the time of the route. Fills over
+/// passages that are not among those come in between.
+TEST(FastestRoutes, AreTheSameByBoundsOverMorePassages) {
+  for (const char* name : {"mm2021", "kerise", "classic", "beginner"}) {
+    Rng rng(24);
+    DriveModel model = find_robot(name).model;
+    share_route_tables(model);
+    for (int i = 0; i < test::tenth(100); ++i) {
+      SCOPED_TRACE(i);
+      const Maze maze = test::any_maze(rng, i % 10 == 0 ? 20 : 9);
+      const Pose start = {maze.size().cell_at(rng.below(maze.size().area())),
+                          all_headings[static_cast<std::size_t>(rng.below(4))]};
+      FastestRoutes aimed(maze.size(), route_tables_of(model)), alone(maze.size(), model.tables);
+      alone.fill(maze.open_walls(), maze.goals());
+      DriveRoute route, through_open, other;
+      alone.route_from(start, route);
+      alone.fill(WallSet::all(maze.size()), maze.goals());
+      alone.route_from(start, through_open);
+      WallSet more = maze.open_walls();
+      WallSet::all(maze.size()).for_each([&](Wall wall) {
+        if (rng.chance(1, 5)) more.insert(wall);
+      });
+      const auto part = [&](int percent) {
+        return route.time < no_time ? static_cast<DriveTime>(std::int64_t{route.time} * percent / 100) : no_time;
+      };
+      aimed.aim(start, more, rng.chance(1, 4) ? no_time : part(rng.below(150)));
+      for (const DriveTime limit : {no_time, route.time, part(130)}) {
+        aimed.fill_for(start, maze.open_walls(), maze.goals(), limit);
+        aimed.route_from(start, other);
+        ASSERT_EQ(other, route);
+        if (rng.chance(1, 2)) continue;
+        aimed.fill_for(start, WallSet::all(maze.size()), maze.goals());
+        aimed.route_from(start, other);
+        ASSERT_EQ(other, through_open);
+        if (rng.chance(1, 2)) aimed.aim(start, more, part(110));
+      }
+      if (route.time == 0) continue;
+      aimed.fill_for(start, maze.open_walls(), maze.goals(), route.time - 1);
+      EXPECT_GE(aimed.time_from(start), route.time);
+    }
+  }
+}
+
 TEST(FastestRoutes, DriveStraightDownACorridor) {
   MazeDraft draft({1, 4}, MazeDraft::Inside::open);
   draft.add_goal({0, 3});

@@ -110,11 +110,14 @@ class FastestRoutes::Search {
 
   void fill(const WallSet& passages, const CellSet& goals) {
     goals_ = goals;
-    search_->fill(passages, goals, drive::Search::everywhere);
+    search_->fill(passages, goals, drive::Search::everywhere, no_time);
   }
-  void fill_for(Pose start, const WallSet& passages, const CellSet& goals) {
+  void fill_for(Pose start, const WallSet& passages, const CellSet& goals, DriveTime limit) {
     goals_ = goals;
-    search_->fill(passages, goals, number({start.cell, start.heading, Place::centre}));
+    search_->fill(passages, goals, number({start.cell, start.heading, Place::centre}), limit);
+  }
+  void aim(Pose start, const WallSet& passages, DriveTime latest) {
+    search_->aim(passages, number({start.cell, start.heading, Place::centre}), latest);
   }
 
   DriveTime time_from(Pose start) const {
@@ -306,8 +309,11 @@ FastestRoutes::~FastestRoutes() = default;
 FastestRoutes::FastestRoutes(FastestRoutes&&) noexcept = default;
 
 void FastestRoutes::fill(const WallSet& passages, const CellSet& goals) { search_->fill(passages, goals); }
-void FastestRoutes::fill_for(Pose start, const WallSet& passages, const CellSet& goals) {
-  search_->fill_for(start, passages, goals);
+void FastestRoutes::fill_for(Pose start, const WallSet& passages, const CellSet& goals, DriveTime limit) {
+  search_->fill_for(start, passages, goals, limit);
+}
+void FastestRoutes::aim(Pose start, const WallSet& passages, DriveTime latest) {
+  search_->aim(start, passages, latest);
 }
 DriveTime FastestRoutes::time_from(Pose start) const { return search_->time_from(start); }
 void FastestRoutes::route_from(Pose start, DriveRoute& route) const {

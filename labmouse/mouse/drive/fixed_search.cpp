@@ -65,7 +65,7 @@ class FixedSearch final : public Search {
   FixedSearch(Size size, const FixedTables& tables, const Leaps& leaps, KeptBounds<L::nodes>& kept, DriveTime* times)
       : tables_(tables), size_(size), leaps_(leaps.of<Word>()), kept_(kept), times_(times), waiting_(tables.shift) {}
 
-  void fill(const WallSet& passages, const CellSet& goals, int start) override {
+  void fill(const WallSet& passages, const CellSet& goals, int start, DriveTime /*limit*/) override {
     if (start != everywhere) aim_at(start);
     begin(passages);
     goals.for_each([&](Cell cell) {

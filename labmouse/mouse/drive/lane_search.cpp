@@ -39,9 +39,10 @@ class LaneSearch final : public Search {
     forget(turning_, labels);
   }
 
-  void fill(const WallSet& passages, const CellSet& goals, int start) override {
-    if (start != everywhere) aim_at(start);
+  void fill(const WallSet& passages, const CellSet& goals, int start, DriveTime limit) override {
+    if (start != everywhere && !is_aimed_at(passages, start)) aim_at(start);
     begin(passages);
+    enough_ = limit;
     goals.for_each([&](Cell cell) {
       for (int direction = 0; direction < 8; direction += 2) {
         const int node = L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction);
@@ -51,7 +52,11 @@ class LaneSearch final : public Search {
     if (start == everywhere)
       finish(lanes_.onwards, NoBounds(), [] { return no_time; });
     else
-      finish(lanes_.onwards, bounds_, [&] { return time_from(start); });
+      finish(lanes_.onwards, bounds_, [&] { return std::min(limit, time_from(start)); });
+  }
+  void aim(const WallSet& passages, int start, DriveTime latest) override {
+    find_bounds(passages, start, latest);
+    note_aim(passages, start);
   }
 
   static MemoryLayout layout() {
@@ -77,6 +82,8 @@ class LaneSearch final : public Search {
   /// Slots as bits.
   using Slots =
       std::conditional_t<(Speeds <= 2), std::uint8_t, std::conditional_t<(Speeds <= 4), std::uint16_t, std::uint32_t>>;
+  /// A row of cells as bits.
+  using Row = std::conditional_t<sizeof(Word) == sizeof(std::uint32_t), std::uint16_t, std::uint32_t>;
   static constexpr unsigned speeds = Speeds;
   static constexpr std::size_t labels = slots_a_speed * Speeds * static_cast<std::size_t>(L::nodes + 1) + width;
   /// Length of the lists.
@@ -121,29 +128,52 @@ class LaneSearch final : public Search {
     return (lattice_.any_turn(node) >> node % L::points) & static_cast<Word>(~Word{0}) >> beyond;
   }
 
-  /// Finds the bounds of a start: its times in the maze without inner walls, driven backwards.
-  void aim_at(int start) {
-    if (start == start_) return;
+  /// Whether the bounds hold for a start and these passages.
+  bool is_aimed_at(const WallSet& passages, int start) const {
+    std::uint64_t others = 0;
+    for (int y = 0; y < L::lines; ++y)
+      others |= (passages.north().row(y) & ~std::uint64_t{aimed_north_[y]}) |
+                (passages.east().row(y) & ~std::uint64_t{aimed_east_[y]});
+    return start == start_ && others == 0;
+  }
+  void note_aim(const WallSet& passages, int start) {
     start_ = start;
+    for (int y = 0; y < L::lines; ++y) {
+      aimed_north_[y] = static_cast<Row>(passages.north().row(y));
+      aimed_east_[y] = static_cast<Row>(passages.east().row(y));
+    }
+  }
+  /// Takes the bounds of the maze without inner walls.
+  void aim_at(int start) {
+    const WallSet all = WallSet::all(size_);
+    note_aim(all, start);
     if (const auto* known = kept_.find(size_, start)) {
       bounds_ = *known;
       return;
     }
-    begin(WallSet::all(size_));
+    find_bounds(all, start, no_time);
+    kept_.keep(size_, start, bounds_);
+  }
+  /// Finds the bounds of a start: its times over these passages, driven backwards, up to the latest that counts.
+  void find_bounds(const WallSet& passages, int start, DriveTime latest) {
+    begin(passages);
     spread(start, 0, lanes_.backwards.finish(0), lattice_.run(start));
-    finish(lanes_.backwards, NoBounds(), [] { return no_time; });
+    finish(lanes_.backwards, NoBounds(), [&] { return latest; });
     bounds_.set([&](int node) {
       if (node % L::points == 0) return no_time;  // no point
       const DriveTime* times = &rolling_[label(L::opposite(node))];
-      return *std::min_element(times + first_slot_a_speed[kind_of(node)] * Speeds, times + end_slot(node));
+      const DriveTime time =
+          *std::min_element(times + first_slot_a_speed[kind_of(node)] * Speeds, times + end_slot(node));
+      // A search that was cut short leaves later times that are too late.
+      return latest < no_time ? std::min(time, latest) : time;
     });
-    kept_.keep(size_, start, bounds_);
   }
 
   void begin(const WallSet& passages) {
     lattice_.build(size_, passages);
     forget_times();
     waiting_.clear();
+    enough_ = no_time;
   }
 
   /// Resets the times of all nodes that a search has touched.
@@ -165,7 +195,8 @@ class LaneSearch final : public Search {
   void finish(const LaneTables& lanes, const Bounds& bounds, Enough enough) {
     for (;;) {
       drive_turns(lanes, bounds);
-      if (!waiting_.advance(enough())) return;
+      enough_ = enough();
+      if (!waiting_.advance(enough_)) return;
       drive_straights(lanes);
     }
   }
@@ -281,15 +312,17 @@ class LaneSearch final : public Search {
     known += gain;
     improved_.add(to, static_cast<unsigned>(gain) >> 31);
   }
-  /// Queues the labels that turns have improved.
+  /// Queues the labels that turns have improved, if they can be part of a route that is early enough.
   template <class Bounds>
   void await(const Bounds& bounds) {
     for (const std::uint32_t improved : improved_) {
       const int node = node_of(improved);
+      touch(node);
+      const DriveTime time = turning_[label_of(improved)] + bounds[node];
+      if (time > enough_) continue;
       Slots& due = turns_due_[index(node)];
       due = static_cast<Slots>(due | Slots{1} << improved % 32);
-      waiting_.add(node, turning_[label_of(improved)] + bounds[node]);
-      touch(node);
+      waiting_.add(node, time);
     }
     improved_.clear();
   }
@@ -303,6 +336,8 @@ class LaneSearch final : public Search {
   const std::uint16_t* leaps_;
   KeptBounds<L::nodes>& kept_;
   int start_ = everywhere;
+  Row aimed_north_[L::lines]{}, aimed_east_[L::lines]{};  ///< passages for which the bounds hold
+  DriveTime enough_ = no_time;                            ///< later labels are of no use
   L lattice_;
   DriveTime rolling_[labels];  ///< by label
   DriveTime turning_[labels];

@@ -57,7 +57,7 @@ class LeadSearch final : public Search {
   LeadSearch(Size size, const LeadTables& tables, const Leaps& leaps, DriveTime* labels_of_nodes)
       : tables_(tables), size_(size), leaps_(leaps.of<Word>()), waiting_(tables.shift), turning_(labels_of_nodes) {}
 
-  void fill(const WallSet& passages, const CellSet& goals, int start) override {
+  void fill(const WallSet& passages, const CellSet& goals, int start, DriveTime /*limit*/) override {
     lattice_.build(size_, passages);
     goals_ = goals;
     forget(turning_, labels);

@@ -5,82 +5,78 @@
 #include <cassert>
 #include <new>
 
+#include "labmouse/mouse/drive/edges.hpp"
+
 namespace labmouse {
 namespace {
 
 constexpr std::size_t bits = 16;
 constexpr std::size_t words_for(std::size_t states) { return (states + bits - 1) / bits; }
 
+/// The quarters of each turn, to the right: straight on, left and right.
+constexpr std::array<std::size_t, 3> quarters = {0, 3, 1};
+
 }  // namespace
 
 std::size_t RunCosts::bytes_for(Size size) {
   const auto area = static_cast<std::size_t>(size.area()), states = 4 * lasts * area;
-  return (2 * states + words_for(states)) * sizeof(std::uint16_t) + 2 * states + 2 * area;
+  return (2 * states + words_for(states) + area) * sizeof(std::uint16_t) + 2 * states + 4 * area;
 }
 
-RunCosts::RunCosts(Size size, std::span<std::byte> memory) : size_(size) {
+RunCosts::RunCosts(Size size, std::span<std::byte> memory) : size_(size), ahead_(edges_ahead(size)) {
   assert(memory.size() >= bytes_for(size));
-  auto* const numbers = new (memory.data()) std::uint16_t[2 * states() + words_for(states())];
+  const auto area = static_cast<std::size_t>(size.area());
+  auto* const numbers = new (memory.data()) std::uint16_t[2 * states() + words_for(states()) + area];
   waiting_ = numbers + 2 * states();
-  const std::size_t walls = 2 * static_cast<std::size_t>(size.area());
-  auto* const small = new (waiting_ + words_for(states())) std::uint8_t[2 * states() + walls];
+  least_ = waiting_ + words_for(states());
+  auto* const small = new (least_ + area) std::uint8_t[2 * states() + 4 * area];
   from_start_ = {numbers, small};
   to_goal_ = {numbers + states(), small + states()};
   walls_ = small + 2 * states();
 }
 
-std::size_t RunCosts::number_of(const State& state) const {
-  const auto edge = static_cast<std::size_t>(4 * size_.index(state.cell) + static_cast<int>(state.heading));
-  return edge * lasts + state.last;
-}
-
-RunCosts::State RunCosts::state_at(std::size_t number) const {
-  const std::size_t edge = number / lasts;
-  return {size_.cell_at(static_cast<int>(edge / 4)), all_headings[edge % 4], static_cast<Last>(number % lasts)};
-}
-
 void RunCosts::set_walls(const WallPrices& walls, const RunTolls& tolls) {
   tolls_ = tolls;
+  std::fill(walls_, walls_ + 4 * size_.area(), std::uint8_t{WallPrices::closed});
   for (int index = 0; index < size_.area(); ++index)
     for (const Heading heading : {Heading::north, Heading::east}) {
       const Wall wall = wall_at(size_.cell_at(index), heading);
-      const int price = on_border(wall, size_) ? WallPrices::closed : walls.of(wall);
+      if (on_border(wall, size_)) continue;
+      const int price = walls.of(wall);
       // A price above 0 counts as at least one step.
       const int steps = price == 0 ? 0 : std::max(price / price_step, 1);
-      walls_[2 * index + (heading == Heading::east ? 1 : 0)] =
+      const std::size_t side = static_cast<std::size_t>(4 * index + static_cast<int>(heading));
+      walls_[side] = walls_[behind(side) + ahead_[side % 4]] =
           static_cast<std::uint8_t>(price < tolls.closed ? steps : WallPrices::closed);
     }
 }
 
-int RunCosts::steps_of(Cell cell, Heading heading) const {
-  const Wall wall = wall_at(cell, heading);
-  if (!size_.contains(wall.cell)) return WallPrices::closed;
-  return walls_[2 * size_.index(wall.cell) + (wall.side == Heading::east ? 1 : 0)];
-}
+int RunCosts::cost_of(std::size_t last, std::size_t next) const { return costs_[last][next]; }
 
-int RunCosts::cost_of(Last last, Last next) const {
-  if (next == straight) return run_.straight;
-  if (last == straight) return run_.turn;
-  return last == next ? run_.again : run_.opposite;
-}
-
-/// A lower bound of what a run costs from an edge into that cell on.
-int RunCosts::least_from(Cell cell) const {
-  const int x = std::max({south_west_.x - cell.x, cell.x - north_east_.x, 0});
-  const int y = std::max({south_west_.y - cell.y, cell.y - north_east_.y, 0});
-  return (x + y) * std::min({run_.straight, run_.turn, run_.opposite, run_.again});
+/// Finds a lower bound of what a run costs from an edge into each cell on: the distance to the rectangle around the
+/// goals, by the cheapest edges.
+void RunCosts::find_least() {
+  Cell south_west = {size_.width, size_.height}, north_east = {0, 0};
+  goals_.for_each([&](Cell cell) {
+    south_west = {std::min(south_west.x, cell.x), std::min(south_west.y, cell.y)};
+    north_east = {std::max(north_east.x, cell.x), std::max(north_east.y, cell.y)};
+  });
+  const int edge = std::min({run_.straight, run_.turn, run_.opposite, run_.again});
+  for (int index = 0; index < size_.area(); ++index) {
+    const Cell cell = size_.cell_at(index);
+    const int x = std::max({south_west.x - cell.x, cell.x - north_east.x, 0});
+    const int y = std::max({south_west.y - cell.y, cell.y - north_east.y, 0});
+    least_[index] = static_cast<std::uint16_t>(std::min((x + y) * edge, no_run));
+  }
 }
 
 void RunCosts::aim(const RunPrices& run, Pose start, const CellSet& goals) {
   run_ = run;
   start_ = start;
   goals_ = goals;
-  south_west_ = {size_.width, size_.height};
-  north_east_ = {0, 0};
-  goals.for_each([&](Cell cell) {
-    south_west_ = {std::min(south_west_.x, cell.x), std::min(south_west_.y, cell.y)};
-    north_east_ = {std::max(north_east_.x, cell.x), std::max(north_east_.y, cell.y)};
-  });
+  costs_[straight] = {run.straight, run.turn, run.turn};
+  costs_[left] = {run.straight, run.again, run.opposite};
+  costs_[right] = {run.straight, run.opposite, run.again};
 }
 
 void RunCosts::clear(Field& field, int limit) {
@@ -96,37 +92,33 @@ void RunCosts::reach(Field& field, std::size_t number, int cost, int steps) {
   waiting_[number / bits] = static_cast<std::uint16_t>(waiting_[number / bits] | 1U << number % bits);
 }
 
-void RunCosts::reach_from_start(const State& state, int cost, int steps) {
-  if (cost + least_from(state.cell) < limit_) reach(from_start_, number_of(state), cost, steps);
+void RunCosts::reach_from_start(std::size_t edge, std::size_t last, int cost, int steps) {
+  if (cost + least_[edge / 4] < limit_) reach(from_start_, lasts * edge + last, cost, steps);
 }
 
-void RunCosts::reach_to_goal(const State& state, int cost, int steps) {
-  const std::size_t number = number_of(state);
+void RunCosts::reach_to_goal(std::size_t edge, std::size_t last, int cost, int steps) {
+  const std::size_t number = lasts * edge + last;
   if (cost + from_start_.costs[number] < limit_) reach(to_goal_, number, cost, steps);
 }
 
 void RunCosts::go_on(std::size_t number) {
-  const State at = state_at(number);
-  for (const Last next : {straight, left, right}) {
-    const Heading heading = next == straight ? at.heading : next == left ? left_of(at.heading) : right_of(at.heading);
-    const int steps = steps_of(at.cell, heading);
+  const std::size_t edge = number / lasts, last = number % lasts;
+  for (const std::size_t next : {straight, left, right}) {
+    const std::size_t side = turned_edge(edge, quarters[next]);
+    const int steps = walls_[side];
     if (steps == WallPrices::closed) continue;
-    reach_from_start({neighbour(at.cell, heading), heading, next},
-                     from_start_.costs[number] + cost_of(at.last, next) + toll(steps),
+    reach_from_start(side + ahead_[side % 4], next, from_start_.costs[number] + cost_of(last, next) + toll(steps),
                      from_start_.prices[number] + steps);
   }
 }
 
 void RunCosts::go_back(std::size_t number) {
-  const State at = state_at(number);
-  const Cell before = neighbour(at.cell, at.heading, -1);
-  const int steps = size_.contains(before) ? steps_of(before, at.heading) : WallPrices::closed;
+  const std::size_t edge = number / lasts, next = number % lasts;
+  const int steps = walls_[behind(edge)];
   if (steps == WallPrices::closed) return;
-  const Heading heading = at.last == straight ? at.heading
-                          : at.last == left   ? right_of(at.heading)
-                                              : left_of(at.heading);
-  for (const Last last : {straight, left, right})
-    reach_to_goal({before, heading, last}, to_goal_.costs[number] + cost_of(last, at.last) + toll(steps),
+  const std::size_t before = turned_edge(edge - ahead_[edge % 4], 4 - quarters[next]);
+  for (const std::size_t last : {straight, left, right})
+    reach_to_goal(before, last, to_goal_.costs[number] + cost_of(last, next) + toll(steps),
                   to_goal_.prices[number] + steps);
 }
 
@@ -147,21 +139,22 @@ void RunCosts::search(Expand expand) {
 
 void RunCosts::begin() {
   // A run begins straight on.
-  const int steps = steps_of(start_.cell, start_.heading);
+  const std::size_t side = edges_of(start_.cell) + static_cast<std::size_t>(start_.heading);
+  const int steps = walls_[side];
   if (steps != WallPrices::closed)
-    reach_from_start({neighbour(start_.cell, start_.heading), start_.heading, straight}, run_.straight + toll(steps),
-                     steps);
+    reach_from_start(side + ahead_[side % 4], straight, run_.straight + toll(steps), steps);
 }
 
 int RunCosts::known(const WallPrices& walls) {
   if (goals_.contains(start_.cell)) return 0;
   set_walls(walls, {0, 0, 1});
+  find_least();
   clear(from_start_, no_run);
   begin();
   search([&](std::size_t number) {
     // What costs as much as the best run so far is no part of a better one.
     if (from_start_.costs[number] >= limit_) return;
-    if (goals_.contains(state_at(number).cell)) {
+    if (goals_.contains(size_.cell_at(static_cast<int>(number / lasts / 4)))) {
       limit_ = from_start_.costs[number];
     } else {
       go_on(number);
@@ -172,20 +165,21 @@ int RunCosts::known(const WallPrices& walls) {
 
 void RunCosts::plan(const WallPrices& walls, const RunTolls& tolls, int limit) {
   set_walls(walls, tolls);
+  find_least();
   clear(from_start_, limit);
   begin();
   search([&](std::size_t number) { go_on(number); });
   clear(to_goal_, limit);
   goals_.for_each([&](Cell cell) {
-    for (const Heading heading : all_headings)
-      for (const Last last : {straight, left, right}) reach_to_goal({cell, heading, last}, 0, 0);
+    for (std::size_t heading = 0; heading < 4; ++heading)
+      for (const std::size_t last : {straight, left, right}) reach_to_goal(edges_of(cell) + heading, last, 0, 0);
   });
   search([&](std::size_t number) { go_back(number); });
 }
 
 std::optional<OptimisticRun> RunCosts::through(Cell cell) const {
   int least = limit_, steps = 0;
-  const std::size_t first = number_of({cell, all_headings[0], straight});
+  const std::size_t first = lasts * edges_of(cell);
   for (std::size_t number = first; number < first + 4 * lasts; ++number) {
     const int cost = from_start_.costs[number] + to_goal_.costs[number];
     if (cost >= least) continue;

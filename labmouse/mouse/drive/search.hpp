@@ -19,7 +19,11 @@ class Search {
   virtual ~Search() = default;
   /// Finds the times to the goals: of all nodes, or with a start of those on fastest routes from there; other times may
   /// then be too late. `start` is a node in the direction of driving, or `everywhere`.
-  virtual void fill(const WallSet& passages, const CellSet& goals, int start) = 0;
+  /// Times above a limit may then be too late, too.
+  virtual void fill(const WallSet& passages, const CellSet& goals, int start, DriveTime limit) = 0;
+  /// Prepares fills with this start whose passages are all among these: they get closer bounds, and are faster.
+  /// All nodes later than `latest` from the start have that time as their bound.
+  virtual void aim(const WallSet& /*passages*/, int /*start*/, DriveTime /*latest*/) {}
   static constexpr int everywhere = -1;
   /// The time to the goals from a turn that begins at a node; one above the limit may be reported as no_time.
   virtual DriveTime turning(int node, std::size_t lane, DriveTime limit) const = 0;

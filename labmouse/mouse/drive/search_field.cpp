@@ -4,6 +4,8 @@
 #include <cassert>
 #include <new>
 
+#include "labmouse/mouse/drive/edges.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -17,13 +19,6 @@ bool overlap(const CellSet& cells, const CellSet& others) {
   CellSet both = cells;
   both &= others;
   return !both.empty();
-}
-
-/// What to add to the number of an edge for that of the next edge ahead, by heading. Negative differences wrap around,
-/// as unsigned numbers do.
-std::array<std::size_t, 4> edges_ahead(Size size) {
-  const auto row = static_cast<std::size_t>(4 * size.width);
-  return {row, 4, std::size_t{0} - row, std::size_t{0} - 4};
 }
 
 /// Calls visit(cell, whether it is in `now`) for the cells that are in only one of the sets.
@@ -81,16 +76,17 @@ void SearchField::set_prices(const SearchTolls& tolls, Price price) {
 }
 
 void SearchField::set_price(Wall wall, std::uint8_t price) {
-  prices_[edge_of(wall.cell, wall.side)] = price;
-  prices_[edge_of(neighbour(wall.cell, wall.side), opposite(wall.side))] = price;
+  const std::size_t side = edge_of(wall.cell, wall.side);
+  prices_[side] = prices_[behind(ahead_of(side))] = price;
 }
 
-/// The cost of leaving a cell besides the time of the move, or no_time.
-DriveTime SearchField::toll(Cell cell, Heading heading) const {
-  const std::uint8_t price = prices_[edge_of(cell, heading)];
+bool SearchField::is_shut_behind(std::size_t edge) const { return prices_[behind(edge)] == closed; }
+
+/// The cost of entering a cell by an edge besides the time of the move, or no_time.
+DriveTime SearchField::toll(std::size_t edge) const {
+  const std::uint8_t price = prices_[behind(edge)];
   if (price == closed) return no_time;
-  const DriveTime saved =
-      tolls_.savings.empty() ? 0 : tolls_.savings[static_cast<std::size_t>(size_.index(neighbour(cell, heading)))];
+  const DriveTime saved = tolls_.savings.empty() ? 0 : tolls_.savings[edge / 4];
   return price == 0 ? -saved : sum(tolls_.base - saved, std::int64_t{price} * tolls_.unit);
 }
 
@@ -133,7 +129,7 @@ void SearchField::search(const SearchPlace* place) {
   while (!heap_.empty() && due_[heap_.first()] <= enough) {
     const std::size_t edge = heap_.take();
     take(edge);
-    if (place != nullptr && leads_to(*place, pose_of(edge))) enough = from(*place);
+    if (place != nullptr && leads_to(*place, edge)) enough = from(*place);
   }
 }
 
@@ -156,9 +152,8 @@ void SearchField::take(std::size_t edge) {
   times_[edge] = no_time;
   repair(edge);
   // Repairs the edges whose best move led here, by their own or by their queued time.
-  const Pose pose = pose_of(edge);
-  if (is_shut_behind(pose)) return;
-  for_each_before(pose, [&](std::size_t from, DriveTime move) {
+  if (is_shut_behind(edge)) return;
+  for_each_before(edge, [&](std::size_t from, DriveTime move) {
     const DriveTime time = sum(lost, move);
     if (time == times_[from] || (heap_.contains(from) && time == due_[from])) repair(from);
   });
@@ -166,43 +161,42 @@ void SearchField::take(std::size_t edge) {
 
 /// Lowers the times of the edges from which one move leads to this one.
 void SearchField::expand(std::size_t edge) {
-  const Pose pose = pose_of(edge);
-  if (is_shut_behind(pose)) return;
-  const DriveTime extra = toll(neighbour(pose.cell, pose.heading, -1), pose.heading);
+  if (is_shut_behind(edge)) return;
+  const DriveTime extra = toll(edge);
   const DriveTime time = times_[edge];
-  for_each_before(pose, [&](std::size_t from, DriveTime move) { reach(from, sum(time, some_time(move + extra))); });
+  for_each_before(edge, [&](std::size_t from, DriveTime move) { reach(from, sum(time, some_time(move + extra))); });
 }
 
 /// Calls visit(edge, time) for all edges from which one move leads to this one, where its own wall is open.
 template <class Visit>
-void SearchField::for_each_before(const Pose& pose, Visit visit) const {
-  const Cell before = neighbour(pose.cell, pose.heading, -1);
-  visit(edge_of(before, pose.heading), tolls_.drive.cell);
-  visit(edge_of(before, left_of(pose.heading)), tolls_.drive.turn);
-  visit(edge_of(before, right_of(pose.heading)), tolls_.drive.turn);
-  visit(edge_of(before, opposite(pose.heading)), tolls_.drive.back);
-  if (drive_.dashes()) for_each_dash_before(pose, visit);
+void SearchField::for_each_before(std::size_t edge, Visit visit) const {
+  const std::size_t before = edge - ahead_[edge % 4];
+  visit(before, tolls_.drive.cell);
+  visit(turned_edge(before, 3), tolls_.drive.turn);
+  visit(turned_edge(before, 1), tolls_.drive.turn);
+  visit(behind(before), tolls_.drive.back);
+  if (drive_.dashes()) for_each_dash_before(edge, visit);
 }
 
 /// The same for dashes that end at this edge. Only its wall may cost or save something: known cells have no unseen
 /// walls.
 template <class Visit>
-void SearchField::for_each_dash_before(const Pose& pose, Visit visit) const {
-  Cell before = neighbour(pose.cell, pose.heading, -1);
-  const Heading back = opposite(pose.heading);
-  for (int cells = 2; known_.contains(before) && prices_[edge_of(before, back)] != closed; ++cells) {
-    before = neighbour(before, back);
-    visit(edge_of(before, pose.heading), drive_.dash(cells));
+void SearchField::for_each_dash_before(std::size_t edge, Visit visit) const {
+  std::size_t before = edge - ahead_[edge % 4];
+  for (int cells = 2; known_.contains(pose_of(before).cell) && !is_shut_behind(before); ++cells) {
+    before -= ahead_[edge % 4];
+    visit(before, drive_.dash(cells));
   }
 }
 
 /// Queues all edges whose best move changes with these walls and cells.
 void SearchField::repair(const WallSet& passages, const CellSet& known, const CellSet& targets) {
   repair_walls(passages);
-  for_each_difference(known, known_, [&](Cell cell, bool now) {
-    now ? known_.insert(cell) : known_.erase(cell);
-    if (drive_.dashes()) repair_dashes(cell);
-  });
+  if (drive_.dashes())
+    for_each_difference(known, known_, [&](Cell cell, bool now) {
+      now ? known_.insert(cell) : known_.erase(cell);
+      repair_dashes(cell);
+    });
   for_each_difference(targets, targets_, [&](Cell cell, bool now) {
     now ? targets_.insert(cell) : targets_.erase(cell);
     for (const Heading heading : all_headings) repair(edge_of(cell, heading));
@@ -213,8 +207,9 @@ void SearchField::repair_walls(const WallSet& passages) {
   const auto change = [&](const WallSet& walls, std::uint8_t price) {
     walls.for_each([&](Wall wall) {
       set_price(wall, price);
-      repair_before({neighbour(wall.cell, wall.side), wall.side});
-      repair_before({wall.cell, opposite(wall.side)});
+      const std::size_t side = edge_of(wall.cell, wall.side);
+      repair_before(ahead_of(side));
+      repair_before(behind(side));
     });
   };
   WallSet opened = passages, shut = *passages_;
@@ -227,16 +222,16 @@ void SearchField::repair_walls(const WallSet& passages) {
 /// The dashes through a cell may have become possible, or not any more.
 void SearchField::repair_dashes(Cell cell) {
   for (const Heading heading : all_headings) {
-    if (is_shut_behind({cell, heading})) continue;
-    repair(edge_of(neighbour(cell, heading, -1), heading));
-    for_each_dash_before({cell, heading}, [&](std::size_t from, DriveTime) { repair(from); });
+    const std::size_t edge = edge_of(cell, heading);
+    if (is_shut_behind(edge)) continue;
+    repair(edge - ahead_[edge % 4]);
+    for_each_dash_before(edge, [&](std::size_t from, DriveTime) { repair(from); });
   }
 }
 
-/// Repairs the edges from which one move leads to this one, or would if its wall were open.
-void SearchField::repair_before(const Pose& pose) {
-  if (size_.contains(neighbour(pose.cell, pose.heading, -1)))
-    for_each_before(pose, [&](std::size_t from, DriveTime) { repair(from); });
+/// Repairs the edges from which one move leads to this one, or would if its wall, an inner one, were open.
+void SearchField::repair_before(std::size_t edge) {
+  for_each_before(edge, [&](std::size_t from, DriveTime) { repair(from); });
 }
 
 /// Queues an edge if its time is not that of its best move.
@@ -277,10 +272,11 @@ DriveTime SearchField::best_of(std::size_t edge) const {
 
 DriveTime SearchField::through(const SearchPlace& place, const Move& move) const {
   const Heading direction = turned(place.pose.heading, move.quarters);
-  const DriveTime extra = toll(neighbour(place.pose.cell, direction, move.cells - 1), direction);
-  if (extra == no_time) return no_time;
-  return sum(some_time(extra + move.time),
-             times_[edge_of(neighbour(place.pose.cell, direction, move.cells), direction)]);
+  const Cell to = neighbour(place.pose.cell, direction, move.cells);
+  if (!size_.contains(to)) return no_time;
+  const std::size_t edge = edge_of(to, direction);
+  const DriveTime extra = toll(edge);
+  return extra == no_time ? no_time : sum(some_time(extra + move.time), times_[edge]);
 }
 
 template <class Visit>
@@ -294,19 +290,20 @@ void SearchField::for_each_move(const SearchPlace& place, Visit visit) const {
 
 template <class Visit>
 void SearchField::for_each_dash(const Pose& edge, Visit visit) const {
-  if (toll(edge.cell, edge.heading) == no_time) return;
+  if (prices_[edge_of(edge.cell, edge.heading)] == closed) return;
   Cell next = neighbour(edge.cell, edge.heading);
-  for (int cells = 2; known_.contains(next) && toll(next, edge.heading) != no_time; ++cells) {
+  for (int cells = 2; known_.contains(next) && prices_[edge_of(next, edge.heading)] != closed; ++cells) {
     visit(Move{0, cells, drive_.dash(cells)});
     next = neighbour(next, edge.heading);
   }
 }
 
 /// Whether a move from the place may lead to that edge.
-bool SearchField::leads_to(const SearchPlace& place, const Pose& edge) const {
-  const Cell from = place.pose.cell, to = edge.cell;
-  if (to == neighbour(from, edge.heading)) return true;
-  return drive_.dashes() && (to.x == from.x || to.y == from.y);
+bool SearchField::leads_to(const SearchPlace& place, std::size_t edge) const {
+  if ((edge - ahead_[edge % 4]) / 4 == static_cast<std::size_t>(size_.index(place.pose.cell))) return true;
+  if (!drive_.dashes()) return false;
+  const Cell from = place.pose.cell, to = pose_of(edge).cell;
+  return to.x == from.x || to.y == from.y;
 }
 
 DriveTime SearchField::from(const SearchPlace& place) const {

@@ -1,6 +1,7 @@
 #include "labmouse/strategies/ariadne/driver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -27,8 +28,16 @@ constexpr PriceTable reluctances = [] {
 }();
 /// exp(-n / 32), the same on every platform.
 double probability(int reluctance) {
-  double probability = 1.0;
-  for (; reluctance > 0; --reluctance) probability *= 0.96923323447634413;
+  constexpr double of_one = 0.96923323447634413;
+  constexpr auto table = [] {
+    std::array<double, 1024> table{};
+    table[0] = 1.0;
+    for (std::size_t i = 1; i < table.size(); ++i) table[i] = table[i - 1] * of_one;
+    return table;
+  }();
+  constexpr int most = static_cast<int>(table.size()) - 1;
+  double probability = table[static_cast<std::size_t>(std::clamp(reluctance, 0, most))];
+  for (; reluctance > most; --reluctance) probability *= of_one;
   return probability;
 }
 
@@ -82,11 +91,14 @@ class Driver final : public DrivingExplorer {
     news_ = true;
   }
 
-  bool knows_run() { return runs_ != nullptr ? known_ != RunCosts::no_run : known_time() != no_time; }
+  bool knows_run() { return runs_ != nullptr ? known_ != RunCosts::no_run : known_time(no_time) != no_time; }
 
-  /// Time of the fastest known route.
-  DriveTime known_time() {
-    if (!known_time_) known_time_ = routes_->known_time(knowledge());
+  /// Time of the fastest known route; no_time if that is above the limit.
+  DriveTime known_time(DriveTime limit) {
+    if (!known_time_ || (*known_time_ == no_time && known_limit_ < limit)) {
+      known_limit_ = limit;
+      known_time_ = routes_->known_time(knowledge(), limit);
+    }
     return *known_time_;
   }
 
@@ -119,7 +131,7 @@ class Driver final : public DrivingExplorer {
 
   /// Goes to where the next unseen wall of the best possible route can be seen, as certify does.
   Action look() {
-    if (routes_->plan(hope(), knowledge().open())) count_plan();
+    if (routes_->plan(hope(), knowledge())) count_plan();
     if (enough() && likely_) hope_for_all();
     if (enough()) return Action::reset();
     const CellSet viewpoints = viewpoints_of(routes_->unknown_walls(), knowledge(), briefing().sight);
@@ -138,7 +150,12 @@ class Driver final : public DrivingExplorer {
     int reluctance = 0;
     routes_->unknown_walls().for_each([&](Wall wall) { reluctance += outlook_.prices().of(wall); });
     const double trust = likely_ ? probability(static_cast<int>(policy_.hope_chance * reluctance)) : 1;
-    return known_time() != no_time && trust * (known_time() - routes_->optimistic_time()) < least_part_ * known_time();
+    // The longer the known route, the more another one would save: beyond this time that is enough, with a millisecond
+    // for errors of rounding.
+    const DriveTime best = routes_->optimistic_time();
+    const double longest = trust > least_part_ ? trust * best / (trust - least_part_) + 1000 : no_time;
+    const DriveTime known = known_time(static_cast<DriveTime>(std::min<double>(longest, no_time)));
+    return known != no_time && trust * (known - best) < least_part_ * known;
   }
 
   /// From now on considers routes through unlikely walls, too, but only for large gains.
@@ -146,7 +163,7 @@ class Driver final : public DrivingExplorer {
     likely_ = false;
     least_part_ = policy_.last_gain;
     routes_.emplace(briefing());
-    routes_->plan(hope(), knowledge().open());
+    routes_->plan(hope(), knowledge());
     count_plan();
   }
 
@@ -187,8 +204,9 @@ class Driver final : public DrivingExplorer {
     const int longest =
         any ? RunCosts::no_run : std::min<int>(RunCosts::no_run, static_cast<int>(policy_.run_longest * known_));
     runs_->plan(outlook_.prices(), tolls, longest);
+    const CellSet known_cells = knowledge().known_cells();
     CellSet::all(briefing().size).for_each([&](Cell cell) {
-      savings_[static_cast<std::size_t>(briefing().size.index(cell))] = knowledge().knows(cell) ? 0 : saving(cell);
+      savings_[static_cast<std::size_t>(briefing().size.index(cell))] = known_cells.contains(cell) ? 0 : saving(cell);
     });
   }
 
@@ -216,7 +234,8 @@ class Driver final : public DrivingExplorer {
   SearchField& ways_;
   std::vector<DriveTime> savings_;
   int known_ = RunCosts::no_run;         ///< approximate time of the best known run, ms
-  std::optional<DriveTime> known_time_;  ///< exact time, once computed
+  std::optional<DriveTime> known_time_;  ///< exact time, once computed; no_time if it is above a limit
+  DriveTime known_limit_ = no_time;      ///< of that computation
   bool news_ = true;
 };
 

@@ -12,6 +12,7 @@
 // Limits: runs of 65.5 s or more are left out; prices count in steps of 4, and up to 1020 on each side of a cell.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -80,25 +81,18 @@ class RunCosts {
     std::uint16_t* costs = nullptr;
     std::uint8_t* prices = nullptr;
   };
-  struct State {
-    Cell cell;  ///< the one that is entered
-    Heading heading;
-    Last last;
-  };
 
   std::size_t states() const { return 4 * lasts * static_cast<std::size_t>(size_.area()); }
-  std::size_t number_of(const State& state) const;
-  State state_at(std::size_t number) const;
+  /// The first of the four edges by which a cell is entered; it also is the first of its four walls.
+  std::size_t edges_of(Cell cell) const { return 4 * static_cast<std::size_t>(size_.index(cell)); }
   void set_walls(const WallPrices& walls, const RunTolls& tolls);
-  /// The price of the wall on that side in steps, or closed.
-  int steps_of(Cell cell, Heading heading) const;
   int toll(int steps) const { return steps == 0 ? 0 : tolls_.base + steps * price_step * tolls_.per_nat / 32; }
-  int cost_of(Last last, Last next) const;
-  int least_from(Cell cell) const;
+  int cost_of(std::size_t last, std::size_t next) const;
+  void find_least();
   void clear(Field& field, int limit);
   void reach(Field& field, std::size_t number, int cost, int steps);
-  void reach_from_start(const State& state, int cost, int steps);
-  void reach_to_goal(const State& state, int cost, int steps);
+  void reach_from_start(std::size_t edge, std::size_t last, int cost, int steps);
+  void reach_to_goal(std::size_t edge, std::size_t last, int cost, int steps);
   void go_on(std::size_t number);
   void go_back(std::size_t number);
   void begin();
@@ -109,12 +103,14 @@ class RunCosts {
   RunPrices run_;
   Pose start_;
   CellSet goals_;
-  Cell south_west_, north_east_;  ///< corners of the smallest rectangle around the goals
+  std::array<std::array<int, lasts>, lasts> costs_{};  ///< of an edge, by the turns before it and at it
+  std::array<std::size_t, 4> ahead_;                   ///< from an edge to the next one ahead, by heading
   RunTolls tolls_;
   int limit_ = no_run;
   Field from_start_, to_goal_;
   std::uint16_t* waiting_ = nullptr;  ///< by state, a bit: whether it is to be expanded
-  std::uint8_t* walls_ = nullptr;     ///< by wall: its price in steps, or closed
+  std::uint16_t* least_ = nullptr;    ///< by cell: a lower bound of what a run costs from there on
+  std::uint8_t* walls_ = nullptr;     ///< by cell and side: the price of the wall in steps, or closed
 };
 
 }  // namespace labmouse

@@ -92,28 +92,29 @@ class SearchField {
     return static_cast<std::size_t>(4 * size_.index(cell) + static_cast<int>(heading));
   }
   Pose pose_of(std::size_t edge) const { return {size_.cell_at(static_cast<int>(edge / 4)), all_headings[edge % 4]}; }
+  std::size_t ahead_of(std::size_t edge) const { return edge + ahead_[edge % 4]; }
   template <class Price>
   void set_prices(const SearchTolls& tolls, Price price);
   void set_price(Wall wall, std::uint8_t price);
   /// Whether an edge cannot be passed; that of the border never can.
-  bool is_shut_behind(const Pose& pose) const { return prices_[edge_of(pose.cell, opposite(pose.heading))] == closed; }
-  DriveTime toll(Cell cell, Heading heading) const;
+  bool is_shut_behind(std::size_t edge) const;
+  DriveTime toll(std::size_t edge) const;
   void begin(const CellSet& known, const CellSet& targets);
   void search(const SearchPlace* place);
   void reach(std::size_t edge, DriveTime time);
   void take(std::size_t edge);
   void expand(std::size_t edge);
   template <class Visit>
-  void for_each_before(const Pose& pose, Visit visit) const;
+  void for_each_before(std::size_t edge, Visit visit) const;
   template <class Visit>
-  void for_each_dash_before(const Pose& pose, Visit visit) const;
+  void for_each_dash_before(std::size_t edge, Visit visit) const;
   void repair(const WallSet& passages, const CellSet& known, const CellSet& targets);
   void repair_walls(const WallSet& passages);
   void repair_dashes(Cell cell);
-  void repair_before(const Pose& pose);
+  void repair_before(std::size_t edge);
   void repair(std::size_t edge);
   DriveTime best_of(std::size_t edge) const;
-  bool leads_to(const SearchPlace& place, const Pose& edge) const;
+  bool leads_to(const SearchPlace& place, std::size_t edge) const;
   DriveTime through(const SearchPlace& place, const Move& move) const;
   template <class Visit>
   void for_each_move(const SearchPlace& place, Visit visit) const;
