@@ -101,6 +101,7 @@ void add_mice_file(Command& app, int& exit);
 void add_run(Command& app, int& exit);
 void add_mms(Command& app, int& exit);
 void add_show(Command& app, int& exit);
+void add_live(Command& app, int& exit);
 void add_inspect(Command& app, int& exit);
 void add_make(Command& app, int& exit);
 void add_convert(Command& app, int& exit);
