@@ -63,7 +63,7 @@ int live(const LiveOptions& options) {
   Show show(map.map().known.size());
   OpenedSource opened = open_source(options.source, options.baud);
   if (!opened.source) throw UsageError(fmt::format("{}: error: {}", options.source, opened.error));
-  LiveReader reader;
+  LiveReader reader(map.map().known.size());
   LiveSource::Piece piece;
   const Interruptible interrupt;
   while (!piece.ended && !interrupt.stopped()) {

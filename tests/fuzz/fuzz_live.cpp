@@ -7,16 +7,17 @@ namespace labmouse::fuzz {
 
 LABMOUSE_FUZZER(live) {
   const std::string_view stream(reinterpret_cast<const char*>(bytes), size);
-  LiveReader whole, parted;
+  const Size maze{1 + static_cast<int>(size % 9), 2};
+  LiveReader whole(maze), parted(maze);
   const std::vector<LiveLine> lines = whole.feed(stream);
   std::vector<LiveLine> found;
   const std::size_t step = 1 + size % 7;
   for (std::size_t i = 0; i < size; i += step)
     for (LiveLine& line : parted.feed(stream.substr(i, step))) found.push_back(line);
   require(found == lines && parted.noise() == whole.noise());
-  LiveMap map(Size{1 + static_cast<int>(size % 9), 16});
+  LiveMap map(maze);
   for (const LiveLine& line : lines) {
-    require(line.is_restart || line.seen || !line.fields.empty());
+    require(line.is_restart || line.seen || !line.fields.empty() || line.drawing);
     for (const LiveFinding& finding : map.add(line)) require(finding.line == line.number && !words_of(finding).empty());
   }
   require(map.fields().size() <= LiveMap::most_fields);

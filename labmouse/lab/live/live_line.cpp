@@ -85,7 +85,17 @@ bool begins_with_a_number(std::string_view line) {
   return parse_number(line.substr(0, line.find_first_of(" \t,;"))).has_value();
 }
 
+bool are_same(const PartialMap* one, const PartialMap* other) {
+  if (one == nullptr || other == nullptr) return one == other;
+  return one->known == other->known && one->unseen == other->unseen;
+}
+
 }  // namespace
+
+bool operator==(const LiveLine& one, const LiveLine& other) {
+  return one.number == other.number && one.has_checksum == other.has_checksum && one.is_restart == other.is_restart &&
+         one.seen == other.seen && one.fields == other.fields && are_same(one.drawing.get(), other.drawing.get());
+}
 
 std::optional<LiveLine> read_live_line(std::string_view line) {
   if (!is_printable(line)) return std::nullopt;

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "labmouse/maze/formats/read_result.hpp"
 #include "labmouse/mouse/pose.hpp"
 
 namespace labmouse {
@@ -35,8 +37,10 @@ struct LiveLine {
   bool is_restart = false;    ///< the robot has started anew
   std::optional<SeenCell> seen = {};
   std::vector<LiveField> fields = {};
+  /// A drawing of the whole map, whose last line this is.
+  std::shared_ptr<const PartialMap> drawing = {};
 
-  friend bool operator==(const LiveLine&, const LiveLine&) = default;
+  friend bool operator==(const LiveLine& one, const LiveLine& other);
 };
 
 /// Reads a line.

@@ -12,6 +12,10 @@ using Found = LiveFinding::Kind;
 
 std::string place_of(Cell cell) { return fmt::format("({},{})", cell.x, cell.y); }
 
+std::string origin_of(const WallReading& reading) {
+  return reading.is_drawn ? std::string("drawn by the robot") : "seen from " + place_of(reading.cell);
+}
+
 std::string wall_of(const WallReading& reading) {
   return fmt::format("the wall {} of {}", name_of(reading.side), place_of(reading.cell));
 }
@@ -33,9 +37,8 @@ std::string words_of(const LiveFinding& finding) {
     case Found::open_border:
       return line + wall_of(*finding.now) + " is open, but it is the border";
     case Found::contradiction:
-      return line + fmt::format("{} is {}, but {} in line {}, seen from {}", wall_of(*finding.now),
-                                state_of(finding.now->closed), state_of(finding.before->closed), finding.before->line,
-                                place_of(finding.before->cell));
+      return line + fmt::format("{} is {}, but {} in line {}, {}", wall_of(*finding.now), state_of(finding.now->closed),
+                                state_of(finding.before->closed), finding.before->line, origin_of(*finding.before));
     case Found::false_wall:
       return line + "false wall: " + wall_of(*finding.now) + " is closed, but open in the maze";
     case Found::missed_wall:
@@ -52,6 +55,7 @@ std::vector<LiveFinding> LiveMap::add(const LiveLine& line) {
   std::vector<LiveFinding> findings;
   if (line.is_restart) add_restart(line, findings);
   if (line.seen) add_cell(line, *line.seen, findings);
+  if (line.drawing) add_drawing(*line.drawing, line.number, findings);
   for (const LiveField& field : line.fields)
     if (fields_.contains(field.name) || fields_.size() < most_fields) fields_[field.name] = field.value;
   // A route begins where the robot was when it planned it.
@@ -83,6 +87,15 @@ void LiveMap::add_cell(const LiveLine& line, const SeenCell& seen, std::vector<L
   for (const Heading side : all_headings)
     if (const std::optional<bool> closed = seen.closed[static_cast<std::size_t>(side)])
       add_wall({cell, side, *closed, line.number}, findings);
+}
+
+void LiveMap::add_drawing(const PartialMap& drawing, std::int64_t line, std::vector<LiveFinding>& findings) {
+  if (drawing.known.size() != size_) return;
+  WallSet seen = WallSet::all(size_);
+  seen -= drawing.unseen;
+  seen.for_each([&](Wall wall) {
+    add_wall({wall.cell, wall.side, !drawing.known.is_open(wall.cell, wall.side), line, true}, findings);
+  });
 }
 
 void LiveMap::add_wall(const WallReading& reading, std::vector<LiveFinding>& findings) {

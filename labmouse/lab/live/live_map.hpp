@@ -21,6 +21,7 @@ struct WallReading {
   Heading side = Heading::north;
   bool closed = false;
   std::int64_t line = 0;  ///< its number
+  bool is_drawn = false;  ///< of a drawing, which does not say where the robot was; `cell` is then one beside the wall
 
   friend bool operator==(const WallReading&, const WallReading&) = default;
 };
@@ -90,6 +91,7 @@ class LiveMap {
 
   void add_restart(const LiveLine& line, std::vector<LiveFinding>& findings);
   void add_cell(const LiveLine& line, const SeenCell& seen, std::vector<LiveFinding>& findings);
+  void add_drawing(const PartialMap& drawing, std::int64_t line, std::vector<LiveFinding>& findings);
   void add_wall(const WallReading& reading, std::vector<LiveFinding>& findings);
 
   Size size_;

@@ -18,6 +18,9 @@ class LiveReader {
   /// More bytes than this are noise.
   static constexpr std::size_t longest_line = 1024;
 
+  /// @param size of the maze: drawings of other sizes are noise.
+  explicit LiveReader(Size size = {16, 16}) : size_(size) {}
+
   /// Adds bytes.
   /// @return what the lines say that end in them. The rest of the last line is kept.
   std::vector<LiveLine> feed(std::string_view bytes);
@@ -28,7 +31,12 @@ class LiveReader {
 
  private:
   void end_line(std::vector<LiveLine>& read);
+  /// Whether the line is a part of a drawing; its last line is what a drawing says.
+  bool takes_drawn_line(std::vector<LiveLine>& read);
 
+  Size size_;
+  std::string drawing_;  ///< the lines of a drawing that has begun
+  int drawn_lines_ = 0;
   std::string line_;  ///< the begin of a line that has not ended
   bool is_too_long_ = false;
   bool has_checksums_ = false;

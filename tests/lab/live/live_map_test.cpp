@@ -13,7 +13,7 @@
 namespace labmouse {
 namespace {
 
-using Kind = LiveFinding::Kind;
+using Found = LiveFinding::Kind;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -26,8 +26,8 @@ std::vector<LiveFinding> add(LiveMap& map, std::string_view lines) {
   return all;
 }
 
-std::vector<Kind> kinds_of(const std::vector<LiveFinding>& findings) {
-  std::vector<Kind> kinds;
+std::vector<Found> kinds_of(const std::vector<LiveFinding>& findings) {
+  std::vector<Found> kinds;
   for (const LiveFinding& finding : findings) kinds.push_back(finding.kind);
   return kinds;
 }
@@ -50,7 +50,7 @@ TEST(LiveMap, GrowsAsTheRobotSeesIt) {
 TEST(LiveMap, TakesTheNewestReadingAndListsContradictions) {
   LiveMap map(Size{3, 3});
   const auto findings = add(map, "0 0 N 100\n1 0 N 100\n2 0 N 001\n1 0 N 101\n0 0 N 101\n");
-  ASSERT_THAT(kinds_of(findings), ElementsAre(Kind::contradiction, Kind::contradiction));
+  ASSERT_THAT(kinds_of(findings), ElementsAre(Found::contradiction, Found::contradiction));
   // The wall between (0,0) and (1,0).
   EXPECT_EQ(findings[0].now, (WallReading{{1, 0}, Heading::west, true, 2}));
   EXPECT_EQ(findings[0].before, (WallReading{{0, 0}, Heading::east, false, 1}));
@@ -66,7 +66,7 @@ TEST(LiveMap, TakesTheNewestReadingAndListsContradictions) {
 TEST(LiveMap, FindsWallsThatCannotBe) {
   LiveMap map(Size{3, 3});
   const auto findings = add(map, "0 0 N 001\n3 0 N 101\n");
-  ASSERT_THAT(kinds_of(findings), ElementsAre(Kind::open_border, Kind::outside));
+  ASSERT_THAT(kinds_of(findings), ElementsAre(Found::open_border, Found::outside));
   EXPECT_EQ(findings[0].now, (WallReading{{0, 0}, Heading::west, false, 1}));
   EXPECT_EQ(map.pose()->cell, (Cell{0, 0}));
 }
@@ -74,17 +74,29 @@ TEST(LiveMap, FindsWallsThatCannotBe) {
 TEST(LiveMap, NoticesRestarts) {
   LiveMap map(Size{3, 3});
   EXPECT_THAT(kinds_of(add(map, "start\n0 0 N 101\n0 1 N 101\n0 0 S ???\n0 1 N 101\nbatt=3\n")),
-              ElementsAre(Kind::restart));
+              ElementsAre(Found::restart));
   EXPECT_EQ(map.restarts(), 1);
   EXPECT_EQ(map.fields().at("batt"), "3");
   // It comes home from the neighbour; it is carried from elsewhere.
   const auto carried = add(map, "0 2 N 111\n0 0 N 101\n");
-  ASSERT_THAT(kinds_of(carried), ElementsAre(Kind::restart));
+  ASSERT_THAT(kinds_of(carried), ElementsAre(Found::restart));
   EXPECT_EQ(carried[0].cell, (Cell{0, 0}));
   EXPECT_THAT(map.fields(), IsEmpty());
   EXPECT_EQ(add(map, "start\n").size(), 1U);
   EXPECT_EQ(map.pose(), std::nullopt);
   EXPECT_FALSE(map.map().known.is_open({0, 2}, Heading::east)) << "the maze is the same";
+}
+
+TEST(LiveMap, TakesDrawings) {
+  LiveMap map(Size{2, 2});
+  std::vector<LiveFinding> findings;
+  for (const LiveLine& line :
+       LiveReader(Size{2, 2}).feed("0 0 N 100\no---o---o\n|   :   |\no   o...o\n|   |   |\no---o---o\n1 0 N 010\n"))
+    for (const LiveFinding& finding : map.add(line)) findings.push_back(finding);
+  ASSERT_THAT(kinds_of(findings), ElementsAre(Found::contradiction, Found::open_border, Found::contradiction));
+  EXPECT_EQ(findings[0].now, (WallReading{{0, 0}, Heading::east, true, 6, true}));
+  EXPECT_EQ(words_of(findings[2]), "line 7: the wall west of (1,0) is open, but closed in line 6, drawn by the robot");
+  EXPECT_EQ(map.map().unseen.count(), 1);
 }
 
 const Maze& truth() {
@@ -100,12 +112,12 @@ const Maze& truth() {
 
 TEST(LiveMap, FindsFalseAndMissedWallsOfAKnownMaze) {
   LiveMap map(truth());
-  EXPECT_THAT(kinds_of(add(map, "0 0 N 100\n")), ElementsAre(Kind::missed_wall));
+  EXPECT_THAT(kinds_of(add(map, "0 0 N 100\n")), ElementsAre(Found::missed_wall));
   EXPECT_THAT(add(map, "0 0 N 100\n"), IsEmpty()) << "it is known";
-  EXPECT_THAT(kinds_of(add(map, "1 0 N 101\n")), ElementsAre(Kind::contradiction)) << "it is right now";
+  EXPECT_THAT(kinds_of(add(map, "1 0 N 101\n")), ElementsAre(Found::contradiction)) << "it is right now";
   const auto findings = add(map, "1 0 N 011\n");
   EXPECT_THAT(kinds_of(findings),
-              ElementsAre(Kind::contradiction, Kind::false_wall, Kind::contradiction, Kind::missed_wall));
+              ElementsAre(Found::contradiction, Found::false_wall, Found::contradiction, Found::missed_wall));
   EXPECT_EQ(findings[1].now, (WallReading{{1, 0}, Heading::north, true, 1}));
   const std::string drawn = draw_live(map, false);
   EXPECT_THAT(drawn, HasSubstr("o   o%%%o"));

@@ -89,6 +89,35 @@ TEST(LiveReader, WantsChecksumsOnceThereWasOne) {
   EXPECT_EQ(reader.noise(), 2);
 }
 
+constexpr std::string_view drawn_map = "o---o---o\n|  1:  0|\no   o\xC2\xB7\xC2\xB7\xC2\xB7o\n|  2|  1|\no---o---o\n";
+
+TEST(LiveReader, ReadsTheDrawingsOfRobots) {
+  LiveReader reader(Size{2, 2});
+  const auto lines =
+      reader.feed("maze:\n" + std::string(drawn_map) + "0 0 N 101\n" + std::string(drawn_map) + std::string(drawn_map));
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(reader.noise(), 1);
+  ASSERT_TRUE(lines[0].drawing);
+  EXPECT_EQ(lines[0].number, 6);
+  EXPECT_EQ(lines[0].drawing->unseen.count(), 2);
+  EXPECT_FALSE(lines[0].drawing->known.is_open({0, 0}, Heading::east));
+  EXPECT_TRUE(lines[1].seen);
+  EXPECT_TRUE(lines[3].drawing);
+}
+
+TEST(LiveReader, ReadsNoDamagedDrawings) {
+  LiveReader reader(Size{2, 2});
+  const std::string text(drawn_map);
+  // A part; one with a part of another behind it; one of another size; one with a line too few.
+  EXPECT_EQ(reader.feed(text.substr(0, 20) + "\nnoise\n").size(), 0U);
+  EXPECT_EQ(reader.feed(text.substr(0, 10) + text).size(), 1U);
+  EXPECT_EQ(reader.feed("o---o\n|   |\no---o\n|   |\no---o\n0 0 N 101\n").size(), 1U);
+  EXPECT_EQ(reader.feed("o---o---o\n|   |   |\no---o---o\n0 0 N 101\n").size(), 1U);
+  EXPECT_EQ(reader.noise(), 3 + 1 + 5 + 3);
+  EXPECT_EQ(reader.feed("0 0 N 101 *7e\n").size(), 1U);
+  EXPECT_EQ(reader.feed(text).size(), 0U) << "it has no checksums";
+}
+
 /// Lines as robots send them, damaged ones and noise.
 rc::Gen<std::string> streams() {
   static const std::vector<std::string> pieces = {"0 0 N 101\n",
@@ -100,6 +129,9 @@ rc::Gen<std::string> streams() {
                                                   "Step 1: Pos=[0, 1] Facing=N Walls=001\n",
                                                   "batt=1 route=NNE\n",
                                                   "\n",
+                                                  "o---o---o\n",
+                                                  "|   |   |\n",
+                                                  std::string(drawn_map),
                                                   std::string(1500, '7')};
   const auto piece =
       rc::gen::weightedOneOf<std::string>({{8, rc::gen::elementOf(pieces)}, {2, rc::gen::string<std::string>()}});
@@ -112,7 +144,7 @@ rc::Gen<std::string> streams() {
 
 RC_GTEST_PROP(LiveReader, ReadsTheSameHoweverTheBytesArrive, ()) {
   const std::string text = *streams();
-  LiveReader whole, parted;
+  LiveReader whole(Size{2, 2}), parted(Size{2, 2});
   const auto expected = whole.feed(text);
   std::vector<LiveLine> found;
   for (std::size_t i = 0; i < text.size();) {
