@@ -117,13 +117,13 @@ bool patiently(const std::function<bool()>& done) {
 }
 
 /// A robot on a serial line: this side of a pseudo-terminal.
-class ARobot : public AUser {
+class ARealRobot : public AUser {
  protected:
   void SetUp() override {
     if (robot_ < 0 || grantpt(robot_) != 0 || unlockpt(robot_) != 0) GTEST_SKIP() << "this system lends no terminals";
     file("true.txt", std::string(corners));
   }
-  ~ARobot() override { hang_up(); }
+  ~ARealRobot() override { hang_up(); }
 
   void hang_up() {
     if (robot_ >= 0) close(robot_);
@@ -151,7 +151,7 @@ class ARobot : public AUser {
                                      "map.txt"};
 };
 
-TEST_F(ARobot, IsHeardUntilItHangsUp) {
+TEST_F(ARealRobot, IsHeardUntilItHangsUp) {
   const Program program(folder_, words_);
   send(troubled_stream());
   hang_up();
@@ -160,7 +160,7 @@ TEST_F(ARobot, IsHeardUntilItHangsUp) {
   expect_the_whole_map(ended);
 }
 
-TEST_F(ARobot, IsHeardUntilTheUserHasEnough) {
+TEST_F(ARealRobot, IsHeardUntilTheUserHasEnough) {
   const Program program(folder_, words_);
   send(troubled_stream());
   program.interrupt();

@@ -1,4 +1,4 @@
-// System calls without an equivalent in the standard library. Only calls.cpp knows the differences between systems. On
+// System calls without an equivalent in the standard library. Only calls.cpp and live_source.cpp know several systems. On
 // failure, a call that returns a descriptor or a count returns -1 and sets errno; a call that returns an error number
 // returns it, or 0 on success.
 #pragma once
