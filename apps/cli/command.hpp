@@ -102,6 +102,7 @@ void add_grade(Command& app, int& exit);
 void add_run(Command& app, int& exit);
 void add_mms(Command& app, int& exit);
 void add_show(Command& app, int& exit);
+void add_live(Command& app, int& exit);
 void add_inspect(Command& app, int& exit);
 void add_make(Command& app, int& exit);
 void add_convert(Command& app, int& exit);

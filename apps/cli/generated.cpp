@@ -7,8 +7,6 @@
 #include "named_things.hpp"
 
 namespace labmouse::cli {
-namespace {
-
 Size read_size(const std::string& text) {
   const auto cross = text.find('x');
   const double width = parse_plain_number(text.substr(0, cross)).value_or(0.0);
@@ -19,8 +17,6 @@ Size read_size(const std::string& text) {
   throw UsageError(fmt::format("error: '{}' is not a size; write WIDTHxHEIGHT with sides from 1 to {}, such as 16x16",
                                text, max_side));
 }
-
-}  // namespace
 
 void GeneratedMazes::add_to(Command& command) {
   command.add_option("--size", size, "Width and height of a generated maze in cells")

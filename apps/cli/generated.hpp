@@ -8,6 +8,9 @@
 
 namespace labmouse::cli {
 
+/// Reads a size such as 16x16; throws UsageError if it is none.
+Size read_size(const std::string& text);
+
 /// A generator and the mazes that it is to make.
 struct GeneratedMazes {
   std::string kind = "contest", size = "16x16";

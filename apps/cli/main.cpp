@@ -80,6 +80,7 @@ int main(int argc, char** argv) {
   add_mms(app, exit);
   add_learn(app, exit);
   add_show(app, exit);
+  add_live(app, exit);
   add_inspect(app, exit);
   add_make(app, exit);
   add_convert(app, exit);

@@ -314,7 +314,8 @@ TEST(PartialMaps, AreMazesWhereTheirUnseenWallsAreClosed) {
 
 TEST(PartialMaps, AreReadFromLogs) {
   for (const std::string_view text :
-       {"0 0 N 101\n0 1 N 110\n", "x y heading walls\n0 0 north 101\n0,1;n;110\n",
+       {"0 0 N 101\n0 1 N 110\n", "0 0 E 0111\n0 1 S 1??1\n0 1 S 0??\n",
+        "x y heading walls\n0 0 north 101\n0,1;n;110\n",
         "Step 0: Pos=[0, 0] Facing=N Walls=101 Move=001\nStep 1: Pos=[0, 1] Facing=N Walls=110\n"}) {
     const ReadResult read = read_maze(text);
     ASSERT_TRUE(read.partial) << text << testing::PrintToString(test::lines_of(read));
@@ -324,6 +325,18 @@ TEST(PartialMaps, AreReadFromLogs) {
   }
   EXPECT_THAT(test::lines_of(read_maze("0 0 N 101\n1 0 N 001\n")), ElementsAre(test::SaysAt("2:1", "(1,0)", "west")));
   EXPECT_THAT(test::lines_of(read_maze("0 0 N 001\n")), ElementsAre(test::SaysAt("1:1", "(0,0)", "west", "border")));
+}
+
+TEST(PartialMaps, AreReadFromLogsWithoutCellsOutsideOfTheMaze) {
+  for (const std::string_view text : {"0 -1 N 101\n", "-1 0 N 101\n", "0 64 N 101\n"})
+    EXPECT_FALSE(read_maze(text, {.format = &steps_format}).partial) << text;
+}
+
+TEST(PartialMaps, AreWrittenAsDrawings) {
+  const std::string_view drawing = "o---o---o---o\n|   : G :   |\no   o...o...o\n| S | G     |\no---o---o---o\n";
+  const ReadResult read = read_maze(drawing);
+  ASSERT_TRUE(read.partial);
+  EXPECT_EQ(write_partial_map(*read.partial).content, drawing);
 }
 
 TEST(PartialMaps, AreComparedWithTheMaze) {

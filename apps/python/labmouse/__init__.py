@@ -8,7 +8,7 @@ from typing import Union
 
 from ._mice import Action, Mouse, Sighting
 from ._comparisons import Verdicts, compare
-from ._native import Briefing, Error, Maze, find_mazes, generate, version
+from ._native import Briefing, Error, Maze, RealRobot, find_mazes, generate, version
 from ._progress import Interrupted
 from ._races import Comparison, FinishRate, Race, race
 from ._records import Record, Replay, run
@@ -28,6 +28,7 @@ __all__ = [
     "Maze",
     "Mouse",
     "Race",
+    "RealRobot",
     "Record",
     "Replay",
     "Route",

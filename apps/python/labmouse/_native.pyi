@@ -545,3 +545,48 @@ def batch_of(maze: str) -> int:
     """
     The batch of a comparison in which a drawn maze of that name is raced in.
     """
+
+class RealRobot:
+    """
+    The map of a real robot, from the bytes that it sends (docs/reference/protocols.md).
+
+    Its text is the drawing of `labmouse live`.
+    """
+
+    def __init__(self, width: int = 16, height: int = 16, maze: Maze | None = None) -> None:
+        """
+        A robot in a maze of that size that nobody knows, or in a maze that is known: then width and height do not count, and false and missed walls are findings.
+        """
+
+    def feed(self, data: bytes) -> list[dict[str, Any]]:
+        """
+        Adds bytes, in any pieces. Returns a dict for each line that ends in them and is no noise: its number `line`; `restart`; `cell`, `heading` and `walls` (True: closed) if it has them; `fields`; `drawing` if it ends one; and `findings`, the lines that `labmouse live` prints.
+        """
+
+    @property
+    def pose(self) -> tuple[int, int, str] | None:
+        """Where the robot is: x, y and its heading; None until a line says it."""
+
+    @property
+    def fields(self) -> dict[str, str]:
+        """The newest value of each field."""
+
+    @property
+    def text(self) -> str:
+        """
+        The map as a drawing, which `labmouse show` and `labmouse inspect` read.
+        """
+
+    @property
+    def contradictions(self) -> list[str]:
+        """The walls that were seen in both states, a line each."""
+
+    @property
+    def lines(self) -> int:
+        """How many lines have ended."""
+
+    @property
+    def noise(self) -> int:
+        """How many of them are noise."""
+
+    def __str__(self) -> str: ...

@@ -355,7 +355,7 @@ def _other_contests(store: str) -> Error:
                  "and start again")
 
 
-def _parts(client: "Client", who: Given, label: "str | None", chosen: "tuple[str, dict[str, str]]", seed: int) -> "tuple[Any, ...]":
+def _parts(client: "Client", who: Given, label: "str | None", chosen: "tuple[str, dict[str, str]]", seed: int) -> "dict[str, Any]":
     """The fields that all kinds of work have."""
     if not hasattr(client, "submit"):
         raise Error(f"client is a distributed.Client, not {shown(client)}")
@@ -363,7 +363,7 @@ def _parts(client: "Client", who: Given, label: "str | None", chosen: "tuple[str
     specs, native, _, known = who.native(None, label, True)
     own = [(name, data, uses_chance, identity)
            for (name, _, uses_chance, _, identity), data in zip(native, snapshot(who.own))]
-    return specs, own, known, chosen, seed
+    return {"specs": specs, "own": own, "label": known, "world": chosen, "seed": seed}
 
 
 def _all_of(mazes: "Mazes | None") -> "list[Maze]":
@@ -415,7 +415,7 @@ def race(
     robots and rules under the same paths. Raises Error. Ctrl-C raises Interrupted, whose `partial` is the Race so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    work = _Race(*_parts(client, given(mice), label, chosen, seed), runs_given(runs))
+    work = _Race(**_parts(client, given(mice), label, chosen, seed), runs=runs_given(runs))
     held, from_store, stopped = _spread(client, work, _all_of(mazes), store, progress, patience)
     race = Race(held, from_store)
     if stopped:
@@ -448,7 +448,8 @@ def study(
     other arguments as in `labmouse.study`. Raises Error. Ctrl-C raises Interrupted; its `partial` is the Study so far.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    work = _Study(*_parts(client, given(mice), label, chosen, seed), runs_given(runs), whole("folds", folds, 2, 1_000_000), learning)
+    work = _Study(**_parts(client, given(mice), label, chosen, seed), runs=runs_given(runs), folds=whole("folds", folds, 2, 1_000_000),
+                  learning=learning)
     held, from_store, stopped = _spread(client, work, _all_of(mazes), store, progress, patience)
     study = Study(held, from_store)
     if stopped:
@@ -491,8 +492,8 @@ def compare(
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who, first_is_own = compared(first, candidates)
-    work = _Comparison(*_parts(client, who, label, chosen, seed), first_is_own, generator_of(generator, size, loops),
-                       test_of(better_by, alpha, beta, test, most))
+    work = _Comparison(**_parts(client, who, label, chosen, seed), first_is_own=first_is_own,
+                       generator=generator_of(generator, size, loops), test=test_of(better_by, alpha, beta, test, most))
     held, from_store, stopped = _spread(client, work, [] if mazes is None else _all_of(mazes), store, progress, patience)
     verdicts = Verdicts(held, from_store)
     if stopped:

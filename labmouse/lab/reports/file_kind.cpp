@@ -64,7 +64,7 @@ FileKind kind_of_file(std::string_view text) {
   const ReadResult read = read_maze(text);
   // A program that has a maze in it is more than a maze.
   const bool is_more = read.maze && recognised_format(text) == &c_format && c_format.write(*read.maze).content != text;
-  return read.maze && !is_more ? FileKind::maze : FileKind::unknown;
+  return (read.maze || read.partial) && !is_more ? FileKind::maze : FileKind::unknown;
 }
 
 }  // namespace labmouse

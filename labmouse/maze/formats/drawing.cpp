@@ -34,35 +34,30 @@ std::optional<Marks> marks_of(const Maze& maze) {
   return std::nullopt;
 }
 
-std::string wall_line(const Maze& maze, int y) {
+std::string wall_line(const PartialMap& map, int y) {
   std::string line = "o";
-  for (int x = 0; x < maze.size().width; ++x)
-    line += maze.open_walls().contains({{x, y}, Heading::north}) ? "   o" : "---o";
+  for (int x = 0; x < map.known.size().width; ++x) {
+    const Wall wall{{x, y}, Heading::north};
+    const bool unseen = map.unseen.contains(wall);
+    line += unseen ? "...o" : map.known.open_walls().contains(wall) ? "   o" : "---o";
+  }
   return line + '\n';
 }
 
-std::string cell_line(const Maze& maze, int y, Marks marks) {
+std::string cell_line(const PartialMap& map, int y, Marks marks) {
   std::string line;
-  for (int x = 0; x < maze.size().width; ++x) {
+  for (int x = 0; x < map.known.size().width; ++x) {
     const Cell cell{x, y};
-    line += maze.is_open(cell, Heading::west) ? "  " : "| ";
-    const bool start = marks.start && cell == maze.start();
-    const bool goal = marks.goals && maze.is_goal(cell);
+    const bool unseen = map.unseen.contains(wall_at(cell, Heading::west));
+    line += unseen ? ": " : map.known.is_open(cell, Heading::west) ? "  " : "| ";
+    const bool start = marks.start && cell == map.known.start();
+    const bool goal = marks.goals && map.known.is_goal(cell);
     line += start ? "S " : goal ? "G " : "  ";
   }
   return line + "|\n";
 }
 
-WriteResult write_drawing(const Maze& maze) {
-  if (maze.start_heading() != Heading::north)
-    return {std::nullopt, "the start heading is " + std::string(labmouse::name_of(maze.start_heading())) +
-                              "; a drawing always starts heading north"};
-  const auto marks = marks_of(maze);
-  if (!marks) return {std::nullopt, "the start is also a goal; a drawing has room for only one letter in a cell"};
-  std::string content;
-  for (int y = maze.size().height - 1; y >= 0; --y) content += wall_line(maze, y) + cell_line(maze, y, *marks);
-  return {content + wall_line(maze, -1), {}};
-}
+WriteResult write_drawing(const Maze& maze) { return write_partial_map({maze, {}}); }
 
 }  // namespace
 
@@ -74,5 +69,17 @@ constinit const Format drawing_format = {
     .read = read_drawing,
     .write = write_drawing,
 };
+
+WriteResult write_partial_map(const PartialMap& map) {
+  const Maze& maze = map.known;
+  if (maze.start_heading() != Heading::north)
+    return {std::nullopt, "the start heading is " + std::string(labmouse::name_of(maze.start_heading())) +
+                              "; a drawing always starts heading north"};
+  const auto marks = marks_of(maze);
+  if (!marks) return {std::nullopt, "the start is also a goal; a drawing has room for only one letter in a cell"};
+  std::string content;
+  for (int y = maze.size().height - 1; y >= 0; --y) content += wall_line(map, y) + cell_line(map, y, *marks);
+  return {content + wall_line(map, -1), {}};
+}
 
 }  // namespace labmouse

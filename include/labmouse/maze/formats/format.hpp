@@ -66,4 +66,8 @@ struct ReadChoice {
 /// @return the maze, or what is wrong, with lines and columns.
 ReadResult read_maze(std::string_view content, const ReadChoice& choice = {});
 
+/// Writes a map as a drawing, with `...` and `:` for its unseen walls.
+/// @param map `unseen` may be empty: then this is what drawing_format writes.
+WriteResult write_partial_map(const PartialMap& map);
+
 }  // namespace labmouse

@@ -24,7 +24,7 @@ inline constexpr std::size_t most_problems = 10;
 /// A map in which some inner walls were not seen.
 struct PartialMap {
   Maze known;      ///< with the unseen walls open
-  WallSet unseen;  ///< not empty
+  WallSet unseen;  ///< not empty in a ReadResult
 };
 
 /// An opening in the border of a file's maze.

@@ -1,0 +1,1 @@
+#include "stream_in_c.c"
