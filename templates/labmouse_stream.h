@@ -33,7 +33,8 @@ static inline void labmouse_put_number(struct labmouse_stream *stream, int32_t v
   while (count > 0) labmouse_put(stream, digits[--count]);
 }
 /* A name and the numbers of a field, such as ir=12,840,-3; its text, such as state=search. */
-static inline void labmouse_numbers(struct labmouse_stream *stream, const char *name, const int32_t *values, uint8_t count) {
+static inline void labmouse_numbers(struct labmouse_stream *stream, const char *name, const int32_t *values,
+                                    uint8_t count) {
   uint8_t i;
   labmouse_put(stream, ' ');
   labmouse_put_text(stream, name);
@@ -61,7 +62,8 @@ static inline void labmouse_start(struct labmouse_stream *stream) {
   labmouse_put_text(stream, "start");
   labmouse_end(stream);
 }
-static inline void labmouse_cell(struct labmouse_stream *stream, int x, int y, char heading, int left, int ahead, int right) {
+static inline void labmouse_cell(struct labmouse_stream *stream, int x, int y, char heading, int left, int ahead,
+                                 int right) {
   labmouse_put_number(stream, x), labmouse_put(stream, ' '), labmouse_put_number(stream, y), labmouse_put(stream, ' ');
   labmouse_put(stream, heading), labmouse_put(stream, ' ');
   labmouse_put(stream, left < 0 ? '?' : left ? '1' : '0'), labmouse_put(stream, ahead < 0 ? '?' : ahead ? '1' : '0');

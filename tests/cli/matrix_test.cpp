@@ -61,6 +61,7 @@ const std::map<std::string, Words> usual = {
     {"failure-rates", {"--mazes", "m.txt", "--variation", "1", "--jobs", "1"}},
     {"replay", {"r.jsonl"}},
     {"score", {"r.jsonl"}},
+    {"live", {"robot.log"}},
     {"page", {"-o", "page.html"}},
     {"report", {"results.json", "-o", "report.html"}},
     {"store list", {"s.db"}},
@@ -86,6 +87,7 @@ class EveryCommand : public test::AUser {
     for (const std::string& mouse : built_in_mice())
       mice_file += "[[mouse]]\nname = \"the " + mouse + "\"\nmouse = \"" + mouse + "\"\n";
     file("mice.toml", mice_file);
+    file("robot.log", "0 0 N 101\n0 1 N 101\n");
     file("tasks.toml", "[[task]]\nname = 'arrives'\npoints = 1\nmazes = ['m.txt']\nfinish = true\n");
   }
 
