@@ -66,9 +66,7 @@ std::string seed_in(const std::string& path) {
 void freeze_settings(const LeagueOptions& options, NamedWorld& world) {
   for (const WorldSetting& setting : world.entry->settings) {
     const auto chosen = world.settings.find(setting.name);
-    std::error_code unknown;
-    if (setting.brought == nullptr || chosen == world.settings.end() || !fs::is_regular_file(chosen->second, unknown))
-      continue;
+    if (chosen == world.settings.end() || !can_be_file(setting, chosen->second)) continue;
     const FileContent file = read_file(chosen->second);
     if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", chosen->second, file.error));
     const std::string name = std::string(setting.name) + fs::path(chosen->second).extension().string();

@@ -198,6 +198,16 @@ TEST_F(AnOrganiser, KeepsTheSeedUntilTheSeasonEnds) {
   EXPECT_EQ(publish({"--seed-file", "seed.txt"}), 0);
 }
 
+// The season does not change with the file that its robot came from.
+TEST_F(AnOrganiser, KeepsTheRobotOfTheSeason) {
+  file("mine.toml", content_of(LABMOUSE_SOURCE_DIR "/robots/half.toml"));
+  ASSERT_EQ(init("spring", {"--world", "seconds", "--robot", "mine.toml"}).code, 0);
+  entry("mine", "mouse = \"flood\"");
+  fs::remove(folder_ / "mine.toml");
+  const Ended added = add("spring", "mine", {"--sandbox", "off"});
+  EXPECT_EQ(added.code, 0) << added.err;
+}
+
 TEST_F(AnOrganiser, DrawsASeedOfTheirOwnEachTime) {
   ASSERT_EQ(labmouse({"league", "init", "one"}).code, 0);
   ASSERT_EQ(labmouse({"league", "init", "two"}).code, 0);

@@ -55,9 +55,16 @@ WorldResult make_world(const NamedWorld& named, const std::string& folder) {
   WorldSettings settings = named.settings;
   for (const WorldSetting& setting : named.entry->settings) {
     const auto chosen = settings.find(setting.name);
-    if (setting.brought != nullptr && chosen != settings.end()) chosen->second = beside(folder, chosen->second);
+    if (chosen != settings.end() && can_be_file(setting, beside(folder, chosen->second)))
+      chosen->second = beside(folder, chosen->second);
   }
   return named.entry->make(settings);
+}
+
+bool can_be_file(const WorldSetting& setting, const std::string& path) {
+  std::error_code unknown;
+  return setting.kind == WorldSetting::Kind::text && setting.choices.empty() &&
+         std::filesystem::is_regular_file(path, unknown);
 }
 
 std::string beside(const std::string& folder, const std::string& name) {

@@ -20,6 +20,9 @@ NamedWorld read_world(const toml::table& table, TomlFields& fields);
 /// Makes the world. A setting that can be a file, such as a robot, is looked for in that folder first.
 WorldResult make_world(const NamedWorld& named, const std::string& folder);
 
+/// Whether the setting takes files, such as that of a robot, and there is a file of that path.
+bool can_be_file(const WorldSetting& setting, const std::string& path);
+
 /// The path in the folder, if there is such a file; or the name as it stands.
 std::string beside(const std::string& folder, const std::string& name);
 
