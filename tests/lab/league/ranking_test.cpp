@@ -31,8 +31,9 @@ TEST(Ranking, GivesMiceThatCannotBeToldApartOneRank) {
 
 // Each is like its neighbour, but the last is not like the first: a rank is compared with its best mouse.
 TEST(Ranking, ComparesWithTheBestOfItsRank) {
-  const Ranking ranking = rank_mice({mouse("a", 0.80, 0.0), mouse("b", 0.74, 0.12), mouse("c", 0.68, 0.02)});
+  const Ranking ranking = rank_mice({mouse("a", 0.80, 0.0), mouse("b", 0.74, 0.12), mouse("c", 0.68, -0.02)});
   EXPECT_EQ(ranking.pairs[0][1].verdict, TestVerdict::no_difference);
+  EXPECT_EQ(ranking.pairs[1][2].verdict, TestVerdict::no_difference);
   EXPECT_EQ(ranking.pairs[0][2].verdict, TestVerdict::better);
   EXPECT_EQ(ranking.mice[1].rank, 1);
   EXPECT_EQ(ranking.mice[2].rank, 3);
