@@ -27,7 +27,7 @@ foreach(package IN ITEMS drawing steps drive mms worlds replays page)
   if(NOT sources)
     message(FATAL_ERROR "labmouse/lab/${package} has no sources")
   endif()
-  # What only terminals and files show.
-  list(FILTER sources EXCLUDE REGEX "/(draw_text|draw_plot)[.]cpp$")
+  # What only terminals and files show, and what is read from files alone.
+  list(FILTER sources EXCLUDE REGEX "/(draw_text|draw_plot|world_table)[.]cpp$")
   list(APPEND LABMOUSE_PAGE_SOURCES ${sources})
 endforeach()

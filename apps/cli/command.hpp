@@ -99,6 +99,7 @@ void add_study(Command& app, int& exit);
 void add_tune(Command& app, int& exit);
 void add_mice_file(Command& app, int& exit);
 void add_grade(Command& app, int& exit);
+void add_league(Command& app, int& exit);
 void add_run(Command& app, int& exit);
 void add_mms(Command& app, int& exit);
 void add_show(Command& app, int& exit);

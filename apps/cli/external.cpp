@@ -46,22 +46,8 @@ void add_python(Command& command, ExternalOptions& external_mice) {
       ->type_name("INTERPRETER");
 }
 
-void add_external_options(Command& command, ExternalOptions& external_mice) {
-  ExternalLimits& limits = external_mice.limits;
+void add_limits(Command& command, ExternalLimits& limits) {
   command.group(groups::programs);
-  command
-      .add_option("--directory", external_mice.directory, "Working directory of the programs; default: the current one")
-      ->type_name("DIR")
-      ->check(existing_directory());
-  command
-      .add_word(
-          "--sandbox", [&external_mice](const std::string& word) { external_mice.sandbox = sandbox_use(word); },
-          "Run each program in a copy of its folder, without access to mazes, other files and the network: where that "
-          "is possible (auto), always (on) or never (off)")
-      ->check(one_of({"auto", "on", "off"}))
-      ->default_str("auto");
-  command.add_flag("--keep-folder", external_mice.keep_folder,
-                   "Let programs write to their own folders, so that they can remember earlier contests");
   add_seconds(
       command, "--start-limit", limits.start,
       "Time limit for the first line of a program; its own time is measured: time that it waits for a processor does "
@@ -80,6 +66,24 @@ void add_external_options(Command& command, ExternalOptions& external_mice) {
       ->type_name("SECONDS")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();
+}
+
+void add_external_options(Command& command, ExternalOptions& external_mice) {
+  command.group(groups::programs);
+  command
+      .add_option("--directory", external_mice.directory, "Working directory of the programs; default: the current one")
+      ->type_name("DIR")
+      ->check(existing_directory());
+  command
+      .add_word(
+          "--sandbox", [&external_mice](const std::string& word) { external_mice.sandbox = sandbox_use(word); },
+          "Run each program in a copy of its folder, without access to mazes, other files and the network: where that "
+          "is possible (auto), always (on) or never (off)")
+      ->check(one_of({"auto", "on", "off"}))
+      ->default_str("auto");
+  command.add_flag("--keep-folder", external_mice.keep_folder,
+                   "Let programs write to their own folders, so that they can remember earlier contests");
+  add_limits(command, external_mice.limits);
 }
 
 void add_program_options(Command& command, ExternalOptions& external_mice) {

@@ -6,6 +6,9 @@
 
 namespace labmouse::cli {
 
+/// Adds the limits of programs, such as --start-limit, --memory and --cpu.
+void add_limits(Command& command, ExternalLimits& limits);
+
 /// Adds --directory, --sandbox, --keep-folder and the limits of programs, such as --start-limit, --memory and --cpu.
 void add_external_options(Command& command, ExternalOptions& external_mice);
 

@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
   add_tune(app, exit);
   add_mice_file(app, exit);
   add_grade(app, exit);
+  add_league(app, exit);
   add_run(app, exit);
   add_mms(app, exit);
   add_learn(app, exit);

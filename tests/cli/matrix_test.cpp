@@ -40,6 +40,10 @@ const std::map<std::string, Words> usual = {
     {"tune", {"--params", "stride", "--evaluations", "2", "--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
     {"mice-file check", {"mice.toml"}},
     {"mice-file init", {"robots", "--overwrite"}},
+    {"league init", {"season", "--practice", "m.txt", "--examination", "1"}},
+    {"league add", {"season", "robots", "--no-check"}},
+    {"league run", {"season"}},
+    {"league publish", {"season", "-o", "site"}},
     {"grade", {"--mice", "mice.toml", "--tasks", "tasks.toml", "--jobs", "1"}},
     {"run", {"m.txt"}},
     {"mms", {"false", "--maze", "m.txt"}},
@@ -244,7 +248,7 @@ TEST_F(EveryCommand, EndsWellWithEachWordOfItsHelp) {
 
 TEST_F(EveryCommand, HasAnExampleOfItselfAtTheEndOfItsHelp) {
   Words all = commands();
-  all.insert(all.end(), {"robot", "rules", "store", "mice-file"});
+  all.insert(all.end(), {"robot", "rules", "store", "mice-file", "league"});
   for (const std::string& command : all) {
     const std::string help = help_of(command);
     const auto begin = help.rfind("\nExample: labmouse ");

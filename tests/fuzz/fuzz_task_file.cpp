@@ -22,7 +22,7 @@ LABMOUSE_FUZZER(task_file) {
     const GeneratorOrder order = {{task.hidden.side, task.hidden.side}, 1, 0};
     if (task.hidden.count > 0) require(find_generator(task.hidden.kind)->refuses(order).empty());
   }
-  if (read.problems.empty()) require(read.file.world != nullptr);
+  if (read.problems.empty()) require(read.file.world.entry != nullptr);
   return 0;
 }
 

@@ -29,7 +29,7 @@ class ClassRun {
  public:
   ClassRun(const GradingPlan& plan, const ClassOrder& order) : plan_(plan), order_(order) {
     race_order_.world = plan.world;
-    race_order_.runs = plan.file.runs.value_or(plan.file.world->usual_runs);
+    race_order_.runs = plan.file.runs.value_or(plan.file.world.entry->usual_runs);
     race_order_.jobs = order.jobs;
     race_order_.files = plan.files;
     race_order_.files.insert(race_order_.files.end(), order.files.begin(), order.files.end());

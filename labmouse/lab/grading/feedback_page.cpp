@@ -67,16 +67,6 @@ std::string points_html(const Grades& grades, const StudentGrade& student, bool 
   return html + "</details>\n";
 }
 
-/// The contest without times by the clock, so that equal grades make equal pages.
-ContestResult without_clock(ContestResult contest, const WorldFields& fields) {
-  if (contest.figures == nullptr) return contest;
-  std::vector<Value> values = fields.figures.values_of(*contest.figures);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (fields.figures.all[i].by_clock) values[i] = 0.0;
-  contest.figures = fields.figures.figures_of(values);
-  return contest;
-}
-
 /// The part of a race that the student may see.
 Race visible_part(const GradingPlan& plan, const Race& race) {
   Race visible;
@@ -107,7 +97,7 @@ std::string with_contests(const GradingPlan& plan, const StudentContests& contes
     if (!record.empty()) records.push_back(record);
   const ReadResultsResult results = read_report_results(json_of(visible, {}));
   if (!results.results) return std::string(page);
-  return make_report(*results.results, pack_records(*plan.file.world, records, std::move(mazes)), page).page;
+  return make_report(*results.results, pack_records(*plan.file.world.entry, records, std::move(mazes)), page).page;
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class Planning {
   }
 
   GradingPlan plan() && {
-    make_world();
+    set_world();
     if (plan_.world == nullptr) return std::move(plan_);
     for (const Task& task : plan_.file.tasks) {
       plan_.mazes_of.emplace_back();
@@ -44,27 +44,15 @@ class Planning {
     plan_.errors.push_back(describe(path_, {task.line, task.column, fmt::format("task '{}': {}", task.name, reason)}));
   }
 
-  /// The path beside the task file, if there is such a file; or the name as it stands.
-  std::string beside(const std::string& name) const {
-    const std::string path = (fs::path(folder_) / name).string();
-    std::error_code unknown;
-    const bool is_pattern = name.find_first_of("*?[") != std::string::npos;
-    return is_pattern || fs::exists(path, unknown) ? path : name;
-  }
-
-  void make_world() {
-    for (const WorldSetting& setting : plan_.file.world->settings) {
-      const auto chosen = plan_.file.settings.find(setting.name);
-      if (setting.brought != nullptr && chosen != plan_.file.settings.end()) chosen->second = beside(chosen->second);
-    }
-    WorldResult made = plan_.file.world->make(plan_.file.settings);
+  void set_world() {
+    WorldResult made = make_world(plan_.file.world, folder_);
     plan_.world = std::move(made.world);
     plan_.remarks = std::move(made.remarks);
     if (!made.error.empty()) plan_.errors.push_back(fmt::format("{}: {}", shown(path_), made.error));
   }
 
   void add_files(const Task& task, const std::string& named) {
-    const std::string path = beside(named);
+    const std::string path = beside(folder_, named);
     MazeCollection found = load_mazes(std::vector{path});
     for (const SkippedFile& file : found.errors)
       for (const Problem& problem : file.problems)

@@ -41,7 +41,8 @@ class TaskFileReader {
   TaskFileResult read(const toml::table& table) {
     fields_.refuse_unknown(table, file_keys);
     file_.seed = seed_of(table);
-    read_world(table);
+    file_.world = read_world(table, fields_);
+    figures_ = figures_of(file_.world.entry->make({}).world->traits());
     file_.runs = fields_.whole(table, "runs", 1, most_runs);
     file_.limits = read_limits(table, fields_);
     file_.show_hidden = fields_.flag(table, "show_hidden");
@@ -59,44 +60,6 @@ class TaskFileReader {
     const toml::node* node = table.get("seed");
     if (node != nullptr && node->is_integer()) return fmt::format("{}", *node->value<std::int64_t>());
     return fields_.text(table, "seed");
-  }
-
-  void read_world(const toml::table& table) {
-    file_.world = all_worlds().front();
-    if (const std::string name = fields_.text(table, "world"); !name.empty()) {
-      if (const WorldEntry* world = find_world(name))
-        file_.world = world;
-      else
-        fields_.add(table.get("world")->source().begin,
-                    fmt::format("there is no world '{}'; {}", name, "`labmouse race --help` lists them"));
-    }
-    figures_ = figures_of(file_.world->make({}).world->traits());
-    const toml::node* node = table.get("settings");
-    if (node == nullptr) return;
-    if (const toml::table* settings = node->as_table()) return read_settings(*settings);
-    fields_.add(node->source().begin, "'settings' must be a table of the settings of the world");
-  }
-
-  void read_settings(const toml::table& table) {
-    std::vector<std::string> keys;
-    for (const WorldSetting& setting : file_.world->settings) keys.push_back(key_of(setting));
-    fields_.refuse_unknown(table, std::vector<std::string_view>(keys.begin(), keys.end()));
-    for (const WorldSetting& setting : file_.world->settings)
-      if (const toml::node* node = table.get(key_of(setting))) read_setting(setting, *node);
-  }
-
-  void read_setting(const WorldSetting& setting, const toml::node& node) {
-    std::string text = node.value<std::string>().value_or(""), problem;
-    if (const auto number = node.value<double>(); node.is_number()) text = fmt::format("{}", *number);
-    if (const auto flag = node.value<bool>(); node.is_boolean()) text = *flag ? "true" : "false";
-    if (setting.kind == WorldSetting::Kind::flag && !node.is_boolean())
-      problem = "must be true or false";
-    else if (text.empty() || shown(text) != text)
-      problem = "must be a number or a printable text";
-    else
-      chosen_value(setting, text, problem);
-    if (!problem.empty()) fields_.add(node.source().begin, fmt::format("'{}': {}", key_of(setting), problem));
-    file_.settings[std::string(setting.name)] = text;
   }
 
   Task task_of(const toml::table& table) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "labmouse/lab/mice_files/file_limits.hpp"
-#include "labmouse/lab/races/world_entry.hpp"
+#include "labmouse/lab/worlds/world_table.hpp"
 #include "labmouse/maze/formats/format.hpp"
 
 namespace labmouse {
@@ -44,9 +44,8 @@ struct Task {
 
 /// A task file, as written.
 struct TaskFile {
-  std::string seed;                   ///< the secret seed of hidden mazes; may be empty
-  const WorldEntry* world = nullptr;  ///< never null after reading
-  WorldSettings settings;
+  std::string seed;  ///< the secret seed of hidden mazes; may be empty
+  NamedWorld world;
   std::optional<int> runs;
   FileLimits limits;
   bool show_hidden = false;  ///< whether students see the hidden mazes

@@ -18,6 +18,7 @@ namespace {
 using Kind = MiceFileEntry::Kind;
 
 constexpr std::array<Kind, 5> all_kinds = {Kind::mouse, Kind::capstone, Kind::external, Kind::controller, Kind::mms};
+constexpr std::array<std::string_view, 4> file_keys = {"mouse", "authors", "licence", "robot"};
 constexpr std::array<std::string_view, 13> mouse_keys = {"name", "mouse",     "capstone",    "program",   "controller",
                                                          "mms",  "arguments", "environment", "directory", "interpreter",
                                                          "runs", "limits",    "note"};
@@ -26,15 +27,16 @@ constexpr std::array<std::string_view, 13> mouse_keys = {"name", "mouse",     "c
 class MiceFileReader {
  public:
   MiceFileResult read(const toml::table& file) {
-    for (const auto& [key, value] : file)
-      if (key.str() != "mouse")
-        fields_.add(key, unknown_key(std::string(key.str()), std::array{std::string_view("mouse")}));
+    fields_.refuse_unknown(file, file_keys);
     const toml::array* mice = file["mouse"].as_array();
     if (mice == nullptr || mice->empty() || !mice->is_homogeneous<toml::table>()) {
       if (fields_.good()) fields_.add({1, 1}, "has no mice; each begins with a line [[mouse]]");
       return {{}, fields_.problems()};
     }
     MiceFileResult result;
+    result.authors = fields_.texts(file, "authors", "[\"Ada Lovelace\"]");
+    result.licence = fields_.text(file, "licence");
+    result.robot = fields_.text(file, "robot");
     for (const toml::node& mouse : *mice) result.mice.push_back(mouse_of(*mouse.as_table()));
     if (!fields_.good()) return {{}, fields_.problems()};
     return result;

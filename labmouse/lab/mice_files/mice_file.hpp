@@ -33,6 +33,10 @@ std::string_view key_of(MiceFileEntry::Kind kind);
 struct MiceFileResult {
   std::vector<MiceFileEntry> mice;
   std::vector<Problem> problems;
+  /// What a league asks of its entries; may be empty in other files.
+  std::vector<std::string> authors = {};
+  std::string licence = {};
+  std::string robot = {};  ///< that the mouse is made for
 };
 
 /// Reads a mice file of at most 64 KiB.

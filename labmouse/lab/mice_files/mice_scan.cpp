@@ -10,6 +10,7 @@
 
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/text/toml_text.hpp"
 
 namespace labmouse {
 namespace {
@@ -136,15 +137,6 @@ FoundMouse found(const std::string& name, const LikelyMouse& mouse_file, const f
     mouse.can_start = !old_python.empty();
   }
   return mouse;
-}
-
-std::string quoted_toml(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') quoted += '\\';
-    quoted += letter;
-  }
-  return quoted + "\"";
 }
 
 /// A path as a word of a command: with `./` if it has no slash, and quoted if it has blanks.

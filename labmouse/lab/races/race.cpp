@@ -130,6 +130,15 @@ bool counts(const Race& race, const ContestResult& contest) {
   return contest.done && contest.judged && race.facts[contest.maze].bound.has_value();
 }
 
+ContestResult without_clock(ContestResult contest, const WorldFields& fields) {
+  if (contest.figures == nullptr) return contest;
+  std::vector<Value> values = fields.figures.values_of(*contest.figures);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (fields.figures.all[i].by_clock) values[i] = 0.0;
+  contest.figures = fields.figures.figures_of(values);
+  return contest;
+}
+
 Value figure_of(const Race& race, const ContestResult& contest, std::string_view key) {
   for (const ContestField& field : race.world().traits().fields->contest)
     if (field.key == key) return field.of(race, contest);

@@ -109,6 +109,9 @@ void leave_unjudged(ContestResult& result);
 /// Whether a contest enters the means: it is done and judged, and some mouse could score in its maze.
 bool counts(const Race& race, const ContestResult& contest);
 
+/// The contest without times by the clock, so that equal contests make equal files.
+ContestResult without_clock(ContestResult contest, const WorldFields& fields);
+
 /// The figure of that name of a contest, as JSON has it; std::monostate where there is none.
 Value figure_of(const Race& race, const ContestResult& contest, std::string_view key);
 

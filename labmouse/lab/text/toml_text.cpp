@@ -74,6 +74,15 @@ TomlText parse_toml(std::string_view text) {
   return {std::move(parsed).table(), {}};
 }
 
+std::string quoted_toml(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') quoted += '\\';
+    quoted += letter;
+  }
+  return quoted + "\"";
+}
+
 Problem problem_at(const toml::source_position& place, std::string reason) {
   return {static_cast<int>(place.line), static_cast<int>(place.column), std::move(reason)};
 }

@@ -39,6 +39,10 @@ struct TomlText {
 /// Parses a text of at most 64 KiB.
 TomlText parse_toml(std::string_view text);
 
+/// The text as a string of TOML.
+/// @param text printable, so that only quotation marks and backslashes are escaped.
+std::string quoted_toml(std::string_view text);
+
 Problem problem_at(const toml::source_position& place, std::string reason);
 
 /// The problems in the order of the file, at most as many as are printed.

@@ -38,7 +38,7 @@ per_maze = true
   ASSERT_THAT(read.problems, SizeIs(0));
   const TaskFile& file = read.file;
   EXPECT_EQ(file.seed, "long and secret");
-  EXPECT_EQ(file.world->make(file.settings).world->traits().rules_in_steps->budget, 500);
+  EXPECT_EQ(file.world.entry->make(file.world.settings).world->traits().rules_in_steps->budget, 500);
   EXPECT_EQ(file.runs, 2);
   EXPECT_EQ(file.limits.over({}).decision, 500ms);
   EXPECT_TRUE(file.show_hidden);
@@ -69,9 +69,9 @@ TEST(TaskFile, MayNameAWorldThatHasOtherSettingsAndFigures) {
       "[[task]]\nname = 'a'\npoints = 1\nmazes = ['m']\nat_most = { search_us = 1e8 }\n");
   ASSERT_THAT(read.problems, SizeIs(0));
   EXPECT_EQ(read.file.seed, "7");
-  EXPECT_EQ(read.file.world->name, "physical");
-  EXPECT_EQ(read.file.settings.at("robot"), "classic");
-  EXPECT_EQ(read.file.settings.at("noise"), "0.5");
+  EXPECT_EQ(read.file.world.entry->name, "physical");
+  EXPECT_EQ(read.file.world.settings.at("robot"), "classic");
+  EXPECT_EQ(read.file.world.settings.at("noise"), "0.5");
 }
 
 /// A task that is right, with these lines behind it.

@@ -1,0 +1,15 @@
+// SHA-256, a cryptographic hash: whoever knows the hash of a secret text cannot find the text, but can check it later.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace labmouse {
+
+using Sha256 = std::array<std::uint8_t, 32>;
+
+/// The hash of the bytes (FIPS 180-4).
+Sha256 sha256(std::string_view bytes);
+
+}  // namespace labmouse

@@ -1,0 +1,136 @@
+#include "labmouse/lab/league/league.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/system/file_names.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/worlds/entering.hpp"
+
+namespace labmouse {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folders in the folder, without hidden ones.
+std::vector<std::string> folders_in(const std::string& folder) {
+  std::vector<std::string> folders;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (!entry->path().filename().string().starts_with('.') && entry->is_directory(error))
+      folders.push_back(entry->path().string());
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+std::string entries_folder(const League& league) { return fmt::format("{}/{}", league.folder, entries_folder_name); }
+
+/// Why the mouse cannot race in the season; empty where it can.
+std::string refuse(const League& league, const EntryManifest& manifest, const Contestant& mouse) {
+  const auto same = [&](const Contestant& other) { return other.name == manifest.name; };
+  if (std::any_of(league.builtin.begin(), league.builtin.end(), same))
+    return fmt::format("'{}' is the name of a built-in mouse; choose another name", manifest.name);
+  const auto robot = league.season.world.settings.find(std::string_view("robot"));
+  if (!manifest.robot.empty() && robot != league.season.world.settings.end() && robot->second != manifest.robot)
+    return fmt::format("the entry is made for the robot '{}', and the season is that of '{}'", manifest.robot,
+                       robot->second);
+  return league.world->refuse(mouse);
+}
+
+void load_practice(League& league) {
+  const std::string folder = fmt::format("{}/{}", league.folder, practice_folder_name);
+  MazeCollection found = load_mazes(std::vector{folder});
+  for (const auto* files : {&found.errors, &found.skipped})
+    for (const SkippedFile& file : *files)
+      for (const Problem& problem : file.problems) league.errors.push_back(describe(file.path, problem));
+  for (NamedMaze& maze : found.mazes) {
+    const std::string path = maze.name;
+    maze.name = stem_of(path);
+    std::string reason = league.world->refuse(maze.maze);
+    if (reason.empty() && !league.world->facts(maze.maze).bound) reason = "no mouse can score in this maze";
+    if (!reason.empty()) league.errors.push_back(shown(fmt::format("{}: error: {}", path, reason)));
+    league.practice.push_back(std::move(maze));
+  }
+  if (found.mazes.empty() && league.errors.empty())
+    league.errors.push_back(shown(fmt::format("{}: error: has no mazes", folder)));
+}
+
+}  // namespace
+
+std::vector<std::string> League::hidden() const {
+  std::vector<std::string> paths;
+  for (const char* name :
+       {season_file_name, secret_file_name, store_file_name, practice_folder_name, records_folder_name})
+    paths.push_back(fmt::format("{}/{}", folder, name));
+  return paths;
+}
+
+LeagueEntryResult read_entry(const League& league, const std::string& folder, ExternalOptions options) {
+  const std::string path = fmt::format("{}/{}", folder, manifest_name);
+  const FileContent file = read_found_file(path);
+  if (!file.error.empty())
+    return {{}, {shown(fmt::format("{}: error: {}; an entry needs this file", path, file.error))}};
+  const EntryManifestResult manifest = read_manifest(file.content);
+  LeagueEntryResult result;
+  for (const Problem& problem : manifest.problems) result.errors.push_back(describe(path, problem));
+  if (!result.errors.empty()) return result;
+  options.limits = league.season.limits;
+  options.runs = 1;
+  const std::string hash = hash_of_folder(folder);
+  options.label = hash;
+  options.hidden = std::make_shared<HiddenFiles>();
+  for (const std::string& hidden : league.hidden()) options.hidden->add_store(hidden);
+  for (const std::string& other : folders_in(entries_folder(league)))
+    if (!is_same_file(other, folder)) options.hidden->add(other);
+  SpecResult read = read_specs("mice-file:" + path, options);
+  if (!read.error.empty()) return {{}, {shown("error: " + read.error)}};
+  Contestant& mouse = read.contestants.front();
+  if (const std::string reason = refuse(league, manifest.entry, mouse); !reason.empty())
+    return {{}, {shown(fmt::format("{}: error: {}", path, reason))}};
+  mouse.runs = 1;
+  return {LeagueEntry{manifest.entry, folder, hash, std::move(mouse)}, {}};
+}
+
+League load_league(const std::string& folder, const ExternalOptions& options) {
+  League league;
+  league.folder = folder;
+  const std::string path = fmt::format("{}/{}", folder, season_file_name);
+  const FileContent file = read_found_file(path);
+  if (!file.error.empty()) {
+    league.errors.push_back(
+        shown(fmt::format("{}: error: {}; `labmouse league init` makes a season", path, file.error)));
+    return league;
+  }
+  SeasonResult season = read_season(file.content);
+  for (const Problem& problem : season.problems) league.errors.push_back(describe(path, problem));
+  if (!league.errors.empty()) return league;
+  league.season = std::move(season.season);
+  WorldResult made = make_world(league.season.world, folder);
+  league.world = std::move(made.world);
+  league.remarks = std::move(made.remarks);
+  if (!made.error.empty()) league.errors.push_back(fmt::format("{}: {}", shown(path), made.error));
+  if (league.world == nullptr) return league;
+  if (const std::string reason = refuse_for_league(*league.world); !reason.empty())
+    league.errors.push_back(fmt::format("{}: error: {}", shown(path), reason));
+  league.builtin = residents_of(*league.world);
+  load_practice(league);
+  for (const std::string& entry : folders_in(entries_folder(league))) {
+    LeagueEntryResult read = read_entry(league, entry, options);
+    league.errors.insert(league.errors.end(), read.errors.begin(), read.errors.end());
+    if (read.entry) league.entries.push_back(std::move(*read.entry));
+  }
+  const auto name = [](const LeagueEntry& entry) -> const std::string& { return entry.manifest.name; };
+  std::sort(league.entries.begin(), league.entries.end(),
+            [&](const LeagueEntry& a, const LeagueEntry& b) { return name(a) < name(b); });
+  for (std::size_t i = 1; i < league.entries.size(); ++i)
+    if (name(league.entries[i]) == name(league.entries[i - 1]))
+      league.errors.push_back(shown(fmt::format("{}: error: another entry has the name '{}'; give each its own",
+                                                league.entries[i].folder, name(league.entries[i]))));
+  return league;
+}
+
+}  // namespace labmouse

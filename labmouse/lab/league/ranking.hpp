@@ -1,0 +1,49 @@
+// Ranks mice by their shares of the best possible score, in groups that cannot be told apart.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/numbers/interval.hpp"
+#include "labmouse/lab/numbers/verdict.hpp"
+
+namespace labmouse {
+
+/// What a mouse scored in each maze of the examination: shares of the best possible score, 0 to 1.
+struct MouseShares {
+  std::string name;
+  std::vector<double> shares;
+};
+
+/// How ranks are given, as a sentence for readers.
+inline constexpr std::string_view ranking_rule =
+    "Mice stand in the order of their mean share of the best possible score in the examination; a rank begins with its "
+    "best mouse, and goes on to all below it that come before the first one that is shown to be worse than this mouse "
+    "(sign-flip test of the paired differences, at 5 % over all comparisons of one mouse by Bonferroni's correction, "
+    "and "
+    "an interval without 0).";
+
+struct RankedMouse {
+  std::string name;
+  std::size_t place = 0;  ///< position in the list that was ranked
+  int rank = 0;           ///< from 1; mice of one group share it
+  double mean = 0.0;
+  Interval interval;  ///< of the mean, over the mazes
+};
+
+/// A mouse compared with another one.
+struct RankedPair {
+  double difference = 0.0;  ///< of the mean shares: above 0, the mouse is better
+  Interval interval;
+  TestVerdict verdict = TestVerdict::too_few;  ///< on the mouse
+};
+
+struct Ranking {
+  std::vector<RankedMouse> mice;               ///< best first; equal means by name
+  std::vector<std::vector<RankedPair>> pairs;  ///< of each with each, in that order; the diagonal means nothing
+};
+
+/// @param all of each mouse in the same mazes, at least one.
+Ranking rank_mice(const std::vector<MouseShares>& all);
+
+}  // namespace labmouse

@@ -1,0 +1,37 @@
+// A season as files for a web server.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "labmouse/lab/league/season_races.hpp"
+
+namespace labmouse {
+
+/// The results of a season. Equal seasons make equal files, on every computer and with any number of threads.
+struct SeasonResults {
+  const League& league;
+  const SeasonRaces& races;
+  Ranking ranking;
+  /// The seed of the examination, once it may be known.
+  std::optional<std::string> revealed;
+};
+
+/// The ranking as a table for a terminal.
+std::string table_of(const SeasonResults& results);
+
+/// What programs could do to the computer, and what the sandbox cannot promise, in lines.
+std::string promises_of(const SeasonResults& results);
+
+/// The whole season as JSON.
+std::string json_of(const SeasonResults& results);
+
+/// The page of the season: HTML that needs no script and no other file.
+std::string index_page(const SeasonResults& results);
+
+/// One of the two races as a page with its records.
+/// @param page must pass wrong_page().
+std::string race_page(const League& league, const RecordedRace& recorded, std::string_view page);
+
+}  // namespace labmouse

@@ -1,0 +1,247 @@
+// labmouse league: a season of twelve entries, among them one that looks for what it must not see and one that breaks.
+#include <filesystem>
+
+#include "tests/cli/user.hpp"
+
+namespace labmouse::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+namespace fs = std::filesystem;
+
+/// Follows the right wall. Ends with an error where it finds a file of the season, or of another entry.
+std::string spy(const fs::path& folder) {
+  return "import os, sys\n"
+         "class Robot(object):\n"
+         "    def __init__(self, dim):\n"
+         "        here = os.path.dirname(os.path.abspath(__file__))\n"
+         "        for season in ['" +
+         (folder / "spring").string() + "', '" + (folder / "again").string() +
+         "', os.path.dirname(os.path.dirname(here))]:\n"
+         "            for name in ['secret-seed.txt', 'results.db', 'season.toml', 'practice/parallel-8.txt',\n"
+         "                         'entries/flood_1/entry.toml', 'entries/wall_follower/robot.py', 'records']:\n"
+         "                path = os.path.join(season, name)\n"
+         "                try:\n"
+         "                    found = os.listdir(path) if os.path.isdir(path) else open(path, 'rb').read()\n"
+         "                except (IOError, OSError):\n"
+         "                    found = ''\n"
+         "                if found: raise ValueError('found ' + path)\n"
+         "        told = ' '.join(sys.argv) + ' '.join(os.environ.values())\n"
+         "        if 'parallel-8' in told or 'examination' in told: raise ValueError('told a maze')\n"
+         "        self.dim, self.at, self.way, self.runs = dim, [0, 0], 0, 0\n"
+         "    def next_move(self, sensors):\n"
+         "        middle = (self.dim // 2 - 1, self.dim // 2)\n"
+         "        if self.runs == 0 and self.at[0] in middle and self.at[1] in middle:\n"
+         "            self.at, self.way, self.runs = [0, 0], 0, 1\n"
+         "            return 'Reset', 'Reset'\n"
+         "        left, front, right = sensors\n"
+         "        turn, move = (90, 1) if right else (0, 1) if front else (-90, 1) if left else (90, 0)\n"
+         "        self.way = (self.way + turn // 90) % 4\n"
+         "        step = [(0, 1), (1, 0), (0, -1), (-1, 0)][self.way]\n"
+         "        self.at = [self.at[0] + step[0] * move, self.at[1] + step[1] * move]\n"
+         "        return turn, move\n";
+}
+
+constexpr const char* broken =
+    "class Robot(object):\n    def __init__(self, dim):\n        raise ValueError('no way in')\n"
+    "    def next_move(self, sensors):\n        return 0, 1\n";
+
+constexpr const char* small_page =
+    "<!doctype html><html><head><title>labmouse</title></head><body><!-- labmouse:report --></body></html>\n";
+
+/// Holds a season; its entries lie in folders beside it.
+class AnOrganiser : public AUser {
+ protected:
+  AnOrganiser() {
+    file("page.html", small_page);
+    file("seed.txt", std::string("# secret\n") + secret + "\n");
+  }
+
+  Ended init(const std::string& season, std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"league", "init", season, "--practice", "parallel-8,spiral-9", "--examination", "12",
+                               "--kind", "prim", "--side", "8", "--seed-file", "seed.txt"});
+    return labmouse(std::move(more));
+  }
+  /// Makes the folder of an entry with that mouse, and with the text as robot.py.
+  void entry(const std::string& name, const std::string& mouse, const std::string& robot = "") const {
+    fs::create_directories(folder_ / name);
+    file(name + "/entry.toml",
+         "authors = [\"<Ada>\"]\nlicence = \"MIT\"\n[[mouse]]\nname = \"" + name + "\"\n" + mouse + "\n");
+    if (!robot.empty()) file(name + "/robot.py", robot);
+  }
+  std::vector<std::string> twelve_entries() const {
+    const std::string templates = std::string(LABMOUSE_SOURCE_DIR) + "/templates/";
+    for (const char* stride : {"1", "2", "3"})
+      entry("flood_" + std::string(stride), "mouse = \"flood:stride=" + std::string(stride) + "\"");
+    entry("certain", "mouse = \"certify\"");
+    entry("careful", "mouse = \"flood-return\"");
+    entry("mine", "mouse = \"ariadne\"");
+    entry("wall_follower", "capstone = \"robot.py\"", content_of(templates + "robots/wall_follower.py"));
+    entry("flood_fill", "capstone = \"robot.py\"", content_of(templates + "robots/flood_fill.py"));
+    entry("flood_and_return", "capstone = \"robot.py\"", content_of(templates + "robots/flood_and_return.py"));
+    entry("lines", "program = \"python3 robot.py\"", content_of(templates + "program.py"));
+    entry("spy", "capstone = \"robot.py\"", spy(folder_));
+    entry("broken", "capstone = \"robot.py\"", broken);
+    return {"flood_1",       "flood_2",    "flood_3",          "certain", "careful", "mine",
+            "wall_follower", "flood_fill", "flood_and_return", "lines",   "spy",     "broken"};
+  }
+  Ended add(const std::string& season, const std::string& name, std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"league", "add", season, name});
+    return labmouse(std::move(more));
+  }
+  void hold(const std::string& season) const {
+    ASSERT_EQ(init(season).code, 0);
+    for (const std::string& name : twelve_entries()) {
+      const Ended added = add(season, name, {"--no-check"});
+      ASSERT_EQ(added.code, 0) << added.err;
+    }
+  }
+  nlohmann::json results(const std::string& site) const {
+    return nlohmann::json::parse(content(site + "/results.json"), nullptr, false);
+  }
+  static nlohmann::json of(const nlohmann::json& results, const std::string& mouse) {
+    for (const auto& one : results.at("mice"))
+      if (one.at("name") == mouse) return one;
+    ADD_FAILURE() << "no mouse " << mouse;
+    return {};
+  }
+  bool has_sandboxes() const { return labmouse({"run", "program:true", "parallel-8", "--sandbox", "on"}).code != 2; }
+
+  static constexpr const char* secret = "wet chalk and 41 lemons";
+};
+
+TEST_F(AnOrganiser, GetsTheSameBytesAgainFromTheSameSeed) {
+  if (!has_sandboxes()) GTEST_SKIP() << "no sandboxes here";
+  hold("spring");
+  const Ended ran = labmouse({"league", "run", "spring", "--jobs", "1"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Ended published =
+      labmouse({"league", "publish", "spring", "-o", "site", "--page", "page.html", "--reveal", "--jobs", "1"});
+  ASSERT_EQ(published.code, 0) << published.err;
+  fs::create_directories(folder_ / "elsewhere");
+  hold("elsewhere/summer");
+  const Ended again = labmouse({"league", "publish", "elsewhere/summer", "-o", "elsewhere/pages", "--page", "page.html",
+                                "--reveal", "--jobs", "2"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  int files = 0;
+  for (const auto& file : fs::directory_iterator(folder_ / "site")) {
+    ++files;
+    EXPECT_TRUE(content_of(file.path()) == content_of(folder_ / "elsewhere/pages" / file.path().filename()))
+        << file.path();
+  }
+  EXPECT_EQ(files, 4);
+  const auto all = results("site");
+  // It ends with an error where it finds anything.
+  EXPECT_EQ(of(all, "spy").at("finished"), 12);
+  EXPECT_THAT(of(all, "spy").dump(), Not(HasSubstr("forfeit")));
+  EXPECT_EQ(of(all, "broken").at("share_of_best"), 0.0);
+  EXPECT_THAT(of(all, "broken").dump(), HasSubstr("forfeit"));
+  EXPECT_EQ(of(all, "mine").at("finished"), 12);
+  EXPECT_GT(of(all, "mine").at("share_of_best"), 0.5);
+  EXPECT_LE(of(all, "mine").at("share_of_best"), 1.0);
+  EXPECT_EQ(of(all, "mine").at("rank"), 1);
+  EXPECT_GT(of(all, "broken").at("rank"), 1);
+  EXPECT_EQ(of(all, "certain").at("authors")[0], "<Ada>");
+  EXPECT_EQ(of(all, "ariadne").at("builtin"), true);
+  const auto mice = all.at("mice").size();
+  EXPECT_EQ(all.at("pairs").size(), mice * (mice - 1) / 2);
+  EXPECT_THAT(content("site/index.html"), Not(HasSubstr("<Ada>")));
+  EXPECT_THAT(content("site/index.html"), Not(HasSubstr("<script")));
+}
+
+// A second run takes all contests from the store; a changed entry is another mouse.
+TEST_F(AnOrganiser, GoesOnWhereARunStopped) {
+  ASSERT_EQ(init("spring").code, 0);
+  entry("mine", "mouse = \"flood:stride=1\"");
+  ASSERT_EQ(add("spring", "mine").code, 0);
+  const auto run = [&] { return labmouse({"league", "run", "spring", "--sandbox", "off"}); };
+  const auto stored = [&] {
+    const std::string lines = labmouse({"store", "export", "spring/results.db"}).out;
+    return std::count(lines.begin(), lines.end(), '\n');
+  };
+  const Ended first = run();
+  ASSERT_EQ(first.code, 0) << first.err;
+  const auto contests = stored();
+  EXPECT_EQ(run().out, first.out);
+  EXPECT_EQ(stored(), contests);
+  fs::remove(folder_ / "spring/results.db");
+  EXPECT_EQ(run().out, first.out);
+  entry("mine", "mouse = \"flood:stride=2\"");
+  EXPECT_EQ(add("spring", "mine").code, 2);
+  EXPECT_EQ(add("spring", "mine", {"--replace"}).code, 0);
+  EXPECT_EQ(run().code, 0);
+  EXPECT_EQ(stored(), contests + 14);
+}
+
+TEST_F(AnOrganiser, KeepsTheSeedUntilTheSeasonEnds) {
+  ASSERT_EQ(init("spring").code, 0);
+  EXPECT_EQ(fs::status(folder_ / "spring/secret-seed.txt").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+  const auto publish = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"league", "publish", "spring", "-o", "site", "--page", "page.html", "--sandbox", "off"});
+    return labmouse(std::move(more)).code;
+  };
+  ASSERT_EQ(publish({}), 0);
+  EXPECT_FALSE(fs::exists(folder_ / "site/examination.html"));
+  for (const char* name : {"index.html", "results.json"}) {
+    EXPECT_THAT(content("site/" + std::string(name)), Not(HasSubstr(secret)));
+    EXPECT_THAT(content("site/" + std::string(name)),
+                HasSubstr("4dbd06d504a78d6cc101c396bba918d7b339f6512e8403bfbb0a3cb3d88b8396"));
+  }
+  ASSERT_EQ(publish({"--reveal"}), 0);
+  EXPECT_TRUE(fs::exists(folder_ / "site/examination.html"));
+  EXPECT_EQ(results("site").at("season").at("examination_seed"), secret);
+  file("spring/secret-seed.txt", "another secret seed\n");
+  EXPECT_EQ(publish({}), 2);
+  EXPECT_EQ(publish({"--seed-file", "seed.txt"}), 0);
+}
+
+// The season does not change with the file that its robot came from.
+TEST_F(AnOrganiser, KeepsTheRobotOfTheSeason) {
+  file("mine.toml", content_of(LABMOUSE_SOURCE_DIR "/robots/half.toml"));
+  ASSERT_EQ(init("spring", {"--world", "seconds", "--robot", "mine.toml"}).code, 0);
+  entry("mine", "mouse = \"flood\"");
+  fs::remove(folder_ / "mine.toml");
+  const Ended added = add("spring", "mine", {"--sandbox", "off"});
+  EXPECT_EQ(added.code, 0) << added.err;
+}
+
+TEST_F(AnOrganiser, DrawsASeedOfTheirOwnEachTime) {
+  ASSERT_EQ(labmouse({"league", "init", "one"}).code, 0);
+  ASSERT_EQ(labmouse({"league", "init", "two"}).code, 0);
+  EXPECT_NE(content("one/secret-seed.txt"), content("two/secret-seed.txt"));
+  is_refused({"league", "init", "one"}, "one/season.toml");
+}
+
+TEST_F(AnOrganiser, RefusesWhatIsNoEntry) {
+  ASSERT_EQ(init("spring").code, 0);
+  fs::create_directories(folder_ / "empty");
+  is_refused({"league", "add", "spring", "empty", "--sandbox", "off"}, "entry.toml");
+  entry("ariadne", "mouse = \"flood\"");
+  is_refused({"league", "add", "spring", "ariadne", "--sandbox", "off"}, "ariadne");
+  entry("outside", "program = \"python3 ../spy/robot.py\"");
+  is_refused({"league", "add", "spring", "outside", "--sandbox", "off"}, "outside/entry.toml:3:1");
+  entry("linked", "capstone = \"robot.py\"", broken);
+  fs::create_symlink("/etc/passwd", folder_ / "linked/link");
+  is_refused({"league", "add", "spring", "linked", "--sandbox", "off"}, "linked/link");
+  entry("broken", "capstone = \"robot.py\"", broken);
+  const Ended refused = add("spring", "broken", {"--sandbox", "off"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "spring/entries/broken"));
+  EXPECT_FALSE(fs::exists(folder_ / "spring/entries/.partial"));
+}
+
+TEST_F(AnOrganiser, SaysWhereThereIsNoSandbox) {
+  ASSERT_EQ(init("spring").code, 0);
+  entry("spy", "capstone = \"robot.py\"", spy(folder_));
+  ASSERT_EQ(add("spring", "spy", {"--no-check", "--sandbox", "off"}).code, 0);
+  ASSERT_EQ(labmouse({"league", "publish", "spring", "-o", "site", "--page", "page.html", "--sandbox", "off"}).code, 0);
+  EXPECT_THAT(results("site").at("sandbox"), HasSubstr("without a sandbox"));
+  // The control of the test above: the spy does find the files.
+  EXPECT_THAT(of(results("site"), "spy").dump(), HasSubstr("forfeit"));
+}
+
+}  // namespace
+}  // namespace labmouse::test
