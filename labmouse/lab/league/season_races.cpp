@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "labmouse/lab/league/secret_seed.hpp"
-#include "labmouse/lab/mice/external_identity.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/system/files.hpp"
