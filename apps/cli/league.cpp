@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <random>
@@ -15,6 +16,7 @@
 #include "labmouse/lab/league/secret_seed.hpp"
 #include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
+#include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/version.hpp"
@@ -122,9 +124,14 @@ int init(LeagueOptions& options) {
   season.world.settings = entry.settings;
   const std::string secret = options.seed_file.empty() ? drawn_seed() : seed_in(options.seed_file);
   season.seed_hash = sha256_text(secret);
+  if (const std::string reason = refuse_examination(*entry.world, season.examination, secret); !reason.empty())
+    throw UsageError("error: " + reason);
   freeze_settings(options, season.world);
   const std::size_t practice = freeze_practice(options, mazes.mazes);
   save_for_owner(secret_file, secret_text(secret));
+  // The store and the records will have mazes of the examination.
+  std::error_code ignored;
+  fs::permissions(options.folder, fs::perms::owner_all, ignored);
   save(season_file, season_text(season));
   print(
       fmt::format("wrote {}: {}, {} of practice and {} of the examination\n"
@@ -134,7 +141,8 @@ int init(LeagueOptions& options) {
   return exit_good;
 }
 
-League league_of(LeagueOptions& options, const std::atomic<bool>& stopped) {
+/// @param any_entries whether others may have errors, which are printed then.
+League league_of(LeagueOptions& options, const std::atomic<bool>& stopped, bool any_entries = false) {
   options.external_mice.sandbox = options.sandbox == "off" ? SandboxUse::never : SandboxUse::always;
   options.external_mice.stop = &stopped;
   if (options.sandbox != "off" && !why_no_sandbox().empty())
@@ -142,7 +150,13 @@ League league_of(LeagueOptions& options, const std::atomic<bool>& stopped) {
         fmt::format("error: this system has no sandboxes ({}); --sandbox off runs programs without one, "
                     "and the results say so",
                     why_no_sandbox()));
-  League league = load_league(options.folder, options.external_mice);
+  std::vector<std::string> secret_files;
+  if (!options.seed_file.empty()) secret_files.push_back(options.seed_file);
+  League league = load_league(options.folder, options.external_mice, secret_files);
+  if (any_entries)
+    tell_remarks(league.entry_errors);
+  else
+    league.errors.insert(league.errors.end(), league.entry_errors.begin(), league.entry_errors.end());
   if (!league.errors.empty()) throw UsageError(fmt::format("{}", fmt::join(league.errors, "\n")));
   tell_remarks(league.remarks);
   if (!league.season.version.empty() && league.season.version != version())
@@ -173,30 +187,46 @@ struct Removed {
   }
 };
 
+/// Where an entry of that name is or will be: names that differ may be the same as names of files.
+std::string place_of(const League& league, const std::string& name) {
+  const auto in_place = [&](const auto& is) { return std::find_if(league.entries.begin(), league.entries.end(), is); };
+  const auto same = in_place([&](const LeagueEntry& entry) { return entry.manifest.name == name; });
+  if (same != league.entries.end()) return same->folder;
+  const std::string first = fmt::format("{}/{}/{}", league.folder, entries_folder_name, file_names({name}).front());
+  std::string place = first;
+  // What is there and no entry is one with errors, which may be replaced.
+  for (int number = 2;
+       in_place([&](const LeagueEntry& entry) { return entry.folder == place; }) != league.entries.end(); ++number)
+    place = fmt::format("{}~{}", first, number);
+  return place;
+}
+
 int add(LeagueOptions& options) {
   const Interruptible interruptible;
-  const League league = league_of(options, interruptible.stopped());
+  const League league = league_of(options, interruptible.stopped(), true);
   if (LeagueEntryResult read = read_entry(league, options.entry, options.external_mice); !read.entry)
     throw UsageError(fmt::format("{}", fmt::join(read.errors, "\n")));
   const std::string entries = path_in(options, entries_folder_name);
-  const Removed partial = {fmt::format("{}/.partial", entries)};
+  // Others may add theirs meanwhile.
+  const Removed partial = {fmt::format("{}/.partial-{}", entries, process_number())};
   std::error_code unknown;
-  fs::remove_all(partial.path, unknown);
   if (const std::string error = copy_entry(options.entry, partial.path); !error.empty()) throw UsageError(error);
   LeagueEntryResult copied = read_entry(league, partial.path, options.external_mice);
   if (!copied.entry) throw UsageError(fmt::format("{}", fmt::join(copied.errors, "\n")));
   const std::string& name = copied.entry->manifest.name;
-  const std::string target = fmt::format("{}/{}", entries, file_names({name}).front());
+  const std::string target = place_of(league, name);
   const bool exists = fs::exists(target, unknown);
   if (exists && !options.replace)
     throw UsageError(fmt::format("{}: error: is there already; --replace replaces it", shown(target)));
   const std::string how = options.no_check ? "not tried" : tried(league, *copied.entry);
   if (interruptible.stopped()) return exit_interrupted();
-  const Removed former = {fmt::format("{}/.former", entries)};
-  fs::remove_all(former.path, unknown);
+  const Removed former = {fmt::format("{}/.former-{}", entries, process_number())};
   std::error_code error;
   if (exists) fs::rename(target, former.path, error);
-  if (!error) fs::rename(partial.path, target, error);
+  if (!error) {
+    fs::rename(partial.path, target, error);
+    if (error && exists) fs::rename(former.path, target, unknown);
+  }
   if (error) throw UsageError(fmt::format("{}: error: cannot be written: {}", shown(target), error.message()));
   print(fmt::format("added {}: {}\n", shown(name), shown(how)));
   return exit_good;
@@ -239,9 +269,20 @@ void write_site(const LeagueOptions& options, const SeasonResults& results, cons
   print(fmt::format("wrote {}\n", shown(file("index.html"))));
 }
 
+/// Throws UsageError where the pages cannot be written, or would replace pages of somebody else.
+void expect_site(const LeagueOptions& options) {
+  const std::string index = options.site + "/index.html", results = options.site + "/results.json";
+  std::error_code unknown;
+  if (fs::exists(index, unknown) && !fs::exists(results, unknown))
+    throw UsageError(
+        fmt::format("{}: error: is there, and not from `labmouse league publish`; choose another folder", index));
+  require_writable(index);
+}
+
 /// run, and publish where there is a site.
 int run_or_publish(LeagueOptions& options) {
   const bool publishes = !options.site.empty();
+  if (publishes) expect_site(options);
   const std::string page = publishes ? find_page(options.page) : "";
   std::optional<Interruptible> interruptible(std::in_place);
   const League league = league_of(options, interruptible->stopped());

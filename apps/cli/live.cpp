@@ -65,10 +65,13 @@ int live(const LiveOptions& options) {
   if (!opened.source) throw UsageError(fmt::format("{}: error: {}", options.source, opened.error));
   LiveReader reader(map.map().known.size());
   LiveSource::Piece piece;
+  char last = '\n';  // the last line may lack its end
   const Interruptible interrupt;
   while (!piece.ended && !interrupt.stopped()) {
     constexpr int patience = 200;  // ms until it looks for a signal
     piece = opened.source->read(patience);
+    if (!piece.bytes.empty()) last = piece.bytes.back();
+    if (piece.ended && piece.error.empty() && last != '\n') piece.bytes += '\n';
     for (const LiveLine& line : reader.feed(piece.bytes))
       for (const LiveFinding& finding : map.add(line)) show.add(finding);
     if (!piece.bytes.empty()) show.update(map, reader);

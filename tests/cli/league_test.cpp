@@ -208,6 +208,39 @@ TEST_F(AnOrganiser, KeepsTheRobotOfTheSeason) {
   EXPECT_EQ(added.code, 0) << added.err;
 }
 
+TEST_F(AnOrganiser, KeepsEntriesOfOtherNamesAndMendsBrokenOnes) {
+  ASSERT_EQ(init("spring").code, 0);
+  entry("one", "mouse = \"flood\"");
+  for (const char* name : {"a b", "a/b"}) {
+    file("one/entry.toml", std::string("authors = [\"Ada\"]\nlicence = \"MIT\"\n[[mouse]]\nname = \"") + name +
+                               "\"\nmouse = \"flood:stride=1\"\n");
+    ASSERT_EQ(add("spring", "one", {"--replace"}).code, 0) << name;
+  }
+  EXPECT_THAT(content("spring/entries/a_b/entry.toml"), HasSubstr("\"a b\""));
+  EXPECT_THAT(content("spring/entries/a_b~2/entry.toml"), HasSubstr("\"a/b\""));
+  file("spring/entries/a_b~2/entry.toml", "x");
+  EXPECT_EQ(labmouse({"league", "run", "spring", "--sandbox", "off"}).code, 2);
+  EXPECT_EQ(add("spring", "one", {"--replace", "--sandbox", "off"}).code, 0);
+  for (const auto& left : fs::directory_iterator(folder_ / "spring/entries"))
+    EXPECT_THAT(left.path().filename().string(), Not(::testing::StartsWith("."))) << left;
+}
+
+TEST_F(AnOrganiser, RefusesAnExaminationInWhichNobodyCanScore) {
+  is_refused({"league", "init", "spring", "--world", "seconds", "--practice", "contest-01", "--kind", "prim", "--side",
+              "40", "--examination", "2"},
+             "examination");
+  EXPECT_FALSE(fs::exists(folder_ / "spring/season.toml"));
+}
+
+TEST_F(AnOrganiser, KeepsPagesOfOthers) {
+  ASSERT_EQ(init("spring").code, 0);
+  EXPECT_EQ(fs::status(folder_ / "spring").permissions(), fs::perms::owner_all);
+  fs::create_directories(folder_ / "site");
+  file("site/index.html", "mine");
+  is_refused({"league", "publish", "spring", "-o", "site", "--page", "page.html", "--sandbox", "off"}, "index.html");
+  EXPECT_EQ(content("site/index.html"), "mine");
+}
+
 TEST_F(AnOrganiser, DrawsASeedOfTheirOwnEachTime) {
   ASSERT_EQ(labmouse({"league", "init", "one"}).code, 0);
   ASSERT_EQ(labmouse({"league", "init", "two"}).code, 0);

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "labmouse/lab/league/secret_seed.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -17,22 +16,73 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_name = 60, longest_text = 200;
 
-/// Whether a text has a path that leads out of the folder of the entry. Paths of the system may stand there.
-bool leads_out(std::string_view text) {
-  constexpr std::string_view separators = " \t\"'=:,;";
+constexpr std::string_view quotes = "\"'\\";
+
+/// Whether a text without quotes has a path that leads out of the folder of the entry. Paths of the system may stand
+/// there.
+bool has_outer_path(std::string_view text) {
+  constexpr std::string_view separators = " \t=:,;";
   while (!text.empty()) {
     const auto end = std::min(text.find_first_of(separators), text.size());
     const std::string_view word = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     const bool is_of_system = word.starts_with("/usr/") || word.starts_with("/bin/");
-    if (word.starts_with('~') || (word.starts_with('/') && word.size() > 1 && !is_of_system)) return true;
+    if (word.starts_with('~') || (word.starts_with('/') && !is_of_system)) return true;
     const fs::path path(word);
     if (std::find(path.begin(), path.end(), fs::path("..")) != path.end()) return true;
   }
   return false;
 }
 
-/// Copies a folder, and counts what it copies.
+/// The same for any text. Quotes end a word, or join its parts: `/""home`.
+bool leads_out(std::string text) {
+  std::string joined = text;
+  std::erase_if(joined, [](char letter) { return quotes.find(letter) != std::string_view::npos; });
+  std::replace_if(
+      text.begin(), text.end(), [](char letter) { return quotes.find(letter) != std::string_view::npos; }, ' ');
+  return has_outer_path(joined) || has_outer_path(text);
+}
+
+std::string failed(const fs::path& path, const std::string& reason) {
+  return shown(fmt::format("{}: error: {}", path.string(), reason));
+}
+
+/// Adds up what an entry has, and says what it may not have.
+class EntrySize {
+ public:
+  /// The error of one file or folder; empty where it may be there.
+  std::string add(const fs::directory_entry& entry) {
+    std::error_code error;
+    const fs::file_status status = entry.symlink_status(error);
+    if (++files_ > most_entry_files)
+      return failed(entry.path(), fmt::format("with it, the entry has more than {} files; remove those that the mouse "
+                                              "does not need",
+                                              most_entry_files));
+    if (!error && status.type() == fs::file_type::directory) return "";
+    if (error || status.type() != fs::file_type::regular)
+      return failed(entry.path(), "is no regular file; replace it by the file itself, or remove it");
+    // It would show Python, and so the mouse, the folder that it names.
+    if (entry.path().filename() == "pyvenv.cfg")
+      return failed(entry.path(), "an entry has no Python environment of its own; leave it out");
+    bytes_ += entry.file_size(error);
+    if (error) return failed(entry.path(), "cannot be read: " + error.message());
+    if (bytes_ > most_entry_bytes)
+      return failed(entry.path(), fmt::format("with it, the entry has more than {} MiB; remove what the mouse does "
+                                              "not need",
+                                              most_entry_bytes >> 20U));
+    return "";
+  }
+
+ private:
+  int files_ = 0;
+  std::uintmax_t bytes_ = 0;
+};
+
+bool is_executable(const fs::file_status& status) {
+  return (status.permissions() & fs::perms::owner_exec) != fs::perms::none;
+}
+
+/// Copies a folder.
 class Copying {
  public:
   std::string copy(const fs::path& from, const fs::path& to) {
@@ -40,10 +90,8 @@ class Copying {
     if (!fs::create_directories(to, error) && error) return failed(to, "cannot be made: " + error.message());
     std::vector<fs::directory_entry> entries;
     for (fs::directory_iterator entry(from, error), end; !error && entry != end; entry.increment(error)) {
+      if (std::string problem = size_.add(*entry); !problem.empty()) return problem;
       entries.push_back(*entry);
-      if (++files_ > most_entry_files)
-        return failed(
-            from, fmt::format("has more than {} files; remove those that the mouse does not need", most_entry_files));
     }
     if (error) return failed(from, "cannot be read: " + error.message());
     std::sort(entries.begin(), entries.end());
@@ -53,27 +101,20 @@ class Copying {
   }
 
  private:
-  static std::string failed(const fs::path& path, const std::string& reason) {
-    return shown(fmt::format("{}: error: {}", path.string(), reason));
-  }
-
   std::string copy_one(const fs::directory_entry& entry, const fs::path& to) {
     std::error_code error;
     const fs::file_status status = entry.symlink_status(error);
     if (!error && status.type() == fs::file_type::directory) return copy(entry.path(), to);
-    if (error || status.type() != fs::file_type::regular)
-      return failed(entry.path(), "is no regular file; replace it by the file itself, or remove it");
-    bytes_ += entry.file_size(error);
-    if (bytes_ > most_entry_bytes)
-      return failed(entry.path(), fmt::format("with it, the entry has more than {} MiB; remove what the mouse does "
-                                              "not need",
-                                              most_entry_bytes >> 20U));
     if (!error) fs::copy_file(entry.path(), to, error);
+    // Without the bits that would give others the rights of the organiser.
+    const fs::perms run = is_executable(status) ? fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec
+                                                : fs::perms::none;
+    constexpr auto read = fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read;
+    if (!error) fs::permissions(to, read | fs::perms::owner_write | run, error);
     return error ? failed(entry.path(), "cannot be copied: " + error.message()) : "";
   }
 
-  int files_ = 0;
-  std::uintmax_t bytes_ = 0;
+  EntrySize size_;
 };
 
 /// What of a mouse its league decides, or the folder of the entry.
@@ -114,18 +155,23 @@ EntryManifestResult read_manifest(std::string_view text) {
           {}};
 }
 
-std::string hash_of_folder(const std::string& folder) {
+FolderHash hash_of_folder(const std::string& folder) {
   std::vector<std::string> lines;
+  EntrySize size;
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (entry->symlink_status(error).type() != fs::file_type::regular) continue;
-    std::ifstream file(entry->path(), std::ios::binary);
-    const std::string content{std::istreambuf_iterator<char>(file), {}};
-    lines.push_back(fmt::format("{} {}\n", sha256_text(content),
-                                sha256_text(entry->path().lexically_relative(folder).generic_string())));
+    if (std::string problem = size.add(*entry); !problem.empty()) return {"", std::move(problem)};
+    const fs::file_status status = entry->symlink_status(error);
+    if (!error && status.type() == fs::file_type::directory) continue;
+    const FileContent file = read_found_file(entry->path().string(), most_entry_bytes);
+    if (!file.error.empty()) return {"", failed(entry->path(), file.error)};
+    lines.push_back(fmt::format("{} {} {}\n", sha256_text(file.content),
+                                sha256_text(entry->path().lexically_relative(folder).generic_string()),
+                                is_executable(status)));
   }
+  if (error) return {"", failed(folder, "cannot be read: " + error.message())};
   std::sort(lines.begin(), lines.end());
-  return sha256_text(fmt::format("{}", fmt::join(lines, "")));
+  return {sha256_text(fmt::format("{}", fmt::join(lines, ""))), ""};
 }
 
 std::string copy_entry(const std::string& from, const std::string& to) { return Copying().copy(from, to); }

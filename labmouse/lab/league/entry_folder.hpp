@@ -37,8 +37,14 @@ EntryManifestResult read_manifest(std::string_view text);
 /// @return the error, as a line for the user; empty on success. After an error the new folder may have some files.
 std::string copy_entry(const std::string& from, const std::string& to);
 
-/// SHA-256 of the names and contents of all files in the folder, as 64 hexadecimal digits: another one is another
-/// mouse.
-std::string hash_of_folder(const std::string& folder);
+/// A hash, or the error as a line for the user.
+struct FolderHash {
+  std::string hash;
+  std::string error;
+};
+
+/// SHA-256 of the names and contents of all files in the folder and of who may run them, as 64 hexadecimal digits:
+/// another one is another mouse. It refuses what copy_entry() refuses, and Python environments.
+FolderHash hash_of_folder(const std::string& folder);
 
 }  // namespace labmouse

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "labmouse/lab/league/secret_seed.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -66,6 +67,7 @@ std::vector<std::string> League::hidden() const {
   for (const char* name :
        {season_file_name, secret_file_name, store_file_name, practice_folder_name, records_folder_name})
     paths.push_back(fmt::format("{}/{}", folder, name));
+  paths.insert(paths.end(), secret_files.begin(), secret_files.end());
   return paths;
 }
 
@@ -80,7 +82,8 @@ LeagueEntryResult read_entry(const League& league, const std::string& folder, Ex
   if (!result.errors.empty()) return result;
   options.limits = league.season.limits;
   options.runs = 1;
-  const std::string hash = hash_of_folder(folder);
+  auto [hash, error] = hash_of_folder(folder);
+  if (!error.empty()) return {{}, {std::move(error)}};
   options.label = hash;
   options.hidden = std::make_shared<HiddenFiles>();
   for (const std::string& hidden : league.hidden()) options.hidden->add_store(hidden);
@@ -95,9 +98,21 @@ LeagueEntryResult read_entry(const League& league, const std::string& folder, Ex
   return {LeagueEntry{manifest.entry, folder, hash, std::move(mouse)}, {}};
 }
 
-League load_league(const std::string& folder, const ExternalOptions& options) {
+std::string refuse_examination(const World& world, const ExaminationMazes& mazes, const std::string& secret) {
+  std::size_t number = 0;
+  for (const NamedMaze& maze : examination_mazes(mazes, secret)) {
+    ++number;
+    std::string reason = world.refuse(maze.maze);
+    if (reason.empty() && !world.facts(maze.maze).bound) reason = "no mouse can score in it";
+    if (!reason.empty()) return fmt::format("maze {} of the examination: {}; choose other mazes", number, reason);
+  }
+  return "";
+}
+
+League load_league(const std::string& folder, const ExternalOptions& options, std::vector<std::string> secret_files) {
   League league;
   league.folder = folder;
+  league.secret_files = std::move(secret_files);
   const std::string path = fmt::format("{}/{}", folder, season_file_name);
   const FileContent file = read_found_file(path);
   if (!file.error.empty()) {
@@ -120,7 +135,7 @@ League load_league(const std::string& folder, const ExternalOptions& options) {
   load_practice(league);
   for (const std::string& entry : folders_in(entries_folder(league))) {
     LeagueEntryResult read = read_entry(league, entry, options);
-    league.errors.insert(league.errors.end(), read.errors.begin(), read.errors.end());
+    league.entry_errors.insert(league.entry_errors.end(), read.errors.begin(), read.errors.end());
     if (read.entry) league.entries.push_back(std::move(*read.entry));
   }
   const auto name = [](const LeagueEntry& entry) -> const std::string& { return entry.manifest.name; };
@@ -128,8 +143,8 @@ League load_league(const std::string& folder, const ExternalOptions& options) {
             [&](const LeagueEntry& a, const LeagueEntry& b) { return name(a) < name(b); });
   for (std::size_t i = 1; i < league.entries.size(); ++i)
     if (name(league.entries[i]) == name(league.entries[i - 1]))
-      league.errors.push_back(shown(fmt::format("{}: error: another entry has the name '{}'; give each its own",
-                                                league.entries[i].folder, name(league.entries[i]))));
+      league.entry_errors.push_back(shown(fmt::format("{}: error: another entry has the name '{}'; give each its own",
+                                                      league.entries[i].folder, name(league.entries[i]))));
   return league;
 }
 

@@ -42,7 +42,9 @@ struct League {
   std::vector<NamedMaze> practice;           ///< by name, which is that of the file without its ending
   std::vector<LeagueEntry> entries;          ///< by name
   std::vector<Contestant> builtin;           ///< the built-in mice of that world, which race as a comparison
+  std::vector<std::string> secret_files;     ///< with the seed, elsewhere
   std::vector<std::string> errors, remarks;  ///< one line each
+  std::vector<std::string> entry_errors;     ///< the same, of entries; these are not among `entries`
 
   /// Paths that no mouse may see, besides the entries of the others.
   std::vector<std::string> hidden() const;
@@ -50,7 +52,12 @@ struct League {
 
 /// Reads the season, its mazes and all entries of a folder.
 /// @param options how programs are started; the limits are those of the season.
-League load_league(const std::string& folder, const ExternalOptions& options);
+/// @param secret_files other files that no mouse may see.
+League load_league(const std::string& folder, const ExternalOptions& options,
+                   std::vector<std::string> secret_files = {});
+
+/// Why an examination with that secret seed cannot be held; empty where it can. It names no maze but by its number.
+std::string refuse_examination(const World& world, const ExaminationMazes& mazes, const std::string& secret);
 
 /// Reads the entry in a folder, as a mouse of that league. Its mouse cannot see the other entries.
 LeagueEntryResult read_entry(const League& league, const std::string& folder, ExternalOptions options);

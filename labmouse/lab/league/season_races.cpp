@@ -133,6 +133,11 @@ RecordedRace run_race(const League& league, const SeasonOrder& order, std::vecto
 
 SeasonRaces run_season(const League& league, const SeasonOrder& order) {
   SeasonRaces races;
+  races.error = refuse_examination(*league.world, league.season.examination, order.secret);
+  if (!races.error.empty()) {
+    races.error = "error: " + races.error;
+    return races;
+  }
   std::vector<NamedMaze> examination = examination_mazes(league.season.examination, order.secret);
   const std::size_t all =
       (league.builtin.size() + league.entries.size()) * (league.practice.size() + examination.size());

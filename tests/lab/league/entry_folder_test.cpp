@@ -48,14 +48,15 @@ TEST(EntryManifest, HasTheConditionsOfAllOthers) {
 TEST(EntryManifest, StaysInItsFolder) {
   for (const char* good :
        {"program = \"./m --fast\"", "program = \"/usr/bin/python3 a..b.py\"", "program = \"./m ...\"",
-        "program = \"./m\"\ndirectory = \"sub/folder\"", "program = \"./m 1/2 /\""})
+        "program = \"./m\"\ndirectory = \"sub/folder\"", "program = \"./m 1/2 'a b'\""})
     EXPECT_THAT(read_manifest(manifest(good)).problems, SizeIs(0)) << good;
   for (const char* bad :
        {"program = \"cat ../other/mouse.py\"", "program = \"./m sub/../../x\"", "program = \"./m --in=../x\"",
         "program = \"./m '/home/ada'\"", "program = \"./m\"\narguments = [\"..\"]", "program = \"~/m\"",
         "program = \"./m\"\nenvironment = { PYTHONPATH = \"lib:../other\" }", "program = \"./m\"\ndirectory = \"/tmp\"",
         "capstone = \"../robot.py\"", "capstone = \"robot.py\"\ninterpreter = \"/opt/../home/python\"",
-        "mouse = \"certify:prior=/home/ada/prior\""})
+        "mouse = \"certify:prior=/home/ada/prior\"", "program = \"./m /\"", "program = './m /\"\"home/ada'",
+        "program = './m .\"\"./x'", "program = './m /\\home'", "program = \"./m '/'home\""})
     EXPECT_THAT(read_manifest(manifest(bad)).problems, SizeIs(1)) << bad;
 }
 
@@ -81,19 +82,41 @@ TEST_F(AnEntryFolder, IsCopied) {
   fs::permissions(from_ / "mouse.py", fs::perms::owner_all);
   EXPECT_EQ(copied(), "");
   EXPECT_EQ(fs::file_size(to_ / "mouse.py"), 7U);
-  EXPECT_EQ(fs::status(to_ / "mouse.py").permissions(), fs::perms::owner_all);
+  constexpr auto all_run = fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
+  EXPECT_EQ(fs::status(to_ / "mouse.py").permissions() & all_run, all_run);
+  EXPECT_EQ(fs::status(to_ / "sub/data").permissions() & all_run, fs::perms::none);
   EXPECT_EQ(fs::file_size(to_ / "sub/data"), 1U);
 }
 
-TEST_F(AnEntryFolder, HasAHashOfAllFiles) {
-  const std::string before = hash_of_folder(from_.string());
+/// Or a copy that root makes would run as root for everybody.
+TEST_F(AnEntryFolder, IsCopiedWithoutSetUserId) {
+  fs::permissions(from_ / "mouse.py", fs::perms::owner_all | fs::perms::set_uid | fs::perms::set_gid);
   EXPECT_EQ(copied(), "");
-  EXPECT_EQ(hash_of_folder(to_.string()), before);
+  EXPECT_EQ(fs::status(to_ / "mouse.py").permissions() & (fs::perms::set_uid | fs::perms::set_gid), fs::perms::none);
+}
+
+/// It would show a mouse the folder that it names.
+TEST_F(AnEntryFolder, HasNoPythonEnvironment) {
+  write("sub/pyvenv.cfg", "home = /home/ada/bin\n");
+  EXPECT_NE(copied(), "");
+  EXPECT_NE(hash_of_folder(from_.string()).error, "");
+}
+
+TEST_F(AnEntryFolder, HasAHashOfAllFiles) {
+  const auto hash = [](const fs::path& folder) { return hash_of_folder(folder.string()).hash; };
+  const std::string before = hash(from_);
+  EXPECT_EQ(copied(), "");
+  EXPECT_EQ(hash(to_), before);
   write("sub/data", "2");
-  const std::string changed = hash_of_folder(from_.string());
+  const std::string changed = hash(from_);
   EXPECT_NE(changed, before);
   fs::rename(from_ / "sub/data", from_ / "sub/date");
-  EXPECT_NE(hash_of_folder(from_.string()), changed);
+  const std::string renamed = hash(from_);
+  EXPECT_NE(renamed, changed);
+  fs::permissions(from_ / "sub/date", fs::perms::owner_exec, fs::perm_options::add);
+  EXPECT_NE(hash(from_), renamed);
+  fs::create_symlink("../../mouse.py", from_ / "sub/link");
+  EXPECT_NE(hash_of_folder(from_.string()).error, "");
 }
 
 TEST_F(AnEntryFolder, HasNoLinks) {
