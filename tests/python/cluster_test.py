@@ -236,9 +236,9 @@ def test_a_comparison_is_that_of_one_machine(client, tmp_path):
 
 
 def test_a_comparison_ends_at_ctrl_c(client, tmp_path, monkeypatch):
-    before_call(monkeypatch, 3, lambda: os.kill(os.getpid(), signal.SIGINT), cluster._native, "merge_stores", after=True)
+    before_call(monkeypatch, 1, lambda: os.kill(os.getpid(), signal.SIGINT), cluster._native, "merge_stores", after=True)
     with pytest.raises(labmouse.Interrupted) as stopped:
-        cluster.compare(client, "flood", "flood:stride=2", generator="prim", size=8, better_by=0.0001, most=100_000,
+        cluster.compare(client, "flood", "certify", generator="prim", size=8, better_by=0.0001, most=100_000,
                         store=tmp_path / "a.db", progress=False)
     assert not stopped.value.partial.complete
 
