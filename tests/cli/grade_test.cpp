@@ -1,6 +1,7 @@
 // labmouse grade, with a class of students whose programs have the same names in folders of their own.
 #include <filesystem>
 
+#include "tests/cli/robots_in_python.hpp"
 #include "tests/cli/user.hpp"
 #include "tests/lab/reports/unpacking.hpp"
 
@@ -10,25 +11,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Follows the right wall one cell at a time, then resets once the goal was entered, and goes the same way.
-constexpr const char* follower =
-    "class Robot(object):\n"
-    "    def __init__(self, dim):\n"
-    "        self.dim, self.at, self.way, self.runs = dim, [0, 0], 0, 0\n"
-    "    def next_move(self, sensors):\n"
-    "        middle = (self.dim // 2 - 1, self.dim // 2)\n"
-    "        if self.runs == 0 and self.at[0] in middle and self.at[1] in middle:\n"
-    "            self.at, self.way, self.runs = [0, 0], 0, 1\n"
-    "            return 'Reset', 'Reset'\n"
-    "        left, front, right = sensors\n"
-    "        turn, move = (90, 1) if right else (0, 1) if front else (-90, 1) if left else (90, 0)\n"
-    "        self.way = (self.way + turn // 90) % 4\n"
-    "        step = [(0, 1), (1, 0), (0, -1), (-1, 0)][self.way]\n"
-    "        self.at = [self.at[0] + step[0] * move, self.at[1] + step[1] * move]\n"
-    "        return turn, move\n";
-constexpr const char* crashing =
-    "class Robot(object):\n    def __init__(self, dim):\n        raise ValueError('no way in')\n"
-    "    def next_move(self, sensors):\n        return 0, 1\n";
 constexpr const char* slow =
     "class Robot(object):\n    def __init__(self, dim):\n        pass\n"
     "    def next_move(self, sensors):\n        while True: pass\n";
@@ -50,9 +32,6 @@ constexpr const char* spiral =
     "o---o---o---o---o\n|               |\no   o---o---o   o\n|   |     G |   |\no   o   o---o   o\n"
     "|   | G   G |   |\no   o---o   o   o\n| S |           |\no---o---o---o---o\n";
 
-constexpr const char* small_page =
-    "<!doctype html><html><head><title>labmouse</title></head><body><!-- labmouse:report --></body></html>\n";
-
 class AGrader : public AUser {
  protected:
   AGrader() {
@@ -63,9 +42,9 @@ class AGrader : public AUser {
   }
 
   /// Adds a student with that robot.py; none without a text.
-  void add(const std::string& name, const char* robot) {
+  void add(const std::string& name, const std::string& robot) {
     std::filesystem::create_directories(folder_ / "course" / name);
-    if (robot != nullptr) file("course/" + name + "/robot.py", robot);
+    if (!robot.empty()) file("course/" + name + "/robot.py", robot);
     mice_ += "[[mouse]]\nname = \"" + name + "\"\ncapstone = \"" + name + "/robot.py\"\n";
     file("course/class.toml", mice_);
   }
@@ -105,7 +84,7 @@ class AGrader : public AUser {
 };
 
 TEST_F(AGrader, GetsPointsForEachTask) {
-  add("Anna", follower);
+  add("Anna", follower());
   add("Ben", turning);
   add("Carl", ramming);
   const auto all = grades();
@@ -119,7 +98,7 @@ TEST_F(AGrader, GetsPointsForEachTask) {
 }
 
 TEST_F(AGrader, TakesAFigureOfTheWorldAsALimit) {
-  add("Anna", follower);
+  add("Anna", follower());
   const auto limited = [&](const std::string& limit) {
     file("course/tasks.toml",
          "[[task]]\nname = 'a'\npoints = 3\nmazes = ['mazes/spiral.txt']\nat_most = { " + limit + " }\n");
@@ -134,7 +113,7 @@ TEST_F(AGrader, TakesAFigureOfTheWorldAsALimit) {
 }
 
 TEST_F(AGrader, GetsATableAndCsv) {
-  add("Anna", follower);
+  add("Anna", follower());
   add("Carl, the 2nd", crashing);
   const Ended table = grade();
   EXPECT_EQ(table.code, 0);
@@ -152,8 +131,8 @@ TEST_F(AGrader, GetsZeroAndTheReasonForEachBrokenProgram) {
   add("slow", slow);
   add("babbling", babbling);
   add("unreadable", unreadable);
-  add("absent", nullptr);
-  add("Anna", follower);
+  add("absent", "");
+  add("Anna", follower());
   const auto all = grades();
   for (const auto& student : all.at("students")) {
     if (student.at("name") == "Anna") continue;
@@ -181,7 +160,7 @@ TEST_F(AGrader, GivesUpAProgramThatDoesNotStart) {
 }
 
 TEST_F(AGrader, GetsTheSameBytesWithAnyNumberOfThreads) {
-  add("Anna", follower);
+  add("Anna", follower());
   add("Ben", turning);
   add("Carl", crashing);
   add("Dora", ramming);
@@ -203,7 +182,7 @@ TEST_F(AGrader, GetsTheSameBytesWithAnyNumberOfThreads) {
 }
 
 TEST_F(AGrader, GetsHiddenMazesByTheSecretSeedAlone) {
-  add("Anna", follower);
+  add("Anna", follower());
   const std::string tasks_of = tasks;
   const auto graded = [&](const std::string& seed) {
     file("course/tasks.toml", tasks_of.substr(tasks_of.find('\n') + 1));
@@ -221,7 +200,7 @@ TEST_F(AGrader, GetsHiddenMazesByTheSecretSeedAlone) {
 }
 
 TEST_F(AGrader, WritesNothingOfHiddenMazesForStudents) {
-  add("Anna", follower);
+  add("Anna", follower());
   add("Carl", ramming);
   const auto everything = [&] {
     const Ended ended =
@@ -254,7 +233,7 @@ TEST_F(AGrader, WritesNothingOfHiddenMazesForStudents) {
 }
 
 TEST_F(AGrader, WritesResultsForGradescope) {
-  add("Anna", follower);
+  add("Anna", follower());
   add("Carl", crashing);
   EXPECT_EQ(grade({"--gradescope", "gradescope"}).code, 0);
   const auto anna = nlohmann::json::parse(content("gradescope/Anna/results.json"));
@@ -275,7 +254,7 @@ TEST_F(AGrader, WritesResultsForGradescope) {
 }
 
 TEST_F(AGrader, WritesJUnitForABuildServer) {
-  add("Anna", follower);
+  add("Anna", follower());
   add("B <&> B", turning);
   EXPECT_EQ(grade({"--junit", "junit.xml"}).code, 0);
   const std::string xml = content("junit.xml");
@@ -286,7 +265,7 @@ TEST_F(AGrader, WritesJUnitForABuildServer) {
 
 TEST_F(AGrader, WritesAPageForEachStudentWithNothingOfOthers) {
   const std::vector<std::string> names = {"Anna", "Ben", "Carl"};
-  add("Anna", follower);
+  add("Anna", follower());
   add("Ben", turning);
   add("Carl", crashing);
   EXPECT_EQ(grade({"--feedback", "feedback", "--page", "page.html"}).code, 0);
@@ -311,19 +290,19 @@ TEST_F(AGrader, GradesAClassOfThirtyWithBrokenPrograms) {
        "[[task]]\nname = \"arrives\"\npoints = 1\nmazes = [\"mazes/spiral.txt\"]\nfinish = true\n"
        "[[task]]\nname = \"arrives in a hidden maze\"\npoints = 1\nhidden = 1\nside = 6\nkind = \"depth-first\"\n"
        "finish = true\n");
-  const std::array kinds = {follower, crashing, turning, slow, follower, babbling};
+  const std::array<std::string, 6> kinds = {follower(), crashing, turning, slow, follower(), babbling};
   for (std::size_t i = 0; i < 30; ++i) add("student" + std::to_string(i + 1), kinds[i % kinds.size()]);
   const auto all = grades();
   ASSERT_EQ(all.at("students").size(), 30U);
   for (std::size_t i = 0; i < 30; ++i) {
     const auto& student = all.at("students")[i];
     EXPECT_EQ(student.at("name"), "student" + std::to_string(i + 1));
-    EXPECT_EQ(student.at("points"), kinds[i % kinds.size()] == follower ? 2.0 : 0.0) << student.dump();
+    EXPECT_EQ(student.at("points"), kinds[i % kinds.size()] == follower() ? 2.0 : 0.0) << student.dump();
   }
 }
 
 TEST_F(AGrader, IsToldWhatIsWrong) {
-  add("Anna", follower);
+  add("Anna", follower());
   const std::vector<std::string> words = {"grade", "--mice", "course/class.toml", "--tasks", "course/tasks.toml"};
   const auto refused = [&](const std::string& tasks_of, auto... parts) {
     file("course/tasks.toml", tasks_of);

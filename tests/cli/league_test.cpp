@@ -1,6 +1,7 @@
 // labmouse league: a season of twelve entries, among them one that looks for what it must not see and one that breaks.
 #include <filesystem>
 
+#include "tests/cli/robots_in_python.hpp"
 #include "tests/cli/user.hpp"
 
 namespace labmouse::test {
@@ -13,43 +14,22 @@ namespace fs = std::filesystem;
 
 /// Follows the right wall. Ends with an error where it finds a file of the season, or of another entry.
 std::string spy(const fs::path& folder) {
-  return "import os, sys\n"
-         "class Robot(object):\n"
-         "    def __init__(self, dim):\n"
-         "        here = os.path.dirname(os.path.abspath(__file__))\n"
-         "        for season in ['" +
-         (folder / "spring").string() + "', '" + (folder / "again").string() +
-         "', os.path.dirname(os.path.dirname(here))]:\n"
-         "            for name in ['secret-seed.txt', 'results.db', 'season.toml', 'practice/parallel-8.txt',\n"
-         "                         'entries/flood_1/entry.toml', 'entries/wall_follower/robot.py', 'records']:\n"
-         "                path = os.path.join(season, name)\n"
-         "                try:\n"
-         "                    found = os.listdir(path) if os.path.isdir(path) else open(path, 'rb').read()\n"
-         "                except (IOError, OSError):\n"
-         "                    found = ''\n"
-         "                if found: raise ValueError('found ' + path)\n"
-         "        told = ' '.join(sys.argv) + ' '.join(os.environ.values())\n"
-         "        if 'parallel-8' in told or 'examination' in told: raise ValueError('told a maze')\n"
-         "        self.dim, self.at, self.way, self.runs = dim, [0, 0], 0, 0\n"
-         "    def next_move(self, sensors):\n"
-         "        middle = (self.dim // 2 - 1, self.dim // 2)\n"
-         "        if self.runs == 0 and self.at[0] in middle and self.at[1] in middle:\n"
-         "            self.at, self.way, self.runs = [0, 0], 0, 1\n"
-         "            return 'Reset', 'Reset'\n"
-         "        left, front, right = sensors\n"
-         "        turn, move = (90, 1) if right else (0, 1) if front else (-90, 1) if left else (90, 0)\n"
-         "        self.way = (self.way + turn // 90) % 4\n"
-         "        step = [(0, 1), (1, 0), (0, -1), (-1, 0)][self.way]\n"
-         "        self.at = [self.at[0] + step[0] * move, self.at[1] + step[1] * move]\n"
-         "        return turn, move\n";
+  return follower(
+      "        here = os.path.dirname(os.path.abspath(__file__))\n"
+      "        for season in ['" +
+      (folder / "spring").string() + "', '" + (folder / "again").string() +
+      "', os.path.dirname(os.path.dirname(here))]:\n"
+      "            for name in ['secret-seed.txt', 'results.db', 'season.toml', 'practice/parallel-8.txt',\n"
+      "                         'entries/flood_1/entry.toml', 'entries/wall_follower/robot.py', 'records']:\n"
+      "                path = os.path.join(season, name)\n"
+      "                try:\n"
+      "                    found = os.listdir(path) if os.path.isdir(path) else open(path, 'rb').read()\n"
+      "                except (IOError, OSError):\n"
+      "                    found = ''\n"
+      "                if found: raise ValueError('found ' + path)\n"
+      "        told = ' '.join(sys.argv) + ' '.join(os.environ.values())\n"
+      "        if 'parallel-8' in told or 'examination' in told: raise ValueError('told a maze')\n");
 }
-
-constexpr const char* broken =
-    "class Robot(object):\n    def __init__(self, dim):\n        raise ValueError('no way in')\n"
-    "    def next_move(self, sensors):\n        return 0, 1\n";
-
-constexpr const char* small_page =
-    "<!doctype html><html><head><title>labmouse</title></head><body><!-- labmouse:report --></body></html>\n";
 
 /// Holds a season; its entries lie in folders beside it.
 class AnOrganiser : public AUser {
@@ -83,7 +63,7 @@ class AnOrganiser : public AUser {
     entry("flood_and_return", "capstone = \"robot.py\"", content_of(templates + "robots/flood_and_return.py"));
     entry("lines", "program = \"python3 robot.py\"", content_of(templates + "program.py"));
     entry("spy", "capstone = \"robot.py\"", spy(folder_));
-    entry("broken", "capstone = \"robot.py\"", broken);
+    entry("broken", "capstone = \"robot.py\"", crashing);
     return {"flood_1",       "flood_2",    "flood_3",          "certain", "careful", "mine",
             "wall_follower", "flood_fill", "flood_and_return", "lines",   "spy",     "broken"};
   }
@@ -256,10 +236,10 @@ TEST_F(AnOrganiser, RefusesWhatIsNoEntry) {
   is_refused({"league", "add", "spring", "ariadne", "--sandbox", "off"}, "ariadne");
   entry("outside", "program = \"python3 ../spy/robot.py\"");
   is_refused({"league", "add", "spring", "outside", "--sandbox", "off"}, "outside/entry.toml:3:1");
-  entry("linked", "capstone = \"robot.py\"", broken);
+  entry("linked", "capstone = \"robot.py\"", crashing);
   fs::create_symlink("/etc/passwd", folder_ / "linked/link");
   is_refused({"league", "add", "spring", "linked", "--sandbox", "off"}, "linked/link");
-  entry("broken", "capstone = \"robot.py\"", broken);
+  entry("broken", "capstone = \"robot.py\"", crashing);
   const Ended refused = add("spring", "broken", {"--sandbox", "off"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_FALSE(fs::exists(folder_ / "spring/entries/broken"));

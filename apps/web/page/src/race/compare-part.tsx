@@ -11,6 +11,7 @@ import { Field } from '../ui/field';
 import { counted, number, signed } from '../ui/format';
 import { firstGeneration, Generator, orderOf } from '../ui/generator';
 import { Scrolling, Table } from '../ui/table';
+import { createRunning } from './running';
 
 export type ComparePanel = ReturnType<typeof createComparePanel>;
 
@@ -22,46 +23,13 @@ const candidatesOf = ({ mice }: About, world: WorldInPage, first: string) =>
     .filter(({ name }) => world.mice.includes(name) && name !== first)
     .map(({ name, summary }) => ({ name, about: summary, on: name === 'certify' }));
 
-/** Runs comparisons; `draw` is called after each change. */
-function createRunning(page: EarlyPage, draw: () => void) {
-  const state = { isBusy: false, comparison: null as Comparison | null };
-  let wanted = true;
-  function set(changes: Partial<typeof state>) {
-    Object.assign(state, changes);
-    draw();
-  }
-  return {
-    state,
-    stop() {
-      wanted = false;
-      page.core.stop('paired_shares');
-    },
-    async run(request: ComparisonRequest) {
-      wanted = true;
-      set({ isBusy: true, comparison: null });
-      try {
-        await compareMice(
-          page.core,
-          request,
-          (comparison) => set({ comparison }),
-          () => wanted,
-        );
-      } catch (error) {
-        page.complain(error);
-      } finally {
-        set({ isBusy: false });
-      }
-    },
-  };
-}
-
 /** What is compared, where, and how finely. */
 export function createComparePanel(page: EarlyPage, about: About, draw: () => void) {
   const world = createWorldChoice(about, enter);
   const fields = { first: 'flood', mazes: 'generated', betterBy: '0.02', generation: firstGeneration('contest') };
   const candidates = createPicks('Candidates', candidatesOf(about, about.worlds[0], fields.first));
   const mazes = createMazePicks('Mazes', about, page.mazes, false);
-  const running = createRunning(page, draw);
+  const running = createRunning<Comparison>(page, 'paired_shares', draw);
   /** Offers the mice of the chosen world. */
   function enter() {
     const { world: where } = world.chosen();
@@ -91,7 +59,8 @@ export function createComparePanel(page: EarlyPage, about: About, draw: () => vo
     },
     async start() {
       if (candidates.chosen().length === 0) return page.complain('Choose at least one candidate.');
-      await running.run(await request());
+      const asked = await request();
+      await running.run((report, wanted) => compareMice(page.core, asked, report, wanted));
     },
   };
 }
@@ -128,7 +97,7 @@ function Verdicts({ comparison }: { comparison: Comparison }) {
 
 function Form({ panel }: { panel: ComparePanel }) {
   const { about, world, candidates, mazes, fields, running, change, start } = panel;
-  const { isBusy, comparison } = running.state;
+  const { isBusy, shown } = running.state;
   const submit = (event: Event) => {
     event.preventDefault();
     void start();
@@ -174,7 +143,7 @@ function Form({ panel }: { panel: ComparePanel }) {
         {isBusy && <Button label="Stop" act={running.stop} />}
         {isBusy && <span class="note">running contests until it is decided</span>}
       </div>
-      {comparison && <Verdicts comparison={comparison} />}
+      {shown && <Verdicts comparison={shown} />}
     </form>
   );
 }

@@ -8,49 +8,20 @@ import { createMazePicks, createPicks, PickList, usual } from '../choice/picks';
 import { groupsOf } from '../results/contests';
 import { counted } from '../ui/format';
 import { holdRace, type Order, type Progress } from '../results/holding';
+import { createRunning } from './running';
 
 export type HoldPanel = ReturnType<typeof createHoldPanel>;
 
 const most = { runs: 100, seed: 2 ** 53 - 1 };
 
-/** Holds races, and shows how far they are. */
-function createRunning(page: EarlyPage, draw: () => void) {
-  const state = { isBusy: false, progress: null as Progress | null };
-  let wanted = true;
-  function set(changes: Partial<typeof state>) {
-    Object.assign(state, changes);
-    draw();
-  }
-  return {
-    state,
-    stop() {
-      wanted = false;
-      page.core.stop('race');
-    },
-    async hold(order: Order) {
-      if (order.mice.length === 0 || order.mazes.length === 0)
-        return page.complain('Choose at least one mouse and one maze.');
-      wanted = true;
-      set({ isBusy: true, progress: null });
-      try {
-        const held = await holdRace(
-          page.core,
-          order,
-          (progress) => set({ progress }),
-          () => wanted,
-        );
-        if (!held) return page.tell('The race was stopped.');
-        const { results, mazes } = held;
-        const mice = groupsOf(results).flatMap((group) => group.mice);
-        const entries = `${counted(mice.length, 'mouse', 'mice')}, ${counted(mazes.length, 'maze')}`;
-        page.hold(results, mazes, `The race is over: ${entries}.`, order);
-      } catch (error) {
-        page.complain(error);
-      } finally {
-        set({ isBusy: false });
-      }
-    },
-  };
+/** Runs a race, and shows its results. */
+async function hold(page: EarlyPage, order: Order, report: (progress: Progress) => void, wanted: () => boolean) {
+  const held = await holdRace(page.core, order, report, wanted);
+  if (!held) return page.tell('The race was stopped.');
+  const { results, mazes } = held;
+  const mice = groupsOf(results).flatMap((group) => group.mice);
+  const entries = `${counted(mice.length, 'mouse', 'mice')}, ${counted(mazes.length, 'maze')}`;
+  page.hold(results, mazes, `The race is over: ${entries}.`, order);
 }
 
 /** How often, and with which seed, as it is typed. */
@@ -81,7 +52,7 @@ export function createHoldPanel(page: EarlyPage, about: About, draw: () => void)
   /** Those that came with links. */
   const linked: MazeData[] = [];
   const mazes = createMazePicks('Mazes', about, () => [...page.mazes(), ...linked], false);
-  const running = createRunning(page, draw);
+  const running = createRunning<Progress>(page, 'race', draw);
   /** Offers what there is in the chosen world: its mice, and as many runs as are usual there, unless others were chosen. */
   function enter() {
     const { usual_runs: before } = where;
@@ -129,12 +100,17 @@ export function createHoldPanel(page: EarlyPage, about: About, draw: () => void)
       draw();
     },
     /** Runs the race that is chosen. */
-    start: () => void running.hold(order()),
+    start() {
+      const asked = order();
+      if (asked.mice.length === 0 || asked.mazes.length === 0)
+        return page.complain('Choose at least one mouse and one maze.');
+      void running.run((report, wanted) => hold(page, asked, report, wanted));
+    },
   };
 }
 
 export function HoldForm({ panel: { world, mice, mazes, numbers, running, change, start } }: { panel: HoldPanel }) {
-  const { isBusy, progress } = running.state;
+  const { isBusy, shown: progress } = running.state;
   const whole = { min: 1, required: true };
   const submit = (event: Event) => {
     event.preventDefault();
