@@ -3,11 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/says.hpp"
+#include "tests/lab/mistake.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Mistake;
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
 using namespace std::chrono_literals;
@@ -77,23 +78,12 @@ TEST(TaskFile, MayNameAWorldThatHasOtherSettingsAndFigures) {
 /// A task that is right, with these lines behind it.
 std::string task_with(const std::string& lines) { return "[[task]]\nname = 'a'\npoints = 5\n" + lines; }
 
-struct Mistake {
-  std::string text;
-  int line, column;
-  std::vector<std::string> says;
-};
-
-void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.text; }
-
 class TaskFileMistakes : public testing::TestWithParam<Mistake> {};
 
 TEST_P(TaskFileMistakes, AreToldWhereTheyStand) {
   const TaskFileResult read = read_task_file(GetParam().text);
   EXPECT_THAT(read.file.tasks, SizeIs(0));
-  ASSERT_FALSE(read.problems.empty());
-  EXPECT_EQ(read.problems.front().line, GetParam().line);
-  EXPECT_EQ(read.problems.front().column, GetParam().column);
-  EXPECT_THAT(read.problems.front().reason, test::HasParts(GetParam().says));
+  test::expect_first(read.problems, GetParam());
 }
 
 const std::string required = "finish = true\n";

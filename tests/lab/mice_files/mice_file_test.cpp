@@ -3,11 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/says.hpp"
+#include "tests/lab/mistake.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Mistake;
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
 using namespace std::chrono_literals;
@@ -64,23 +65,12 @@ pilot = "./cleo 8"
   EXPECT_EQ(limits.processor_seconds, 9);
 }
 
-struct Mistake {
-  const char* text;
-  int line, column;
-  std::vector<std::string> says;
-};
-
-void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.text; }
-
 class MiceFileMistakes : public testing::TestWithParam<Mistake> {};
 
 TEST_P(MiceFileMistakes, AreToldWhereTheyStand) {
   const MiceFileResult read = read_mice_file(GetParam().text);
   EXPECT_THAT(read.mice, SizeIs(0));
-  ASSERT_FALSE(read.problems.empty());
-  EXPECT_EQ(read.problems.front().line, GetParam().line);
-  EXPECT_EQ(read.problems.front().column, GetParam().column);
-  EXPECT_THAT(read.problems.front().reason, test::HasParts(GetParam().says));
+  test::expect_first(read.problems, GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(
