@@ -5,14 +5,12 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "embedded_page.hpp"
 #include "external.hpp"
 #include "labmouse/external/sandbox.hpp"
 #include "labmouse/lab/grading/class_contests.hpp"
 #include "labmouse/lab/grading/feedback_page.hpp"
 #include "labmouse/lab/grading/grade_files.hpp"
 #include "labmouse/lab/grading/grade_table.hpp"
-#include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -40,14 +38,10 @@ std::string content_of(const std::string& path) {
   return std::move(file.content);
 }
 
-/// The text in the file of --seed-file, without blanks and line ends around it.
 std::string secret_seed(const std::string& path) {
-  const std::string text = content_of(path);
-  constexpr std::string_view blanks = " \t\r\n";
-  const auto begin = text.find_first_not_of(blanks);
-  if (begin == std::string::npos)
-    throw UsageError(fmt::format("{}: error: is empty; write a secret text into it", path));
-  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+  std::string seed = secret_in(content_of(path));
+  if (seed.empty()) throw UsageError(fmt::format("{}: error: has no seed; write a secret text into it", path));
+  return seed;
 }
 
 GradingPlan plan_of(const GradeOptions& options) {

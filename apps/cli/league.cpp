@@ -12,10 +12,9 @@
 #include "contests.hpp"
 #include "external.hpp"
 #include "labmouse/external/sandbox.hpp"
+#include "labmouse/functions/sha256.hpp"
 #include "labmouse/lab/league/season_site.hpp"
-#include "labmouse/lab/league/secret_seed.hpp"
 #include "labmouse/lab/races/never_started.hpp"
-#include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -34,7 +33,7 @@ struct LeagueOptions {
   std::vector<std::string> practice;
   std::string title = "labmouse league";
   Contests contests;
-  ExaminationMazes examination;
+  SecretMazes examination = Season().examination;
   ExternalOptions external_mice;
   std::string sandbox = "on";
   int jobs = 0;
@@ -218,7 +217,7 @@ int add(LeagueOptions& options) {
   const bool exists = fs::exists(target, unknown);
   if (exists && !options.replace)
     throw UsageError(fmt::format("{}: error: is there already; --replace replaces it", shown(target)));
-  const std::string how = options.no_check ? "not tried" : tried(league, *copied.entry);
+  const std::string how = options.no_check ? "not run" : tried(league, *copied.entry);
   if (interruptible.stopped()) return exit_interrupted();
   const Removed former = {fmt::format("{}/.former-{}", entries, process_number())};
   std::error_code error;
@@ -344,7 +343,7 @@ void add_init(Command& league, std::shared_ptr<LeagueOptions> options, int& exit
       ->expected(1, 1 << 20)
       ->take_all();
   command->add_option("--examination", options->examination.count, "Number of examination mazes")
-      ->check(in_range(1, most_examination_mazes))
+      ->check(in_range(1, most_secret_mazes))
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--kind", options->examination.kind, "Generator of the examination mazes")
@@ -368,7 +367,7 @@ void add_init(Command& league, std::shared_ptr<LeagueOptions> options, int& exit
 }  // namespace
 
 void add_league(Command& app, int& exit) {
-  Command* league = app.add_subcommand("league", "Hold a season: collect entries, rank them and publish the results");
+  Command* league = app.add_subcommand("league", "Run a season: collect entries, rank them and publish the results");
   league->require_subcommand();
   add_init(*league, std::make_shared<LeagueOptions>(), exit);
   auto options = std::make_shared<LeagueOptions>();

@@ -96,14 +96,15 @@ void add_live(Command& app, int& exit) {
   command->add_option("--baud", options->baud, "Bits per second of a serial port")
       ->check(in_range(1, 10'000'000))
       ->capture_default_str();
-  auto* size = command->add_option("--size", options->size, "Width and height of the maze in cells");
+  auto* size = command->add_option("--size", options->size,
+                                   "Width and height of the maze in cells, where --against names no maze");
   size->type_name("WxH")->capture_default_str();
   command->add_option("--against", options->against, "The maze in which the robot is: marks false and missed walls")
       ->type_name("MAZE");
   add_places(*command, options->places);
   command->add_option("--save", options->save, "Save the map as a drawing at the end")->type_name("FILE");
   command->footer(
-      "It ends at the end of SOURCE or with Ctrl-C. docs/reference/protocols.md has the lines of the robot.\n"
+      "It ends at the end of SOURCE or with Ctrl-C. docs/reference/protocols.md describes the lines of the robot.\n"
       "Example: labmouse live /dev/ttyUSB0 --against contest-01");
   command->callback([options, &exit] { exit = live(*options); });
 }

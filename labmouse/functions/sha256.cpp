@@ -69,4 +69,14 @@ Sha256 sha256(std::string_view bytes) {
   return hash;
 }
 
+std::string sha256_text(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string hash;
+  for (const std::uint8_t byte : sha256(text)) {
+    hash += digits[byte >> 4U];
+    hash += digits[byte & 15U];
+  }
+  return hash;
+}
+
 }  // namespace labmouse

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace labmouse {
@@ -11,5 +12,8 @@ using Sha256 = std::array<std::uint8_t, 32>;
 
 /// The hash of the bytes (FIPS 180-4).
 Sha256 sha256(std::string_view bytes);
+
+/// The hash of a text as 64 hexadecimal digits.
+std::string sha256_text(std::string_view text);
 
 }  // namespace labmouse

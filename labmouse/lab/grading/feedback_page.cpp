@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
@@ -29,7 +30,7 @@ std::string contests_table(const TaskGrade& task, const std::string& unit) {
   html += row("th", {"maze", "outcome", "score, " + unit, "best possible", "lost because"});
   for (const GradedContest& contest : task.contests) {
     std::string lost = xml_escaped(contest.lost);
-    for (const std::string& line : contest.words) lost += "<br>" + xml_escaped(line);
+    for (const std::string& line : contest.output) lost += "<br>" + xml_escaped(line);
     html += row("td", {xml_escaped(contest.maze), xml_escaped(contest.outcome), number_text(contest.score),
                        number_text(contest.best), lost});
   }
@@ -45,10 +46,10 @@ std::string points_table(const Grades& grades, const StudentGrade& student) {
   return html + "</table>\n";
 }
 
-/// Why a program is broken, and what it said.
+/// Why a program is broken, and its output.
 std::string lines_html(const StudentGrade& student) {
   std::string html = xml_escaped(student.broken);
-  for (const std::string& line : student.words) html += "<br>" + xml_escaped(line);
+  for (const std::string& line : student.output) html += "<br>" + xml_escaped(line);
   return html;
 }
 

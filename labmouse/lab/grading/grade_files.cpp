@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-/// What a task says to its student, in lines.
+/// The feedback on a task, in lines.
 std::string lines_of(const TaskGrade& task, const std::string& unit) {
   if (task.lost.empty()) return "";
   std::string text = fmt::format("Lost: {}\n", shown(task.lost));
@@ -21,7 +21,7 @@ std::string lines_of(const TaskGrade& task, const std::string& unit) {
     if (contest.score && contest.best)
       text += fmt::format(" (score {:.3f}, best possible {:.3f} {})", *contest.score, *contest.best, unit);
     text += "\n";
-    for (const std::string& line : contest.words) text += fmt::format("  | {}\n", shown(line));
+    for (const std::string& line : contest.output) text += fmt::format("  | {}\n", shown(line));
   }
   return text;
 }
@@ -49,7 +49,7 @@ std::string gradescope_of(const Grades& grades, const StudentGrade& student) {
   Json json = {{"extra_data", {{"labmouse", version()}}}, {"score", student.points}};
   if (!student.broken.empty()) {
     std::string output = shown(student.broken) + "\n";
-    for (const std::string& line : student.words) output += fmt::format("  | {}\n", shown(line));
+    for (const std::string& line : student.output) output += fmt::format("  | {}\n", shown(line));
     json["output"] = output;
   }
   json["tests"] = Json::array();

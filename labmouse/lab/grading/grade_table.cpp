@@ -30,7 +30,7 @@ std::string losses_of(const StudentGrade& student) {
   std::string text;
   if (!student.broken.empty()) {
     text = fmt::format("  {}: {}\n", name, shown(student.broken));
-    for (const std::string& line : student.words) text += fmt::format("    | {}\n", shown(line));
+    for (const std::string& line : student.output) text += fmt::format("    | {}\n", shown(line));
     return text;
   }
   for (std::size_t task = 0; task < student.tasks.size(); ++task)
@@ -44,13 +44,13 @@ Json json_of(const GradedContest& contest) {
   json["score"] = contest.score ? Json(*contest.score) : Json(nullptr);
   json["best"] = contest.best ? Json(*contest.best) : Json(nullptr);
   json["lost"] = contest.lost;
-  json["words"] = contest.words;
+  json["output"] = contest.output;
   return json;
 }
 
 Json json_of(const StudentGrade& student) {
   Json json = {{"name", student.name}, {"points", student.points}, {"broken", student.broken}};
-  json["words"] = student.words;
+  json["output"] = student.output;
   json["tasks"] = Json::array();
   for (const TaskGrade& task : student.tasks) {
     Json& one = json["tasks"].emplace_back(Json{{"points", task.points}, {"lost", task.lost}});

@@ -44,7 +44,7 @@ class Judge {
     if (task.per_maze) {
       grade.points = task.points * static_cast<double>(good) / static_cast<double>(contests.size());
       if (good < contests.size())
-        grade.lost = fmt::format("in {} of {}, first {}", contests.size() - good,
+        grade.lost = fmt::format("in {} of {}, the first in {}", contests.size() - good,
                                  counted(contests.size(), "contest", "contests"), first);
       return grade;
     }
@@ -77,11 +77,11 @@ class Judge {
     if (contest.held == nullptr) return one;
     one.run = contest.held->run;
     one.score = contest.held->score;
-    if (is_broken(*contest.held) && (!maze.hidden || plan_.file.show_hidden)) one.words = words_of(*contest.held);
+    if (is_broken(*contest.held) && (!maze.hidden || plan_.file.show_hidden)) one.output = output_of(*contest.held);
     return one;
   }
 
-  std::vector<std::string> words_of(const ContestResult& contest) const {
+  std::vector<std::string> output_of(const ContestResult& contest) const {
     const Value said = figure_of(*student_.race, contest, said_last);
     if (!std::holds_alternative<std::string>(said)) return {};
     const std::string& words = std::get<std::string>(said);
@@ -120,7 +120,8 @@ class Judge {
       if (failed++ == 0) first = contests.size() > 1 ? plan_.mazes[contest.maze].maze.name + ": " + reason : reason;
     }
     if (failed == 0 || contests.size() == 1) return first;
-    return fmt::format("failed {} of {}, first {}", failed, counted(contests.size(), "contest", "contests"), first);
+    return fmt::format("failed {} of {}, the first in {}", failed, counted(contests.size(), "contest", "contests"),
+                       first);
   }
 
   /// Says by how much the mean of a figure is above its limit; nothing where it is not, or where failures say it all.
@@ -164,13 +165,13 @@ std::string why_never_started(const Race& race) {
   return race.results.empty() ? "" : race.results.front().never_started;
 }
 
-/// A program that never started says the same in each contest: once is enough.
-void gather_words(StudentGrade& grade) {
+/// A program that never started fails in the same way in each contest, so the output is kept once.
+void gather_output(StudentGrade& grade) {
   for (TaskGrade& task : grade.tasks)
     for (GradedContest& contest : task.contests) {
-      if (grade.words.empty() && contest.words.size() > 1)
-        grade.words.assign(contest.words.begin() + 1, contest.words.end());
-      contest.words.clear();
+      if (grade.output.empty() && contest.output.size() > 1)
+        grade.output.assign(contest.output.begin() + 1, contest.output.end());
+      contest.output.clear();
     }
 }
 
@@ -186,7 +187,7 @@ StudentGrade grade_of(const GradingPlan& plan, const StudentContests& student) {
     grade.tasks.push_back(Judge(plan, student).grade(plan.file.tasks[task], plan.mazes_of[task]));
     grade.points += grade.tasks.back().points;
   }
-  if (!grade.broken.empty()) gather_words(grade);
+  if (!grade.broken.empty()) gather_output(grade);
   return grade;
 }
 

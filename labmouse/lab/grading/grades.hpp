@@ -17,9 +17,9 @@ struct GradedContest {
   std::optional<double> score;  ///< in the unit of the world
   std::optional<double> best;   ///< the best possible one
   std::string lost;             ///< why it does not fulfil the task on its own; empty where it does
-  /// What a failed program said, in lines: the message of labmouse, then the last lines of its standard error. Empty in
-  /// hidden mazes, of which it could tell, and where the words of the student say it.
-  std::vector<std::string> words;
+  /// Why the program failed: the message of labmouse, then the last lines of its standard error. Empty in hidden
+  /// mazes, because a program can print the maze, and if the output of the student has the same lines.
+  std::vector<std::string> output;
 };
 
 struct TaskGrade {
@@ -32,7 +32,7 @@ struct StudentGrade {
   std::string name;
   double points = 0.0;
   std::string broken;  ///< why the program could not be run, or did not start in any contest; empty where it did
-  std::vector<std::string> words;  ///< the last lines of the standard error of a program that did not start
+  std::vector<std::string> output;  ///< the last lines of the standard error of a program that did not start
   std::vector<TaskGrade> tasks;
 };
 

@@ -80,14 +80,12 @@ class Planning {
   }
 
   /// Adds a hidden maze. Tasks with mazes of one kind share them, so that each mouse runs once in each.
-  void add_hidden(const HiddenMazes& hidden, int number) {
+  void add_hidden(const SecretMazes& hidden, int number) {
     const auto [place, is_new] = hidden_.try_emplace({hidden.kind, hidden.side, number}, plan_.mazes.size());
     if (is_new) {
-      const std::string kind = fmt::format("hidden {} {}", hidden.kind, hidden.side);
-      const std::uint64_t seed = seed_for(seed_for(0, plan_.file.seed), kind, static_cast<std::uint64_t>(number));
-      const GeneratorOrder order = {{hidden.side, hidden.side}, seed, 0};
+      const std::string purpose = fmt::format("hidden {} {} {}", hidden.kind, hidden.side, number);
       plan_.mazes.push_back(
-          {{fmt::format("hidden {}", hidden_.size()), find_generator(hidden.kind)->make(order)}, true});
+          {{fmt::format("hidden {}", hidden_.size()), secret_maze(hidden, plan_.file.seed, purpose)}, true});
     }
     note_maze(place->second);
   }

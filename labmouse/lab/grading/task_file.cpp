@@ -19,7 +19,7 @@ constexpr auto file_keys =
     std::to_array<std::string_view>({"seed", "world", "settings", "runs", "limits", "show_hidden", "task"});
 constexpr auto task_keys = std::to_array<std::string_view>(
     {"name", "points", "mazes", "hidden", "kind", "side", "finish", "at_most", "per_maze"});
-constexpr int most_hidden = 1000, most_runs = 1'000'000;
+constexpr int most_runs = 1'000'000;
 constexpr double most_points = 1e6, largest_limit = 1e12;
 
 /// The names under which tasks limit figures of a world.
@@ -90,11 +90,12 @@ class TaskFileReader {
     const auto is_bad = [](const std::string& path) { return path.empty() || shown(path) != path; };
     if (std::any_of(task.mazes.begin(), task.mazes.end(), is_bad))
       fields_.add(table.get("mazes")->source().begin, "the name of a maze must be printable and not empty");
-    task.hidden.count = fields_.whole(table, "hidden", 1, most_hidden).value_or(0);
+    task.hidden.count = fields_.whole(table, "hidden", 1, most_secret_mazes).value_or(0);
     if (!table.contains("hidden")) {
       for (const std::string_view key : {"kind", "side"})
         if (const toml::node* node = table.get(key))
-          fields_.add(node->source().begin, fmt::format("'{}' is of hidden mazes; add hidden = 20", key));
+          fields_.add(node->source().begin,
+                      fmt::format("'{}' applies to hidden mazes only; add hidden = 20, or remove it", key));
       if (const toml::array* list = table["mazes"].as_array();
           list != nullptr ? list->empty() : !table.contains("mazes"))
         fields_.add(table.source().begin, "this task has no mazes; add mazes = [\"capstone-1\"] or hidden = 20");
@@ -104,14 +105,12 @@ class TaskFileReader {
     if (task.hidden.count > 0) check_hidden(table, task.hidden);
   }
 
-  void check_hidden(const toml::table& table, const HiddenMazes& hidden) {
-    const Generator* generator = find_generator(hidden.kind);
-    if (generator == nullptr && !hidden.kind.empty())
-      fields_.add(table.get("kind")->source().begin,
-                  fmt::format("there is no generator '{}'; `labmouse make --help` lists them", hidden.kind));
-    if (generator == nullptr) return;
-    if (const auto reason = generator->refuses({{hidden.side, hidden.side}, 1, 0}); !reason.empty())
-      fields_.add(table.get(table.contains("side") ? "side" : "hidden")->source().begin, std::string(reason));
+  void check_hidden(const toml::table& table, const SecretMazes& hidden) {
+    if (hidden.kind.empty()) return;  // another problem
+    const std::string reason = refuse(hidden);
+    const bool is_kind = table.contains("kind") && find_generator(hidden.kind) == nullptr;
+    const std::string_view key = is_kind ? "kind" : table.contains("side") ? "side" : "hidden";
+    if (!reason.empty()) fields_.add(table.get(key)->source().begin, reason);
   }
 
   std::vector<FigureLimit> limits_of(const toml::table& table) {

@@ -6,18 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "labmouse/lab/mazes/secret_mazes.hpp"
 #include "labmouse/lab/mice_files/file_limits.hpp"
 #include "labmouse/lab/worlds/world_table.hpp"
 #include "labmouse/maze/formats/format.hpp"
 
 namespace labmouse {
-
-/// Generated mazes that students do not see. The secret seed, kind, side and number of a maze determine it.
-struct HiddenMazes {
-  int count = 0;
-  std::string kind = "contest";  ///< the name of a generator
-  int side = 16;                 ///< width and height in cells
-};
 
 /// A figure of a contest, and the largest value of it that fulfils a task.
 struct FigureLimit {
@@ -35,8 +29,8 @@ struct Task {
   std::string name;
   double points = 0.0;
   std::vector<std::string> mazes;  ///< as --mazes takes them
-  HiddenMazes hidden;
-  bool finish = false;  ///< whether contests have to be finished
+  SecretMazes hidden;              ///< mazes that students do not see
+  bool finish = false;             ///< whether contests have to be finished
   std::vector<FigureLimit> at_most;
   bool per_maze = false;     ///< whether each contest is judged on its own and gives an equal share of the points
   int line = 0, column = 0;  ///< of the task in its file, from 1

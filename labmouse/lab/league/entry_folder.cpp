@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "labmouse/lab/league/secret_seed.hpp"
+#include "labmouse/functions/sha256.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -55,9 +55,10 @@ class EntrySize {
     std::error_code error;
     const fs::file_status status = entry.symlink_status(error);
     if (++files_ > most_entry_files)
-      return failed(entry.path(), fmt::format("with it, the entry has more than {} files; remove those that the mouse "
-                                              "does not need",
-                                              most_entry_files));
+      return failed(entry.path(),
+                    fmt::format("with it, the entry has more than {} files and folders; remove those that "
+                                "the mouse does not need",
+                                most_entry_files));
     if (!error && status.type() == fs::file_type::directory) return "";
     if (error || status.type() != fs::file_type::regular)
       return failed(entry.path(), "is no regular file; replace it by the file itself, or remove it");

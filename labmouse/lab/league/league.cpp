@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "labmouse/lab/league/secret_seed.hpp"
+#include "labmouse/lab/mazes/secret_mazes.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -98,7 +98,17 @@ LeagueEntryResult read_entry(const League& league, const std::string& folder, Ex
   return {LeagueEntry{manifest.entry, folder, hash, std::move(mouse)}, {}};
 }
 
-std::string refuse_examination(const World& world, const ExaminationMazes& mazes, const std::string& secret) {
+std::vector<NamedMaze> examination_mazes(const SecretMazes& mazes, const std::string& secret) {
+  std::vector<NamedMaze> all;
+  for (int number = 1; number <= mazes.count; ++number) {
+    std::string name = fmt::format("examination {:03}", number);
+    Maze maze = secret_maze(mazes, secret, name);
+    all.push_back({std::move(name), std::move(maze)});
+  }
+  return all;
+}
+
+std::string refuse_examination(const World& world, const SecretMazes& mazes, const std::string& secret) {
   std::size_t number = 0;
   for (const NamedMaze& maze : examination_mazes(mazes, secret)) {
     ++number;

@@ -56,8 +56,11 @@ struct League {
 League load_league(const std::string& folder, const ExternalOptions& options,
                    std::vector<std::string> secret_files = {});
 
+/// The mazes of the examination: "examination 001", "examination 002" and so on.
+std::vector<NamedMaze> examination_mazes(const SecretMazes& mazes, const std::string& secret);
+
 /// Why an examination with that secret seed cannot be held; empty where it can. It names no maze but by its number.
-std::string refuse_examination(const World& world, const ExaminationMazes& mazes, const std::string& secret);
+std::string refuse_examination(const World& world, const SecretMazes& mazes, const std::string& secret);
 
 /// Reads the entry in a folder, as a mouse of that league. Its mouse cannot see the other entries.
 LeagueEntryResult read_entry(const League& league, const std::string& folder, ExternalOptions options);

@@ -1,4 +1,4 @@
-// Ranks mice by their shares of the best possible score, in groups that cannot be told apart.
+// Ranks mice by their shares of the best possible score. Mice without a significant difference share a rank.
 #pragma once
 
 #include <string>
@@ -17,11 +17,12 @@ struct MouseShares {
 
 /// How ranks are given, as a sentence for readers.
 inline constexpr std::string_view ranking_rule =
-    "Mice stand in the order of their mean share of the best possible score in the examination; a rank begins with its "
-    "best mouse, and goes on to all below it that come before the first one that is shown to be worse than this mouse "
-    "(sign-flip test of the paired differences, at 5 % over all comparisons of one mouse by Bonferroni's correction, "
-    "and "
-    "an interval without 0).";
+    "Mice are sorted by their mean share of the best possible score in the examination. The best mouse has rank 1. All "
+    "mice below it share this rank, up to the first one that is significantly worse than it; the next rank begins "
+    "there. "
+    "Significant: sign-flip test of the paired differences at 5 %, with Bonferroni's correction over all comparisons "
+    "of "
+    "one mouse, and an interval without 0.";
 
 struct RankedMouse {
   std::string name;

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "labmouse/lab/mice_files/limit_table.hpp"
-#include "labmouse/maze/generators/generator.hpp"
 
 namespace labmouse {
 namespace {
@@ -16,8 +15,8 @@ constexpr auto season_keys = std::to_array<std::string_view>(
 constexpr auto examination_keys = std::to_array<std::string_view>({"count", "kind", "side"});
 constexpr int mib_bits = 20;
 
-ExaminationMazes read_examination(const toml::table& table, TomlFields& fields) {
-  ExaminationMazes mazes;
+SecretMazes read_examination(const toml::table& table, TomlFields& fields) {
+  SecretMazes mazes = Season().examination;
   const toml::node* node = table.get("examination");
   if (node == nullptr) return mazes;
   const toml::table* examination = node->as_table();
@@ -26,7 +25,7 @@ ExaminationMazes read_examination(const toml::table& table, TomlFields& fields) 
     return mazes;
   }
   fields.refuse_unknown(*examination, examination_keys);
-  mazes.count = fields.whole(*examination, "count", 1, most_examination_mazes).value_or(mazes.count);
+  mazes.count = fields.whole(*examination, "count", 1, most_secret_mazes).value_or(mazes.count);
   mazes.side = fields.whole(*examination, "side", 1, max_side).value_or(mazes.side);
   if (examination->contains("kind")) mazes.kind = fields.text(*examination, "kind");
   if (const std::string reason = refuse(mazes); !reason.empty()) fields.add(node->source().begin, reason);
@@ -57,13 +56,6 @@ std::string setting_text(const WorldSetting& setting, const std::string& text) {
 }
 
 }  // namespace
-
-std::string refuse(const ExaminationMazes& mazes) {
-  const Generator* generator = find_generator(mazes.kind);
-  if (generator == nullptr)
-    return fmt::format("there is no generator '{}'; `labmouse make --help` lists them", mazes.kind);
-  return std::string(generator->refuses({{mazes.side, mazes.side}, 1, 0}));
-}
 
 std::string refuse_for_league(const World& world) {
   if (world.traits().has_ratio) return "";
@@ -106,6 +98,10 @@ std::string season_text(const Season& season) {
                     "memory = {}\nwritten = {}\nprocesses = {}\ncpu = {}\n",
                     seconds(limits.start), seconds(limits.decision), seconds(limits.silence), seconds(limits.contest),
                     limits.memory >> mib_bits, limits.written >> mib_bits, limits.processes, limits.processor_seconds);
+}
+
+std::string secret_text(const std::string& secret) {
+  return "# The secret seed of the examination. Do not publish this file before the season ends.\n" + secret + "\n";
 }
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// Season files: what a league is held in. docs/reference/files.md describes them.
+// Season files: the world, mazes and limits of a league. docs/reference/files.md describes them.
 #pragma once
 
 #include <string>
@@ -6,27 +6,17 @@
 #include <vector>
 
 #include "labmouse/external/limits.hpp"
+#include "labmouse/lab/mazes/secret_mazes.hpp"
 #include "labmouse/lab/worlds/world_table.hpp"
 
 namespace labmouse {
-
-/// The mazes of the examination. The secret seed and the number of a maze determine it.
-struct ExaminationMazes {
-  int count = 20;
-  std::string kind = "contest";  ///< the name of a generator
-  int side = 16;                 ///< width and height in cells
-};
-inline constexpr int most_examination_mazes = 1000;
-
-/// Why there are no such mazes; empty where there are.
-std::string refuse(const ExaminationMazes& mazes);
 
 /// A season file, as written.
 struct Season {
   std::string title;
   std::string version;  ///< of labmouse, which wrote the file
   NamedWorld world;
-  ExaminationMazes examination;
+  SecretMazes examination = {.count = 20};
   std::string seed_hash;  ///< SHA-256 of the secret seed, as 64 hexadecimal digits
   ExternalLimits limits;  ///< the same for all entries
 };
@@ -39,6 +29,9 @@ struct SeasonResult {
 
 /// Reads a season file of at most 64 KiB.
 SeasonResult read_season(std::string_view text);
+
+/// The text of a file with the secret seed, which secret_in() reads.
+std::string secret_text(const std::string& secret);
 
 /// The text of a season file, which read_season() reads.
 std::string season_text(const Season& season);

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "labmouse/lab/league/secret_seed.hpp"
+#include "labmouse/functions/sha256.hpp"
+#include "labmouse/lab/mazes/secret_mazes.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/system/files.hpp"

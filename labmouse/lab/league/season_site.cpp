@@ -202,9 +202,8 @@ std::string promises_of(const SeasonResults& results) {
   for (const LeagueEntry& entry : results.league.entries) mice.push_back(entry.mouse);
   const bool free =
       std::any_of(mice.begin(), mice.end(), [](const Contestant& mouse) { return mouse.sandboxed == false; });
-  return (free ? "Programs ran without a sandbox: nothing kept them from reading mazes, seeds and other entries.\n"
-               : std::string(promises)) +
-         freedom_note(mice);
+  return free ? freedom_note(mice) + "They could also read seeds and other entries.\n"
+              : std::string(promises) + freedom_note(mice);
 }
 
 std::string table_of(const SeasonResults& results) {
@@ -218,7 +217,7 @@ std::string table_of(const SeasonResults& results) {
                         percent(mouse.mean), interval_text(mouse.interval),
                         fmt::format("{}/{}", finished_of(results.races.examination.race, mouse),
                                     results.league.season.examination.count));
-  text += fmt::format("\n* is built in.\n{}\n", ranking_rule);
+  text += fmt::format("\n* built-in mouse\n{}\n", ranking_rule);
   return text + promises_of(results);
 }
 

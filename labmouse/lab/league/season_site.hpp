@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// The results of a season. Equal seasons make equal files, on every computer and with any number of threads.
+/// The results of a season. Equal contests make equal files, on every computer and with any number of threads.
 struct SeasonResults {
   const League& league;
   const SeasonRaces& races;

@@ -14,7 +14,7 @@
 namespace labmouse {
 namespace {
 
-/// Its shares travel with each request for a verdict.
+/// Each request for a verdict contains the shares of all mazes.
 constexpr int most_mazes = 20'000;
 
 struct Paired {

@@ -74,7 +74,7 @@ std::string make_raw(int terminal, int baud) {
   if (speed == speeds.end()) {
     std::vector<int> all;
     for (const Speed& each : speeds) all.push_back(each.baud);
-    return fmt::format("{} baud is no speed of a serial port; --baud is one of {}", baud, fmt::join(all, ", "));
+    return fmt::format("{} baud is not supported; set --baud to one of {}", baud, fmt::join(all, ", "));
   }
   termios settings{};
   if (tcgetattr(terminal, &settings) != 0) return "cannot be set up: " + cause_of(errno);
@@ -140,7 +140,7 @@ OpenedSource open_connection(const std::string& place) {
   const auto port =
       colon == std::string::npos ? std::nullopt : parse_whole<std::uint16_t>(std::string_view(place).substr(colon + 1));
   if (!port || *port == 0 || colon == 0)
-    return failure("is no place of a robot; write tcp:HOST:PORT, such as tcp:192.168.4.1:23");
+    return failure("is not a TCP address; write tcp:HOST:PORT, such as tcp:192.168.4.1:23");
   std::string host = place.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
   addrinfo wanted{}, *found = nullptr;

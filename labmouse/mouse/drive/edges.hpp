@@ -1,5 +1,5 @@
-// Numbers of the edges by which cells are entered, one for each heading: 4 * cell + heading. By the same number goes
-// the side of the cell in that heading.
+// Numbers of the edges by which cells are entered, one for each heading: 4 * cell + heading. The side of
+// the cell in that heading has the same number.
 #pragma once
 
 #include <array>

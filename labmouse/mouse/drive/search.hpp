@@ -19,7 +19,7 @@ class Search {
   virtual ~Search() = default;
   /// Finds the times to the goals: of all nodes, or with a start of those on fastest routes from there; other times may
   /// then be too late. `start` is a node in the direction of driving, or `everywhere`.
-  /// Times above a limit may then be too late, too.
+  /// Times above `limit` may be too late, with or without a start.
   virtual void fill(const WallSet& passages, const CellSet& goals, int start, DriveTime limit) = 0;
   /// Prepares fills with this start whose passages are all among these: they get closer bounds, and are faster.
   /// All nodes later than `latest` from the start have that time as their bound.

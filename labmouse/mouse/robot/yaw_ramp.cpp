@@ -36,8 +36,8 @@ PathPoint after_clothoid(double distance, double angle) {
 /// How the curvature rises along a ramp, whose yaw rate rises alike at one speed. All are symmetric: the mean curvature
 /// is half of the peak.
 struct Rise {
-  /// The largest yaw acceleration and the largest yaw jerk of a rise by 1 rad/s in 1 s. Not of trapezoids, in which the
-  /// limits decide how long the yaw jerk lasts.
+  /// The largest yaw acceleration and the largest yaw jerk of a rise by 1 rad/s in 1 s. Unused for trapezoids, where the
+  /// limits give the duration of the yaw jerk.
   double acceleration = 0.0, jerk = 0.0;
   double (*angle)(const RampPath& ramp, double distance);      ///< rad
   double (*curvature)(const RampPath& ramp, double distance);  ///< rad/mm
@@ -156,7 +156,7 @@ YawRamp ramp_to(double yaw_rate, const CurveLimits& limits) {
 YawRamp ramp_of_half(double angle, const CurveLimits& limits) {
   if (limits.profile == TurnProfile::trapezoid) return trapezoid_of_half(angle, limits);
   const Rise& rise = rise_of(limits.profile);
-  // rate * seconds = angle, with the seconds that the yaw acceleration asks for, and with those of the yaw jerk
+  // rate * seconds = angle, with the time that the yaw acceleration needs, and with that of the yaw jerk
   double rate = std::sqrt(angle * limits.yaw_acceleration / rise.acceleration);
   if (limits.yaw_jerk > 0.0) rate = std::min(rate, third_root(angle * angle * limits.yaw_jerk / rise.jerk));
   return ramp_to(rate, limits);

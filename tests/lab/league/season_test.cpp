@@ -3,7 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/league/secret_seed.hpp"
+#include "labmouse/functions/sha256.hpp"
+#include "labmouse/lab/league/league.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {

@@ -83,8 +83,8 @@ class FastestRoutes {
   /// @param goals cells where a route may end, all inside the size.
   /// @param limit times above it may be too late, or no_time.
   void fill_for(Pose start, const WallSet& passages, const CellSet& goals, DriveTime limit = no_time);
-  /// Prepares later calls of fill_for() for a start: they are faster, and find the same, if their passages are few of
-  /// these. It takes about as long as fill(), and overwrites what was found.
+  /// Prepares later calls of fill_for() for a start: those whose passages are all among these are faster. The results
+  /// stay the same. It takes about as long as fill(), and overwrites what was found.
   /// @param start where routes begin, at rest in the middle of its cell.
   /// @param passages all that those fills can have, all inside the size.
   /// @param latest about the longest time of a route that they find. Longer ones are found as well, but not faster.

@@ -156,8 +156,8 @@ export function ComparePart({ panel }: { panel: ComparePanel | null }) {
       <details class="part controls" onToggle={({ currentTarget }) => open(currentTarget.open)}>
         <summary>Compare mice until it is decided which is better</summary>
         <p class="note">
-          All mice race in the same mazes, in as many as it takes. Compared is the share of the best possible score of
-          each maze. A verdict is wrong with a probability of at most 5 %.
+          All mice race in the same mazes, until the test decides. It compares the shares of the best possible score.
+          The probability of a wrong verdict is at most 5 %.
         </p>
         {isOpen && <Form panel={panel} />}
       </details>

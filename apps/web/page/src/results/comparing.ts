@@ -1,4 +1,4 @@
-// Compares mice until it is decided which is better, batch by batch, so that the page stays lively between the batches.
+// Compares mice until it is decided which is better, batch by batch, so that the page responds between batches.
 import { Stopped, type Core } from '../core/client';
 import type { Comparison, ComparisonOrder, Fields, Shares } from '../core/types';
 
@@ -13,8 +13,8 @@ const unlessStopped = <Answer>(answer: Promise<Answer>): Promise<Answer | null> 
   });
 
 /**
- * `report` hears of the comparison after each batch; `wanted` is asked between them whether to go on. Null where it was
- * stopped in the first one.
+ * Calls `report` after each batch, and continues while `wanted` returns true. Returns null if it is stopped in the first
+ * batch.
  */
 export async function compareMice(
   core: Core,

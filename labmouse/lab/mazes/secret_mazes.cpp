@@ -1,17 +1,18 @@
-#include "labmouse/lab/league/secret_seed.hpp"
+#include "labmouse/lab/mazes/secret_mazes.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "labmouse/functions/sha256.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 
 namespace labmouse {
+namespace {
 
-std::string sha256_text(std::string_view text) {
-  std::string digits;
-  for (const std::uint8_t byte : sha256(text)) digits += fmt::format("{:02x}", byte);
-  return digits;
-}
+GeneratorOrder order_of(const SecretMazes& mazes, std::uint64_t seed) { return {{mazes.side, mazes.side}, seed, 0}; }
+
+}  // namespace
 
 std::string secret_in(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
@@ -26,10 +27,6 @@ std::string secret_in(std::string_view text) {
   return "";
 }
 
-std::string secret_text(const std::string& secret) {
-  return "# The secret seed of the examination. Do not publish this file before the season ends.\n" + secret + "\n";
-}
-
 std::uint64_t number_from(const std::string& secret, std::string_view purpose) {
   const Sha256 hash = sha256(fmt::format("{}\n{}", purpose, secret));
   std::uint64_t number = 0;
@@ -38,14 +35,15 @@ std::uint64_t number_from(const std::string& secret, std::string_view purpose) {
   return number >> 11U;
 }
 
-std::vector<NamedMaze> examination_mazes(const ExaminationMazes& mazes, const std::string& secret) {
-  std::vector<NamedMaze> all;
-  for (int number = 1; number <= mazes.count; ++number) {
-    std::string name = fmt::format("examination {:03}", number);
-    const std::uint64_t seed = number_from(secret, name);
-    all.push_back({std::move(name), find_generator(mazes.kind)->make({{mazes.side, mazes.side}, seed, 0})});
-  }
-  return all;
+std::string refuse(const SecretMazes& mazes) {
+  const Generator* generator = find_generator(mazes.kind);
+  if (generator == nullptr)
+    return fmt::format("there is no generator '{}'; `labmouse make --help` lists them", mazes.kind);
+  return std::string(generator->refuses(order_of(mazes, 1)));
+}
+
+Maze secret_maze(const SecretMazes& mazes, const std::string& secret, std::string_view purpose) {
+  return find_generator(mazes.kind)->make(order_of(mazes, number_from(secret, purpose)));
 }
 
 }  // namespace labmouse
