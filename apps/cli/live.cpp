@@ -16,7 +16,7 @@ namespace labmouse::cli {
 namespace {
 
 struct LiveOptions {
-  std::string source, against, save, size = "16x16";
+  std::string source, against, save, size;
   Places places;
   int baud = 115'200;
 };
@@ -51,7 +51,7 @@ class Show {
 };
 
 LiveMap new_map(const LiveOptions& options) {
-  if (options.against.empty()) return LiveMap(read_size(options.size));
+  if (options.against.empty()) return LiveMap(read_size(options.size.empty() ? "16x16" : options.size));
   return LiveMap(find_maze(options.against, options.places).maze);
 }
 
@@ -59,6 +59,8 @@ int live(const LiveOptions& options) {
   expect_outputs({{"--save", options.save, FileKind::maze}});
   if (options.against.empty() && !(options.places.start.empty() && options.places.goals.empty()))
     throw UsageError("error: --start and --goal need the maze of --against MAZE");
+  if (!options.against.empty() && !options.size.empty())
+    throw UsageError("error: --against names a maze, which has its size; leave out --size");
   LiveMap map = new_map(options);
   Show show(map.map().known.size());
   OpenedSource opened = open_source(options.source, options.baud);
@@ -96,9 +98,9 @@ void add_live(Command& app, int& exit) {
   command->add_option("--baud", options->baud, "Bits per second of a serial port")
       ->check(in_range(1, 10'000'000))
       ->capture_default_str();
-  auto* size = command->add_option("--size", options->size,
-                                   "Width and height of the maze in cells, where --against names no maze");
-  size->type_name("WxH")->capture_default_str();
+  command->add_option("--size", options->size, "Width and height of the maze in cells, where --against names no maze")
+      ->type_name("WxH")
+      ->default_str("16x16");
   command->add_option("--against", options->against, "The maze in which the robot is: marks false and missed walls")
       ->type_name("MAZE");
   add_places(*command, options->places);

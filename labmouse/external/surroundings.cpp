@@ -134,10 +134,12 @@ std::string program_of_script(const std::string& path) {
   return words[0];
 }
 
-/// Adds a program with its installation: the libraries beside it, and the base of a virtual environment.
+/// Adds a program with its installation: the libraries beside it, and the base of a virtual environment. A file of a
+/// mouse that names a program which is not there makes no folder visible.
 void add_program(const std::string& path, Collection& all, int depth = 0) {
   constexpr int deepest = 6;
-  if (path.empty() || path.front() != '/' || depth > deepest) return;
+  std::error_code error;
+  if (path.empty() || path.front() != '/' || depth > deepest || !fs::is_regular_file(path, error)) return;
   const char* home = std::getenv("HOME");
   const fs::path folder = fs::path(path).parent_path(), prefix = folder.parent_path();
   if (!holds_programs(folder) || prefix == "/" || (home != nullptr && lies_in(home, prefix.string()))) {
@@ -147,7 +149,6 @@ void add_program(const std::string& path, Collection& all, int depth = 0) {
     const std::string base = base_of_environment(prefix);
     if (!base.empty()) add_program((fs::path(base) / fs::path(path).filename()).string(), all, depth + 1);
   }
-  std::error_code error;
   const std::string real = fs::canonical(path, error).string();
   if (!error && real != path)
     add_program(real, all, depth + 1);

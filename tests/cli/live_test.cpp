@@ -63,6 +63,7 @@ TEST_F(AUser, IsToldWhyARobotCannotBeHeard) {
   is_refused({"live", "none"}, "none", "no such file");
   is_refused({"live", "tcp:robot"}, "tcp:robot", "tcp:HOST:PORT");
   is_refused({"live", "-", "--size", "0x3"}, "0x3");
+  is_refused({"live", "-", "--size", "8x8", "--against", "contest-01"}, "--size");
   is_refused({"live", "-", "--start", "1,1"}, "--against");
   is_refused({"live", "-", "--baud", "0"}, "--baud");
 }

@@ -77,6 +77,14 @@ TEST_F(ItsSurroundings, HaveAllThatAnInterpreterIsInstalledWith) {
               testing::AllOf(Contains((folder_ / "env").string()), Contains((folder_ / "base").string())));
 }
 
+TEST_F(ItsSurroundings, DoNotHaveFoldersThatAMouseNamesAsInstallations) {
+  file("mazes/bin/notes.txt");
+  file("mice/pyvenv.cfg", "home = " + (folder_ / "mazes" / "bin").string() + "\n");
+  const std::string python = file("mice/bin/python3", "#!" + (folder_ / "mazes/bin/sh").string() + "\n");
+  const Surroundings around = of({"mice/bin/python3", "mouse.py"}, python);
+  EXPECT_THAT(around.visible, Not(Contains((folder_ / "mazes").string())));
+}
+
 TEST_F(ItsSurroundings, KeepTheLinksThatLeadThere) {
   fs::create_directory_symlink(folder_ / "mice", folder_ / "link");
   file("mice/table.txt");

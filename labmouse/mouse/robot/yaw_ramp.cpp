@@ -36,8 +36,8 @@ PathPoint after_clothoid(double distance, double angle) {
 /// How the curvature rises along a ramp, whose yaw rate rises alike at one speed. All are symmetric: the mean curvature
 /// is half of the peak.
 struct Rise {
-  /// The largest yaw acceleration and the largest yaw jerk of a rise by 1 rad/s in 1 s. Unused for trapezoids, where the
-  /// limits give the duration of the yaw jerk.
+  /// The largest yaw acceleration and the largest yaw jerk of a rise by 1 rad/s in 1 s. Unused for trapezoids, where
+  /// the limits give the duration of the yaw jerk.
   double acceleration = 0.0, jerk = 0.0;
   double (*angle)(const RampPath& ramp, double distance);      ///< rad
   double (*curvature)(const RampPath& ramp, double distance);  ///< rad/mm

@@ -78,10 +78,7 @@ export function createScene(track: Track, layers: Layers, options: SceneOptions 
       stale = true;
     },
   });
-  function repaint() {
-    stale = true;
-    stage.redraw();
-  }
+  const repaint = () => ((stale = true), stage.redraw());
   place.look(0, 0, 0);
 
   return {

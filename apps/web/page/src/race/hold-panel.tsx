@@ -43,15 +43,26 @@ const entrantsOf = ({ mice }: About, world: WorldInPage) =>
     .filter(({ name }) => world.mice.includes(name))
     .map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) }));
 
+/** The mazes to choose from, and `take`: a maze of a link is one of the user's from then on, unless it is that already. */
+function createMazes(page: EarlyPage, about: About) {
+  const linked: MazeData[] = [];
+  const mazes = createMazePicks('Mazes', about, () => [...page.mazes(), ...linked], false);
+  function take(maze: MazeData): string {
+    for (const [name, mine] of mazes.own()) if (isSameMaze({ maze: mine }, { maze })) return name;
+    linked.push(maze);
+    mazes.refresh();
+    return take(maze);
+  }
+  return { mazes, take };
+}
+
 /** Who races, where, how often: an order, to be read and to be set. `draw` is called after each change. */
 export function createHoldPanel(page: EarlyPage, about: About, draw: () => void) {
   const world = createWorldChoice(about, enter);
   let { world: where } = world.chosen();
   const numbers = createNumbers(where.usual_runs);
   const mice = createPicks('Mice', entrantsOf(about, where));
-  /** Those that came with links. */
-  const linked: MazeData[] = [];
-  const mazes = createMazePicks('Mazes', about, () => [...page.mazes(), ...linked], false);
+  const { mazes, take } = createMazes(page, about);
   const running = createRunning<Progress>(page, 'race', draw);
   /** Offers what there is in the chosen world: its mice, and as many runs as are usual there, unless others were chosen. */
   function enter() {
@@ -60,13 +71,6 @@ export function createHoldPanel(page: EarlyPage, about: About, draw: () => void)
     if (numbers.read().runs === before) numbers.write({ runs: where.usual_runs });
     mice.offer(entrantsOf(about, where));
     draw();
-  }
-  /** A maze of a link is one of the user's from now on, unless it is that already. */
-  function take(maze: MazeData): string {
-    for (const [name, mine] of mazes.own()) if (isSameMaze({ maze: mine }, { maze })) return name;
-    linked.push(maze);
-    mazes.refresh();
-    return take(maze);
   }
   /** What is chosen. */
   function order(): Order {

@@ -47,6 +47,13 @@ interface CellsProps {
 }
 
 /** The cells: pointer and keys choose one of them. */
+const styleOf = ({ row, column }: Place, { top, cellWidth, cellHeight }: Layout) => ({
+  left: `${column * cellWidth}px`,
+  top: `${top + row * cellHeight}px`,
+  width: `${cellWidth}px`,
+  height: `${cellHeight}px`,
+});
+
 function Cells({ shown, chosen, element, choose, open, went }: CellsProps) {
   const { board, mice, mazes, layout } = shown;
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -94,16 +101,7 @@ function Cells({ shown, chosen, element, choose, open, went }: CellsProps) {
       onKeyDown={press}
     >
       <canvas aria-hidden="true" ref={canvas} />
-      <div
-        class="mark"
-        hidden={!chosen}
-        style={{
-          left: `${at.column * layout.cellWidth}px`,
-          top: `${layout.top + at.row * layout.cellHeight}px`,
-          width: `${layout.cellWidth}px`,
-          height: `${layout.cellHeight}px`,
-        }}
-      />
+      <div class="mark" hidden={!chosen} style={styleOf(at, layout)} />
     </div>
   );
 }

@@ -244,8 +244,7 @@ export function createChooser(
     play: () => play(false),
     /** Offers what there is by now; open while what is shown was chosen here. */
     refresh(open: boolean) {
-      state.mazes = namedApart(page.mazes(), about.mazes);
-      state.open = open;
+      Object.assign(state, { mazes: namedApart(page.mazes(), about.mazes), open });
       draw();
     },
     /** What is shown came from elsewhere: a contest that still runs is not wanted any more. */

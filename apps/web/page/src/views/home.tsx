@@ -91,6 +91,10 @@ export function createHome(page: EarlyPage): View {
     if (now || !isShown || document.hidden) go();
     else if (next === 0) void begin();
   }
+  function look(yes: boolean) {
+    isShown = yes;
+    wake();
+  }
   async function begin(from?: number) {
     try {
       const met = await meet(page.core, pairs[next++ % pairs.length]);
@@ -107,19 +111,13 @@ export function createHome(page: EarlyPage): View {
   draw();
   return {
     element,
-    shown() {
-      isShown = true;
-      wake();
-    },
+    shown: () => look(true),
     address: async () => addressOf('home', { pair: ((next + pairs.length - 1) % pairs.length) + 1, time: race.time() }),
     async follow(hash) {
       const { pair, time } = readAddress(hash).moment;
       next = indexOf(pair);
       await begin(time);
     },
-    hidden() {
-      isShown = false;
-      go();
-    },
+    hidden: () => look(false),
   };
 }

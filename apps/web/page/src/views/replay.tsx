@@ -1,4 +1,5 @@
 // The view Replay: the player, and at its side what it plays. Until somebody chooses, that is an example.
+import type { ComponentChild } from 'preact';
 import type { Play } from '../core/types';
 import { addressOf, readAddress, type Moment } from '../link/address';
 import { contestBehind, contestOf, contestsInMoment, contestsOf } from '../link/contest';
@@ -7,7 +8,7 @@ import type { Camera } from '../maze/camera';
 import { isSameMaze } from '../maze/same';
 import { createRoot } from '../ui/root';
 import { Beside } from '../replay/beside';
-import { ContestChooser, createChooser } from '../replay/chooser';
+import { ContestChooser, createChooser, type Chooser } from '../replay/chooser';
 import { createPlayer, PlayerRoom, type Player } from '../player/player';
 import type { Shown } from '../player/side';
 import '../styles/replay.css';
@@ -58,6 +59,13 @@ interface Given {
 }
 
 /** The player, with the forms that choose what it plays. */
+const Another = ({ chooser, beside }: { chooser: Chooser; beside: () => ComponentChild }) => (
+  <div class="another">
+    <ContestChooser chooser={chooser} />
+    {beside()}
+  </div>
+);
+
 function createParts(page: Page) {
   const draw = () => player.refresh();
   const chooser = createChooser(page, draw, (plays, asked, time) => {
@@ -68,18 +76,13 @@ function createParts(page: Page) {
     // Who is on the way elsewhere by now, or asked for less motion, starts it when they like.
     if (!asked && !element.hidden && !still.matches) player.play();
   });
-  const lead = () => (
-    <div class="another">
-      <ContestChooser chooser={chooser} />
-      <Beside page={page} plays={isChosen ? [] : now} shown={(plays) => show(plays)} />
-    </div>
-  );
+  const beside = () => <Beside page={page} plays={isChosen ? [] : now} shown={(plays) => show(plays)} />;
   function rested() {
     const now = player.moment();
     if (!isExample) page.keepMoment(addressOf('replay', now));
     if (!element.hidden) goAlong(linked, now);
   }
-  const player = createPlayer(page, lead, { rested });
+  const player = createPlayer(page, () => <Another {...{ chooser, beside }} />, { rested });
   // The keys are the player's once it has the focus.
   const { element, draw: drawAll } = createRoot('replay', 'Replay', () => (
     <>

@@ -29,14 +29,7 @@ function createDesk(page: Page, draw: () => void, complain: () => void) {
   const subject = () =>
     draft.maze && !draft.refused ? { name: calledOf(draft), values: draft.values, maze: draft.maze } : null;
   const regions = createRegions(page, keys, subject, draw, () => (leaveLink(draft), keep()));
-  const mazes = createMazeChoice(
-    page,
-    (maze) => {
-      draft.maze = maze;
-      ask(false);
-    },
-    draw,
-  );
+  const mazes = createMazeChoice(page, (maze) => ((draft.maze = maze), ask(false)), draw);
   const asking = createAsking(page, draft, form, answered, (error) => {
     outcome.rest();
     state.error = errorText(error);
@@ -62,11 +55,11 @@ function createDesk(page: Page, draw: () => void, complain: () => void) {
   }
   function answered({ now, before }: Answers, { values, maze }: Question) {
     const isOrigin = values === null;
-    const { name: origin } = draft.origin;
     outcome.rest();
     state.error = '';
     outcome.show(now, isOrigin ? null : before, form.say(now.problems, now.remarks));
     if (now.result && maze) {
+      const origin = draft.origin.name;
       const called = isOrigin ? origin : calledOf(draft);
       const was = isOrigin ? null : before.route;
       route.show({ called, origin, maze, route: now.route, reason: now.no_route ?? '', was });

@@ -85,8 +85,8 @@ function createProgram(page: Page, changed: (allowed: boolean) => void, draw: ()
     draw();
   }
   /** Puts a program into the editor; `undoable` as a change of the one that stands there. */
-  function put(work: Work, undoable = false) {
-    Object.assign(draft, { work, name: work.name, error: '' });
+  function put(work: Work, undoable = false, foreign = draft.foreign) {
+    Object.assign(draft, { work, name: work.name, foreign, error: '' });
     if (undoable) draft.editor?.replace(work.text);
     else draft.editor?.set(work.text, work.language.id);
     edited();
@@ -94,8 +94,7 @@ function createProgram(page: Page, changed: (allowed: boolean) => void, draw: ()
   }
   /** One that is the user's, and may run. */
   function take(work: Work, undoable = false) {
-    draft.foreign = false;
-    put(work, undoable);
+    put(work, undoable, false);
     wrote();
   }
   return {
@@ -128,10 +127,7 @@ function createProgram(page: Page, changed: (allowed: boolean) => void, draw: ()
       changed(true);
     },
     /** From the program of a link back to one's own. */
-    back() {
-      draft.foreign = false;
-      put(last());
-    },
+    back: () => put(last(), false, false),
   };
 }
 
