@@ -10,22 +10,60 @@
 #include "frames.hpp"
 #include "generated.hpp"
 #include "labmouse/lab/live/live_drawing.hpp"
+#include "labmouse/lab/live/live_plan.hpp"
 #include "labmouse/lab/system/live_source.hpp"
 
 namespace labmouse::cli {
 namespace {
 
 struct LiveOptions {
-  std::string source, against, save, size;
+  std::string source, against, save, size, robot;
+  bool plan = false;
   Places places;
   int baud = 115'200;
+};
+
+/// The fastest routes in the map for a robot; nothing without one.
+class Planning {
+ public:
+  /// @param robot a name or file; may be empty.
+  Planning(const std::string& robot, Size size) {
+    if (robot.empty()) return;
+    robot_ = find_robot_or_refuse(robot);
+    tell_remarks(robot_.remarks);
+    if (size.width > max_drive_side || size.height > max_drive_side)
+      throw UsageError(fmt::format("error: --robot plans in mazes up to {}x{}", max_drive_side, max_drive_side));
+    planner_.emplace(robot_.model);
+  }
+
+  /// Plans if the map has changed.
+  /// @return the line for the robot, if it is another than before; else nothing.
+  std::string update(const PartialMap& map) {
+    if (!planner_ || (last_ && last_->known == map.known && last_->unseen == map.unseen)) return {};
+    last_ = map;
+    const LivePlan plan = planner_->plan(map);
+    text_ = planner_->text_of(plan) + "\n";
+    std::string line = planner_->line_of(plan);
+    if (line == line_) return {};
+    line_ = std::move(line);
+    return line_;
+  }
+  /// What is planned, as a line.
+  const std::string& text() const { return text_; }
+
+ private:
+  FoundRobot robot_;
+  std::optional<LivePlanner> planner_;
+  std::optional<PartialMap> last_;
+  std::string text_, line_;
 };
 
 /// Shows the map and what is found: on a terminal as a picture that changes, elsewhere the findings line by line and
 /// the map at the end.
 class Show {
  public:
-  explicit Show(Size size) : frames_(size, static_cast<int>(most_findings) + lines_below) {}
+  Show(Size size, const Planning& planning)
+      : frames_(size, static_cast<int>(most_findings) + lines_below), planning_(planning) {}
 
   void add(const LiveFinding& finding) {
     const std::string words = words_of(finding) + "\n";
@@ -40,13 +78,15 @@ class Show {
 
  private:
   static constexpr std::size_t most_findings = 5;
-  static constexpr int lines_below = 4;  ///< two of the drawing, two of the summary
+  static constexpr int lines_below = 5;  ///< two of the drawing, two of the summary, one of the plan
 
   void draw(const LiveMap& map, const LiveReader& reader) const {
-    frames_.show(draw_live(map, colours()) + live_summary(map, reader) + fmt::format("{}", fmt::join(findings_, "")));
+    frames_.show(draw_live(map, colours()) + live_summary(map, reader) + planning_.text() +
+                 fmt::format("{}", fmt::join(findings_, "")));
   }
 
   Frames frames_;
+  const Planning& planning_;
   std::deque<std::string> findings_;  ///< the newest ones
 };
 
@@ -62,8 +102,10 @@ int live(const LiveOptions& options) {
   if (!options.against.empty() && !options.size.empty())
     throw UsageError("error: --against names a maze, which has its size; leave out --size");
   LiveMap map = new_map(options);
-  Show show(map.map().known.size());
-  OpenedSource opened = open_source(options.source, options.baud);
+  Planning planning(options.robot, map.map().known.size());
+  Show show(map.map().known.size(), planning);
+  OpenedSource opened =
+      open_source(options.source, options.baud, options.plan ? LiveUse::read_and_answer : LiveUse::read);
   if (!opened.source) throw UsageError(fmt::format("{}: error: {}", options.source, opened.error));
   LiveReader reader(map.map().known.size());
   LiveSource::Piece piece;
@@ -76,7 +118,10 @@ int live(const LiveOptions& options) {
     if (piece.ended && piece.error.empty() && last != '\n') piece.bytes += '\n';
     for (const LiveLine& line : reader.feed(piece.bytes))
       for (const LiveFinding& finding : map.add(line)) show.add(finding);
-    if (!piece.bytes.empty()) show.update(map, reader);
+    if (piece.bytes.empty()) continue;
+    const std::string line = planning.update(map.map());
+    if (options.plan) opened.source->send(line);
+    show.update(map, reader);
   }
   show.end(map, reader);
   if (!options.save.empty()) save(options.save, *write_partial_map(map.map()).content);
@@ -104,10 +149,16 @@ void add_live(Command& app, int& exit) {
   command->add_option("--against", options->against, "The maze in which the robot is: marks false and missed walls")
       ->type_name("MAZE");
   add_places(*command, options->places);
+  auto* robot = command->add_option("--robot", options->robot,
+                                    "Built-in robot, or a file whose name contains a slash or ends in .toml: says how "
+                                    "fast its known route is, and whether an unseen wall can make it faster");
+  robot->type_name("ROBOT");
+  command->add_flag("--plan", options->plan, "Send the known route to the robot whenever it changes")->needs(robot);
   command->add_option("--save", options->save, "Save the map as a drawing at the end")->type_name("FILE");
   command->footer(
       "It ends at the end of SOURCE or with Ctrl-C. docs/reference/protocols.md describes the lines of the robot.\n"
-      "Example: labmouse live /dev/ttyUSB0 --against contest-01");
+      "Example: labmouse live /dev/ttyUSB0 --against contest-01\n"
+      "         labmouse live /dev/ttyUSB0 --robot classic --plan");
   command->callback([options, &exit] { exit = live(*options); });
 }
 

@@ -2,9 +2,11 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <termios.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -64,6 +66,9 @@ TEST_F(AUser, IsToldWhyARobotCannotBeHeard) {
   is_refused({"live", "tcp:robot"}, "tcp:robot", "tcp:HOST:PORT");
   is_refused({"live", "-", "--size", "0x3"}, "0x3");
   is_refused({"live", "-", "--size", "8x8", "--against", "contest-01"}, "--size");
+  is_refused({"live", "-", "--plan"}, "--robot");
+  is_refused({"live", "-", "--robot", "classic", "--plan"}, "tcp:HOST:PORT");
+  is_refused({"live", "-", "--robot", "classic", "--size", "33x33"}, "--robot", "32x32");
   is_refused({"live", "-", "--start", "1,1"}, "--against");
   is_refused({"live", "-", "--baud", "0"}, "--baud");
 }
@@ -158,6 +163,25 @@ TEST_F(ARealRobot, IsHeardUntilItHangsUp) {
   hang_up();
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 0) << ended.err;
+  expect_the_whole_map(ended);
+}
+
+TEST_F(ARealRobot, IsToldTheRouteThatItKnows) {
+  words_.insert(words_.end(), {"--robot", "classic", "--plan"});
+  const Program program(folder_, words_);
+  send(troubled_stream());
+  std::string told;
+  ASSERT_TRUE(patiently([&] {
+    std::array<char, 256> bytes{};
+    pollfd waiting{robot_, POLLIN, 0};
+    if (poll(&waiting, 1, 0) == 1) told.append(bytes.data(), static_cast<std::size_t>(read(robot_, bytes.data(), 256)));
+    return told.find('\n') != std::string::npos;
+  }));
+  hang_up();
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(told, testing::StartsWith("plan S"));
+  EXPECT_THAT(ended.out, HasSubstr("the known route takes "));
   expect_the_whole_map(ended);
 }
 

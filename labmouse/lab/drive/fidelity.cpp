@@ -7,6 +7,7 @@
 
 #include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/numbers/maze_interval.hpp"
+#include "labmouse/lab/text/errors_text.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -79,16 +80,17 @@ bool is_faithful(const Fidelity& fidelity, const FidelityBars& bars) {
 std::string table_of(std::span<const Fidelity> all, const FidelityBars& bars) {
   std::size_t width = 5;
   for (const Fidelity& each : all) width = std::max(width, shown(each.mouse).size());
-  std::string text = fmt::format("{:<{}} {:>9} {:>9} {:>10} {:>10} {:>11} {:>15}\n", "mouse", width, "variation",
+  std::string text = fmt::format("{:<{}} {:>15} {:>9} {:>10} {:>10} {:>11} {:>15}\n", "mouse", width, "variation",
                                  "contests", "physical %", "failures %", "difference", "95 %");
   for (const Fidelity& each : all) {
     const auto percent = [&](int finished) { return 100.0 * finished / std::max(1, each.contests); };
-    text += fmt::format(
-        "{:<{}} {:>9g} {:>9} {:>10.1f} {:>10.1f} {:>+11.1f} {:>15}{}\n", shown(each.mouse), width, each.variation,
-        each.contests, percent(each.physical), percent(each.failures), 100.0 * each.difference,
-        each.interval ? fmt::format("{:+.1f} to {:+.1f}", 100.0 * each.interval->low, 100.0 * each.interval->high)
-                      : "-",
-        is_faithful(each, bars) ? "" : "  too far");
+    text += fmt::format("{:<{}} {:>15} {:>9} {:>10.1f} {:>10.1f} {:>+11.1f} {:>15}{}\n", shown(each.mouse), width,
+                        variation_text(each.variation), each.contests, percent(each.physical), percent(each.failures),
+                        100.0 * each.difference,
+                        each.interval
+                            ? fmt::format("{:+.1f} to {:+.1f}", 100.0 * each.interval->low, 100.0 * each.interval->high)
+                            : "-",
+                        is_faithful(each, bars) ? "" : "  too far");
   }
   return text;
 }

@@ -5,6 +5,7 @@
 
 #include "labmouse/lab/drives/known_drives.hpp"
 #include "labmouse/lab/numbers/wilson.hpp"
+#include "labmouse/lab/text/errors_text.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -39,7 +40,7 @@ Json readings_json(const WallReadings& readings) {
 std::string table_of(std::span<const DriveTally> tallies, const DriveOrder& order) {
   std::size_t width = 14;
   for (const DriveTally& tally : tallies) width = std::max(width, shown(tally.name).size());
-  std::string text = fmt::format("Robot {}\n\n", shown(order.model->robot.name));
+  std::string text = fmt::format("Robot {}; {}\n\n", shown(order.model->robot.name), scales_text());
   text += fmt::format("{:<{}} {:>6} {:>8} {:>13} {:>7} {:>7} {:>8} {:>8} {:>8} {:>12} {:>9} {:>9} {:>8}\n", "", width,
                       "", "crashed", "95 %", "without", "worst", "lateral", "longit.", "heading", "max. lateral",
                       "side", "front", "cells a");

@@ -9,6 +9,7 @@
 #include "labmouse/lab/failure_rates/failure_file.hpp"
 #include "labmouse/lab/failure_rates/failure_rates.hpp"
 #include "labmouse/lab/numbers/wilson.hpp"
+#include "labmouse/lab/text/errors_text.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -91,9 +92,11 @@ std::string finished_text_of(const CountsByMaze& by_maze) {
 std::string table_of(const MeasuredRates& measured, const FailureOrder& order, std::size_t place) {
   const FailureTally& tally = measured.tallies[place];
   const CountsByMaze counts = counts_of(measured, place, [](const FailureTally& each) { return each.all(); });
+  ErrorScale errors = order.conditions.errors;
+  errors.variation = tally.variation;
   std::string text =
-      fmt::format("Noise {:g}, variation {:g}{}: {}\n", order.conditions.errors.noise, tally.variation,
-                  tally.pace == 1.0 ? "" : fmt::format(", pace {:g}", tally.pace), finished_text_of(counts));
+      fmt::format("{}{}: {}\n", text_of(errors), tally.pace == 1.0 ? "" : fmt::format(", pace {:g}", tally.pace),
+                  finished_text_of(counts));
   if (tally.variation > 0.0) {
     text += "\nwalls look, %\n";
     for (std::size_t bright = 0; bright < brightness_classes; ++bright)

@@ -128,7 +128,9 @@ PartialMap LiveMap::map() const {
     unseen.erase(wall);
     if (readings.newest.closed) draft.close(wall.cell, wall.side);
   }
-  return {Maze(draft), unseen};
+  const Maze known(draft);
+  if (!truth_) return {known, unseen};
+  return {known.with_start(truth_->start(), truth_->start_heading()).with_goals(truth_->goals()), unseen};
 }
 
 std::vector<LiveFinding> LiveMap::contradictions() const {

@@ -64,7 +64,8 @@ class LiveMap {
   /// @return what the user should know, by heading. A reading that repeats the newest one of its wall is not repeated.
   std::vector<LiveFinding> add(const LiveLine& line);
 
-  /// The map; `unseen` is empty once all inner walls were seen.
+  /// The map; `unseen` is empty once all inner walls were seen. Start and goals are those of the known maze, if there
+  /// is one.
   PartialMap map() const;
   /// The readings of walls that were seen in both states: the newest of each, and the newest that contradicts it.
   std::vector<LiveFinding> contradictions() const;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/text/errors_text.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -57,7 +58,8 @@ std::string result_line(const DriveRecordFile& file) {
   const DriveRecord& record = file.record;
   const DriveScore result = score(record, file.rules);
   std::string line =
-      fmt::format("{} in {}, {}, {}: ", file.mouse, file.maze_name, file.model->robot.name, file.rules.name);
+      fmt::format("{} in {}, {}, {}{}: ", file.mouse, file.maze_name, file.model->robot.name, file.rules.name,
+                  file.physical ? ", " + text_of(file.physical->conditions.errors) : "");
   if (result.best)
     line += score_words(result, record, file.rules);
   else

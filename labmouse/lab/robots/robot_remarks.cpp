@@ -69,6 +69,13 @@ std::vector<std::string> sensor_remarks(const Sensors& sensors, double cell) {
   remark_if(!infrared_aside, "no infrared sensor looks aside: no correction by the edges of walls and by posts");
   const bool looks_aside = infrared_aside || any(sensors.rangers, aside);
   remark_if(!looks_aside, "no sensor looks aside: no correction by side walls");
+  for (const BeamSide blind : {BeamSide::left, BeamSide::right}) {
+    const auto there = [&](BeamSide side) { return side == blind; };
+    remark_if(looks_aside && !any(sensors.infrared, there) && !any(sensors.rangers, there),
+              blind == BeamSide::left
+                  ? "no sensor looks to the left: the built-in controller cannot read the walls there"
+                  : "no sensor looks to the right: the built-in controller cannot read the walls there");
+  }
   const auto foresees = [&](const auto& one) {
     const Beam& beam = one.beam;
     const double along = beam.ahead + calibrated_distance(beam, cell) * direction_of(beam.angle).cosine;

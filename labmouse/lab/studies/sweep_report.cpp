@@ -138,9 +138,10 @@ std::string table_of(const Sweep& sweep, bool colours) {
   std::size_t width = std::max<std::size_t>(5, sweep.parameter.size());
   for (const SweepPoint& point : sweep.points) width = std::max(width, point.value.size());
   const std::size_t mazes = sweep.mazes.size() + static_cast<std::size_t>(sweep.routeless);
-  std::string text =
-      fmt::format("labmouse {}: {}, {}, {}, seed {}\n\n", version(), name_of(sweep),
-                  counted(sweep.values, "value", "values"), counted(mazes, "maze", "mazes"), sweep.order.seed);
+  const World& world = *sweep.order.world;
+  std::string text = fmt::format("labmouse {}: {}{}, {}, {}, seed {}{}\n\n", version(), world.title(), name_of(sweep),
+                                 counted(sweep.values, "value", "values"), counted(mazes, "maze", "mazes"),
+                                 sweep.order.seed, world.traits().heading);
   text += fmt::format("{}{:>{}} {:>8} {:>16} {:>7} {:>9}{}{}{}\n", colours ? "\x1b[1m" : "", sweep.parameter, width,
                       "mean", "95 % interval", "failed", "contests",
                       has_finished_means(sweep) ? fmt::format(" {:>13}", "finished only") : "",

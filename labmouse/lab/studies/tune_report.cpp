@@ -94,9 +94,11 @@ PlotPoint point_of(const Tune& tune, std::size_t begin, std::size_t end) {
 }  // namespace
 
 std::string table_of(const Tune& tune, bool colours) {
-  std::string text = fmt::format(
-      "labmouse {}: tune, {}, {}, seed {}\n\n", version(), counted(tune.ranges.size(), "parameter", "parameters"),
-      counted(static_cast<int>(tune.mazes) + tune.routeless, "maze", "mazes"), tune.order.race.seed);
+  const World& world = *tune.order.race.world;
+  std::string text = fmt::format("labmouse {}: {}tune, {}, {}, seed {}{}\n\n", version(), world.title(),
+                                 counted(tune.ranges.size(), "parameter", "parameters"),
+                                 counted(static_cast<int>(tune.mazes) + tune.routeless, "maze", "mazes"),
+                                 tune.order.race.seed, world.traits().heading);
   if (tune.evaluations.empty()) return text + notes_of(tune);
   return text + parameters_text(tune, colours) + "\n" + result_text(tune) + "\n" + notes_of(tune) + "\n" +
          best_of(tune).mouse + "\n";

@@ -30,7 +30,8 @@ namespace labmouse {
 #ifdef _WIN32
 
 LiveSource::Piece LiveSource::read(int) { return {.bytes = {}, .ended = true, .error = {}}; }
-OpenedSource open_source(const std::string&, int) { return {std::nullopt, "cannot be read on this system"}; }
+void LiveSource::send(std::string_view) {}
+OpenedSource open_source(const std::string&, int, LiveUse) { return {std::nullopt, "cannot be read on this system"}; }
 
 #else
 
@@ -39,6 +40,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 OpenedSource failure(std::string error) { return {std::nullopt, std::move(error)}; }
+
+constexpr const char* not_answered = "cannot be answered; name a serial port or tcp:HOST:PORT";
 
 OpenedSource success(Descriptor descriptor) { return {LiveSource(std::move(descriptor)), {}}; }
 
@@ -93,14 +96,19 @@ bool set_waiting(int descriptor, bool waiting) {
   return flags >= 0 && fcntl(descriptor, F_SETFL, waiting ? flags & ~O_NONBLOCK : flags | O_NONBLOCK) == 0;
 }
 
-OpenedSource open_path(const std::string& path, int baud) {
+OpenedSource open_path(const std::string& path, int baud, LiveUse use) {
   // A serial port may wait for a modem when it is opened, a named pipe for a program that writes.
-  Descriptor opened = Descriptor::opened(open(path.c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  const bool answers = use == LiveUse::read_and_answer;
+  Descriptor opened =
+      Descriptor::opened(open(path.c_str(), (answers ? O_RDWR : O_RDONLY) | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   if (opened.number() < 0)
     return failure(errno == ENOENT ? "no such file or device" : "cannot be opened: " + cause_of(errno));
-  if (isatty(opened.number()) != 0)
+  if (isatty(opened.number()) != 0) {
     if (std::string error = make_raw(opened.number(), baud); !error.empty()) return failure(std::move(error));
-  set_waiting(opened.number(), true);
+  } else if (answers) {
+    return failure(not_answered);
+  }
+  set_waiting(opened.number(), !answers);
   return success(std::move(opened));
 }
 
@@ -166,9 +174,14 @@ OpenedSource open_connection(const std::string& place) {
 }  // namespace
 
 LiveSource::Piece LiveSource::read(int milliseconds) {
-  pollfd waiting{descriptor_.number(), POLLIN, 0};
+  pollfd waiting{descriptor_.number(), static_cast<short>(waiting_.empty() ? POLLIN : POLLIN | POLLOUT), 0};
   const int ready = poll(&waiting, 1, milliseconds);
   if (ready == 0 || (ready < 0 && errno == EINTR)) return {};
+  if ((waiting.revents & POLLOUT) != 0) {
+    const std::ptrdiff_t sent = write_some(descriptor_.number(), waiting_.data(), waiting_.size());
+    if (sent > 0) waiting_.erase(0, static_cast<std::size_t>(sent));
+    if ((waiting.revents & ~POLLOUT) == 0) return {};
+  }
   std::array<char, 4096> bytes{};
   const std::ptrdiff_t count = ready < 0 ? -1 : read_some(descriptor_.number(), bytes.data(), bytes.size());
   if (count > 0) return {.bytes = {bytes.data(), static_cast<std::size_t>(count)}, .ended = false, .error = {}};
@@ -176,11 +189,17 @@ LiveSource::Piece LiveSource::read(int milliseconds) {
   return {.bytes = {}, .ended = true, .error = count == 0 ? std::string() : "cannot be read: " + cause_of(errno)};
 }
 
-OpenedSource open_source(const std::string& name, int baud) {
-  if (const auto descriptor = descriptor_to_read(name)) return success(Descriptor::borrowed(*descriptor));
+void LiveSource::send(std::string_view bytes) {
+  constexpr std::size_t most = 4096;
+  if (waiting_.size() + bytes.size() <= most) waiting_ += bytes;
+}
+
+OpenedSource open_source(const std::string& name, int baud, LiveUse use) {
+  if (const auto descriptor = descriptor_to_read(name))
+    return use == LiveUse::read ? success(Descriptor::borrowed(*descriptor)) : failure(not_answered);
   constexpr std::string_view connection = "tcp:";
   if (name.starts_with(connection)) return open_connection(name.substr(connection.size()));
-  return open_path(name, baud);
+  return open_path(name, baud, use);
 }
 
 #endif

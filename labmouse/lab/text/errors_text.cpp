@@ -15,4 +15,11 @@ std::string text_of(const ErrorScale& errors) {
                      variation_text(errors.variation));
 }
 
+std::string scales_text() {
+  std::string text = "noise 1: as measured; variation ";
+  for (const NamedNumber& level : variation_levels)
+    text += fmt::format("{}{:g}: {}", &level == variation_levels.data() ? "" : ", ", level.number, level.name);
+  return text;
+}
+
 }  // namespace labmouse

@@ -13,4 +13,7 @@ std::string variation_text(double scale);
 /// "noise 1 (as measured), variation 1 (contest)"
 std::string text_of(const ErrorScale& errors);
 
+/// What the numbers of both scales mean: "noise 1: as measured; variation 0: lab, 0.5: practice, 1: contest, ..."
+std::string scales_text();
+
 }  // namespace labmouse

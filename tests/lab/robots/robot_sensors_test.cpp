@@ -241,8 +241,12 @@ TEST(RobotSensors, ThatAreLackingAreRemarked) {
   EXPECT_THAT(remarks(narrow), ElementsAre(Says("11 bits")));
   EXPECT_THAT(remarks(without(pairs, "[[infrared]]\nahead = 12\naside = 9\nangle = 1.1\nlatency = 9\n")),
               Contains(Says("mm late")));
+  EXPECT_THAT(remarks(without(pairs, "[[infrared]]\nahead = 12\naside = 9\nangle = 1.1\n")),
+              ElementsAre(Says("no sensor looks to the right")));
   EXPECT_THAT(remarks(without({"sensors.side_"})), Contains(Says("no sensor looks aside")));
-  EXPECT_THAT(remarks(without(pairs, "[[infrared]]\nahead = 12\naside = 10\nangle = 1.57\n")),
+  EXPECT_THAT(remarks(without(pairs,
+                              "[[infrared]]\nahead = 12\naside = 10\nangle = 1.57\n"
+                              "[[infrared]]\nahead = 12\naside = -10\nangle = -1.57\n")),
               ElementsAre(Says("no sensor sees its side walls")));
   EXPECT_THAT(remarks(listed()), Not(Contains(Says("no sensor sees its side walls"))));
 }

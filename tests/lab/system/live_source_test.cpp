@@ -10,6 +10,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -61,6 +62,7 @@ TEST_F(ALiveSource, MayBeAFile) {
   OpenedSource opened = open_source(path("log.txt"), usual);
   ASSERT_TRUE(opened.source) << opened.error;
   EXPECT_EQ(all_of(opened), text);
+  EXPECT_THAT(open_source(path("log.txt"), usual, LiveUse::read_and_answer).error, Says("answered", "tcp:HOST:PORT"));
 }
 
 TEST_F(ALiveSource, MayBeAPipeThatNobodyWritesYet) {
@@ -89,6 +91,16 @@ TEST_F(ALiveSource, MayBeATerminal) {
   // Nothing is echoed, changed or kept until the end of a line; these would end a program or a line.
   write_all(robot, "a\r\x03\x04\x11");
   EXPECT_EQ(next_of(*opened.source), "a\r\x03\x04\x11");
+  OpenedSource answering = open_source(name, 9600, LiveUse::read_and_answer);
+  ASSERT_TRUE(answering.source) << answering.error;
+  answering.source->send("plan S2\n");
+  answering.source->send(std::string(5000, 'x'));  // more than is kept
+  answering.source->read(0);
+  answering.source->read(0);
+  std::array<char, 100> answer{};
+  EXPECT_EQ(read(robot, answer.data(), answer.size()), 8);
+  EXPECT_STREQ(answer.data(), "plan S2\n");
+  answering.source.reset();
   close(robot);
   EXPECT_TRUE(opened.source->read(patience).ended);
 }
