@@ -16,8 +16,12 @@ struct ErrorScale {
   std::array<double, error_causes> causes = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
 
   /// The factor of the noise of a cause.
+  /// @param cause one of the causes.
+  /// @return at least 0; 0: this cause adds no noise.
   double noise_of(ErrorCause cause) const { return noise * causes[static_cast<std::size_t>(cause)]; }
   /// The factor of the variation of a cause.
+  /// @param cause one of the causes.
+  /// @return at least 0; 0: this cause does not vary.
   double variation_of(ErrorCause cause) const { return variation * causes[static_cast<std::size_t>(cause)]; }
 };
 

@@ -13,6 +13,8 @@ namespace labmouse {
 /// A seeded random number generator. Equal seeds give equal sequences for ever.
 class Rng {
  public:
+  /// Begins a sequence.
+  /// @param seed any number.
   explicit constexpr Rng(std::uint64_t seed) : state_(seed) {}
 
   /// 64 random bits.
@@ -27,7 +29,8 @@ class Rng {
   /// Uniform in [0, 1), in multiples of 2^-53.
   constexpr double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
 
-  /// Uniform from 0 to count - 1; count must be at least 1.
+  /// A random number, uniform from 0 to count - 1 (Lemire's method).
+  /// @param count at least 1.
   constexpr int below(int count) {
     const auto sides = static_cast<std::uint32_t>(count);
     // Lemire's method: rejects the few draws that would make some numbers likelier than others.
@@ -38,7 +41,9 @@ class Rng {
     }
   }
 
-  /// True with probability times / of; 0 <= times <= of, of >= 1.
+  /// True with probability times / of.
+  /// @param times 0 to `of`.
+  /// @param of at least 1.
   constexpr bool chance(int times, int of) { return below(of) < times; }
 
  private:

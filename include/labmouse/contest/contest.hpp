@@ -9,7 +9,10 @@
 
 namespace labmouse {
 
-/// The sensor reading in that pose.
+/// The sensor reading in a pose.
+/// @param maze the true maze.
+/// @param pose inside the maze.
+/// @return open cells to the left, ahead and to the right, each up to the next wall.
 Sighting look(const Maze& maze, Pose pose);
 
 /// Where a step leads, and whether a wall ended it early.
@@ -17,25 +20,33 @@ struct StepResult {
   Pose pose;
   bool blocked = false;
 };
-/// Moves the mouse by one step.
+/// Moves the mouse by one step: it turns, then moves until its cells are done or a wall blocks it.
+/// @param maze the true maze.
+/// @param rules the movement is cut to their stride.
 /// @param pose inside the maze.
-/// @param step a step, no reset and no forfeit; its movement is cut to the stride of the rules.
+/// @param step a step, no reset and no forfeit.
 StepResult perform(const Maze& maze, const Rules& rules, Pose pose, const Action& step);
 
 /// Begins with the mouse at the start. The caller adds the mouse's own words, counts and reasons to the record.
 class Contest {
  public:
-  /// The maze must outlive it.
+  /// Puts the mouse at the start. A budget below 1 ends the contest at once.
+  /// @param maze must outlive it.
+  /// @param rules copied.
   Contest(const Maze& maze, const Rules& rules);
 
+  /// Whether the contest is over: no further action is allowed.
   bool ended() const { return ended_; }
   /// The reading at the present pose.
   Sighting sighting() const { return sighting_; }
-  /// Performs the next action; the contest must not have ended.
+  /// Performs the next action and records it. The contest must not have ended. A reset before a goal was entered, or in
+  /// the speed run, costs its step and does nothing.
+  /// @param action a step, a reset or a forfeit, which ends the contest.
   void act(const Action& action);
 
   /// The record so far. Its outcome is valid only after the end.
   const RunRecord& record() const { return record_; }
+  /// Moves the record out. Call it once, after the end.
   RunRecord take_record() { return std::move(record_); }
 
  private:

@@ -40,6 +40,7 @@ struct ControllerTick {
   std::int16_t right = 0;
   ControllerWord word = ControllerWord::drive;
 
+  /// The duties as shares of full duty, about -1 to 1.
   constexpr Drive drive() const {
     return {static_cast<float>(left) / static_cast<float>(full), static_cast<float>(right) / static_cast<float>(full)};
   }
@@ -52,14 +53,18 @@ class ControllerCode {
   virtual ~ControllerCode() = default;
 
   /// Called each millisecond, the first time as the mouse stands at the start.
+  /// @param sense the sensor readings of this tick.
+  /// @return the duties until the next tick, and a word.
   virtual ControllerTick tick(const Sense& sense) = 0;
-  /// The mouse was carried to the start, where it stands as in the beginning: after a crash, or because it asked.
+  /// The mouse was carried to the start, where it stands as in the beginning. The argument is true after a crash, and
+  /// false if the program asked for it.
   virtual void carried(bool /*crashed*/) {}
 
   /// Why it gave up.
   virtual ForfeitReason reason() const { return ForfeitReason::gave_up; }
   /// See Strategy.
   virtual bool started() const { return true; }
+  /// See StrategyReport; valid until the next call.
   virtual std::string_view last_words() { return {}; }
 };
 

@@ -16,6 +16,9 @@ namespace labmouse {
 /// Microseconds since the mouse was first put into the maze.
 using MazeTime = std::int64_t;
 
+/// Converts a time.
+/// @param time microseconds.
+/// @return seconds.
 constexpr double in_seconds(MazeTime time) { return static_cast<double>(time) / 1e6; }
 
 /// A wall as it was first seen.
@@ -80,6 +83,9 @@ struct DriveRun {
   friend bool operator==(const DriveRun&, const DriveRun&) = default;
 };
 
+/// The name of a kind of run in records.
+/// @param kind one of the four.
+/// @return in static memory.
 constexpr std::string_view name_of(DriveRun::Kind kind) {
   return kind == DriveRun::Kind::search  ? "search"
          : kind == DriveRun::Kind::home  ? "home"
@@ -94,6 +100,9 @@ enum class DriveOutcome : std::uint8_t {
   forfeit,      ///< the mouse gave up; `reason` says why
 };
 
+/// The name of an outcome, for records and tables.
+/// @param outcome one of the three.
+/// @return in static memory.
 constexpr std::string_view name_of(DriveOutcome outcome) {
   return outcome == DriveOutcome::finished      ? "finished"
          : outcome == DriveOutcome::out_of_time ? "out of time"

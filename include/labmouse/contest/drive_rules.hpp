@@ -16,11 +16,16 @@ enum class Counted : std::uint8_t { run, lap, dead_end };
 
 inline constexpr std::array all_counted = {Counted::run, Counted::lap, Counted::dead_end};
 
+/// The name of what rules score.
+/// @param counted one of the three.
+/// @return "run", "lap" or "dead end"; in static memory.
 constexpr std::string_view name_of(Counted counted) {
   return counted == Counted::run ? "run" : counted == Counted::lap ? "lap" : "dead end";
 }
 
-/// What has this name; nothing if nothing has.
+/// What rules score, by its name.
+/// @param name as name_of() gives it.
+/// @return nullopt for any other name.
 constexpr std::optional<Counted> counted_named(std::string_view name) {
   for (const Counted counted : all_counted)
     if (name_of(counted) == name) return counted;
@@ -28,6 +33,8 @@ constexpr std::optional<Counted> counted_named(std::string_view name) {
 }
 
 /// The unit of a score.
+/// @param counted what the rules score.
+/// @return "s", or "marks lost" if dead ends count; in static memory.
 constexpr std::string_view unit_of(Counted counted) { return counted == Counted::dead_end ? "marks lost" : "s"; }
 
 struct DriveRules {

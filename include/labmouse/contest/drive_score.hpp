@@ -49,21 +49,25 @@ struct LapTime {
 /// @return the first of equals; nothing if there is none.
 std::optional<LapTime> fastest_lap(const DriveRun& run, MazeTime until);
 
-/// How many runs began at the start.
+/// The number of runs that began at the start: all but the ways home.
+/// @param record of a contest in seconds.
 int starts_of(const DriveRecord& record);
 
-/// The part of the time in the maze before a run that its score gets.
+/// The part of the time in the maze before a run that is added to its score.
 /// @param before from the first start to the beginning of the run, in microseconds.
 /// @param rules which part of it counts.
 /// @return rounded to a microsecond; 0 where the rules do not count it.
 MazeTime maze_time_part(MazeTime before, const DriveRules& rules);
 
-/// What a search loses of full marks, which count by the share of dead ends that were seen, and by the quotient of
-/// fewest steps and steps.
-/// @return in millionths of a mark.
+/// What a search loses of full marks. It keeps full marks × (dead ends seen / all) × (fewest steps / steps).
+/// @param count the dead ends and the steps of the search.
+/// @param rules their `marks` are the full marks.
+/// @return in millionths of a mark, rounded; all marks if the maze has no dead end.
 std::int64_t marks_lost(const DeadEndCount& count, const DriveRules& rules);
 
 /// Scores a record by the rules.
+/// @param record of a contest in seconds, of any of its worlds.
+/// @param rules those of the contest, or others.
 /// @return in microseconds, or in millionths of a mark if dead ends count.
 DriveScore score(const DriveRecord& record, const DriveRules& rules);
 

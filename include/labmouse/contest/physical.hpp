@@ -38,15 +38,25 @@ PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const
                                 const PhysicalConditions& conditions, std::uint64_t seed, DrivingStrategy& mouse,
                                 const ControllerParts& parts = {});
 
-/// The same in the failure model, which is fast. Localization errors, wall detection errors and crashes are drawn at
-/// `failure_rates`, measured in the physical world, and the seed gives the same robot sample as there. A localization
-/// error lasts from manoeuvre to manoeuvre, and the robot sample for the contest: a mouse with weak motors fails again.
-/// Of the conditions it uses noise, variation, pace, map and handling.
+/// Runs the contest in the failure model, which is fast. Localization errors, wall detection errors and crashes are
+/// drawn at `failure_rates`, and the seed gives the same robot sample as in the physical world. A localization error
+/// lasts from manoeuvre to manoeuvre, and the robot sample for the contest: a mouse with weak motors fails again.
+/// @param maze up to 32×32 cells.
+/// @param rules what counts, and the time limit.
+/// @param model a robot that has limits and hardware; why_not_physical() must be empty.
+/// @param conditions it uses their noise, variation, pace, map and handling.
+/// @param failure_rates measured in the physical world.
+/// @param seed all chance comes from it.
+/// @param mouse new, and briefed as by brief(), with a sight of one cell.
+/// @return as drive_physically().
 PhysicalRecord drive_with_failures(const Maze& maze, const DriveRules& rules, const DriveModel& model,
                                    const PhysicalConditions& conditions, const FailureRates& failure_rates,
                                    std::uint64_t seed, DrivingStrategy& mouse);
 
-/// Why the robot cannot drive in the physical world, as a sentence; empty if it can.
+/// Why a robot cannot drive in the physical world: it lacks hardware, has too many sensors, or has turns that are only
+/// times.
+/// @param model the robot.
+/// @return a clause for the user, such as "its turns are times, ..."; empty if it can.
 std::string why_not_physical(const DriveModel& model);
 
 }  // namespace labmouse

@@ -30,12 +30,17 @@ inline constexpr std::array all_run_ends = {RunEnd::done,          RunEnd::given
                                             RunEnd::position_lost, RunEnd::wall_error, RunEnd::no_route_left,
                                             RunEnd::out_of_time};
 
+/// The name of an end, for records and tables.
+/// @param end one of all_run_ends.
+/// @return in static memory.
 constexpr std::string_view name_of(RunEnd end) {
   constexpr std::array<std::string_view, all_run_ends.size()> names = {
       "done", "given up", "slid", "position lost", "wall error", "no route left", "out of time"};
   return names[static_cast<std::size_t>(end)];
 }
 
+/// Whether a run ended by a crash: slid, position lost or wall error.
+/// @param end how it ended.
 constexpr bool is_crash(RunEnd end) {
   return end == RunEnd::slid || end == RunEnd::position_lost || end == RunEnd::wall_error;
 }

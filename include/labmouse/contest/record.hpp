@@ -25,6 +25,9 @@ enum class Outcome : std::uint8_t {
   forfeit,               ///< the mouse gave up; the last step's action has the reason
 };
 
+/// The name of an outcome, for records and tables.
+/// @param outcome one of the five.
+/// @return in static memory; "unknown" for any other number.
 constexpr std::string_view name_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::finished:

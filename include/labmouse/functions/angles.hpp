@@ -49,6 +49,7 @@ constexpr Direction direction_of(double angle) {
 }
 
 /// Turns a direction to the left by a small angle. It keeps the length at 1, so that many turns may follow each other.
+/// @param direction of length 1.
 /// @param angle in rad, of either sign, up to 1/3.
 /// @return with an error of 1e-9.
 constexpr Direction turned_by(const Direction& direction, double angle) {

@@ -22,6 +22,9 @@ struct Cell {
   std::int8_t y = 0;
 
   constexpr Cell() = default;
+  /// A cell.
+  /// @param column x, -128 to 127.
+  /// @param row y, -128 to 127.
   constexpr Cell(int column, int row) : x(static_cast<std::int8_t>(column)), y(static_cast<std::int8_t>(row)) {}
 
   friend constexpr bool operator==(Cell, Cell) = default;
@@ -39,12 +42,20 @@ struct Size {
 
   friend constexpr bool operator==(Size, Size) = default;
 
+  /// Whether both sides are 1 to max_side.
   constexpr bool valid() const { return width >= 1 && width <= max_side && height >= 1 && height <= max_side; }
+  /// Whether a cell lies inside a maze of this size.
+  /// @param cell any cell.
   constexpr bool contains(Cell cell) const { return cell.x >= 0 && cell.x < width && cell.y >= 0 && cell.y < height; }
+  /// The number of cells.
   constexpr int area() const { return width * height; }
 
-  /// Position of a cell in the total order, 0 to area() - 1; cell_at is its inverse.
+  /// Position of a cell in the total order, row by row from the south; cell_at() is its inverse.
+  /// @param cell inside.
+  /// @return 0 to area() - 1.
   constexpr int index(Cell cell) const { return cell.y * width + cell.x; }
+  /// The cell at a position of the total order; the inverse of index().
+  /// @param index 0 to area() - 1.
   constexpr Cell cell_at(int index) const { return {index % width, index / width}; }
 };
 

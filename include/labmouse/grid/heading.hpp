@@ -26,16 +26,27 @@ inline constexpr std::array all_headings = {Heading::north, Heading::east, Headi
 constexpr Heading turned(Heading heading, int quarters) {
   return static_cast<Heading>((static_cast<unsigned>(heading) + static_cast<unsigned>(quarters)) & 3U);
 }
+/// The heading after a quarter turn to the left.
+/// @param heading before the turn.
 constexpr Heading left_of(Heading heading) { return turned(heading, -1); }
+/// The heading after a quarter turn to the right.
+/// @param heading before the turn.
 constexpr Heading right_of(Heading heading) { return turned(heading, 1); }
+/// The heading after a half turn.
+/// @param heading before the turn.
 constexpr Heading opposite(Heading heading) { return turned(heading, 2); }
 
-/// Clockwise quarter turns that lead from one heading to the other, 0 to 3.
+/// Clockwise quarter turns that lead from one heading to another.
+/// @param from the heading before them.
+/// @param to the heading after them.
+/// @return 0 to 3.
 constexpr int quarters_between(Heading from, Heading to) {
   return static_cast<int>((static_cast<unsigned>(to) - static_cast<unsigned>(from)) & 3U);
 }
 
-/// The heading in eighths of a turn clockwise from north: 0, 2, 4 or 6.
+/// The heading as an angle.
+/// @param heading one of the four.
+/// @return eighths of a turn clockwise from north: 0, 2, 4 or 6.
 constexpr int eighths(Heading heading) { return 2 * static_cast<int>(heading); }
 
 /// Change of x and y from a cell to its neighbour, indexed by heading.
@@ -50,6 +61,9 @@ constexpr Cell neighbour(Cell cell, Heading heading, int count = 1) {
   return {cell.x + steps_east[side] * count, cell.y + steps_north[side] * count};
 }
 
+/// The name of a heading.
+/// @param heading one of the four.
+/// @return "north", "east", "south" or "west"; in static memory.
 constexpr std::string_view name_of(Heading heading) {
   constexpr std::array<std::string_view, 4> names = {"north", "east", "south", "west"};
   return names[static_cast<unsigned>(heading)];

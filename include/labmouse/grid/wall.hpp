@@ -24,13 +24,18 @@ struct Wall {
   friend constexpr auto operator<=>(Wall, Wall) = default;
 };
 
-/// The wall on that side of that cell, under its one name.
+/// The wall on a side of a cell, under its one name.
+/// @param cell one of its two cells; it may lie just outside of the maze.
+/// @param side where the wall is, seen from the cell.
+/// @return `side` is north or east.
 constexpr Wall wall_at(Cell cell, Heading side) {
   if (side == Heading::north || side == Heading::east) return {cell, side};
   return {neighbour(cell, side), opposite(side)};
 }
 
-/// Whether the wall belongs to the border of a maze of that size (only one of its two cells is inside).
+/// Whether the wall belongs to the border of a maze, so that at most one of its two cells is inside.
+/// @param wall as wall_at() makes it.
+/// @param size of the maze.
 constexpr bool on_border(Wall wall, Size size) {
   return !size.contains(wall.cell) || !size.contains(neighbour(wall.cell, wall.side));
 }

@@ -13,7 +13,8 @@ class WallSet {
  public:
   constexpr WallSet() = default;
 
-  /// All inner walls of a maze of that size.
+  /// All inner walls of a maze.
+  /// @param size with sides of 1 to max_side.
   static constexpr WallSet all(Size size) {
     WallSet walls;
     if (size.height > 1) walls.north_ = CellSet::all({size.width, size.height - 1});
@@ -21,23 +22,33 @@ class WallSet {
     return walls;
   }
 
+  /// Whether a wall is a member.
+  /// @param wall as wall_at() makes it; false for those of the border.
   constexpr bool contains(Wall wall) const { return side(wall).contains(wall.cell); }
-  /// The wall must be an inner one.
+  /// Adds a wall.
+  /// @param wall an inner one, as wall_at() makes it.
   constexpr void insert(Wall wall) { side(wall).insert(wall.cell); }
+  /// Removes a wall, if it is a member.
+  /// @param wall an inner one, as wall_at() makes it.
   constexpr void erase(Wall wall) { side(wall).erase(wall.cell); }
 
-  /// The cells whose north (east) side is in the set.
+  /// The cells whose north side is in the set.
   constexpr const CellSet& north() const { return north_; }
+  /// The cells whose east side is in the set.
   constexpr const CellSet& east() const { return east_; }
 
+  /// Whether the set has no members.
   constexpr bool empty() const { return north_.empty() && east_.empty(); }
+  /// The number of members.
   constexpr int count() const { return north_.count() + east_.count(); }
 
+  /// Adds the walls of the other set.
   constexpr WallSet& operator|=(const WallSet& other) {
     north_ |= other.north_;
     east_ |= other.east_;
     return *this;
   }
+  /// Removes the walls of the other set.
   constexpr WallSet& operator-=(const WallSet& other) {
     north_ -= other.north_;
     east_ -= other.east_;
@@ -45,7 +56,8 @@ class WallSet {
   }
   friend constexpr bool operator==(const WallSet&, const WallSet&) = default;
 
-  /// Calls visit(Wall) for each member in a fixed order: all north sides, then all east sides.
+  /// Visits the members in a fixed order: all north sides, then all east sides, each in the total order of cells.
+  /// @param visit called as visit(Wall) for each.
   template <class Visit>
   constexpr void for_each(Visit visit) const {
     north_.for_each([&](Cell cell) { visit(Wall{cell, Heading::north}); });
