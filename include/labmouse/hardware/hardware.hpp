@@ -115,7 +115,9 @@ struct Sensors {
   std::vector<Infrared> infrared;  ///< at most `most_infrared`
   std::vector<Ranger> rangers;     ///< at most `most_rangers`
 
+  /// Whether the robot has a gyroscope.
   bool has_gyro() const { return gyro_step > 0.0; }
+  /// Whether the robot has an accelerometer.
   bool has_accelerometer() const { return acceleration_step > 0.0; }
 
   friend bool operator==(const Sensors&, const Sensors&) = default;
@@ -205,6 +207,8 @@ enum class ErrorCause : std::size_t {
 inline constexpr std::size_t error_causes = 13;
 
 /// The name of a cause, for users: "ToF sensor".
+/// @param cause one of the causes.
+/// @return in static memory.
 constexpr std::string_view name_of(ErrorCause cause) {
   constexpr std::array<std::string_view, error_causes> names = {
       "motors",   "tyres",       "floor",         "posts",      "encoders", "gyro",     "accelerometer",

@@ -25,9 +25,10 @@ enum {
   LABMOUSE_MOST_RANGERS = 8    /* ToF sensors */
 };
 
+/** A direction in the maze, clockwise from north. */
 enum labmouse_heading { LABMOUSE_NORTH, LABMOUSE_EAST, LABMOUSE_SOUTH, LABMOUSE_WEST };
 
-/* Sensor readings at a tick, in the units given by the numbers of the robot. */
+/** Sensor readings at a tick, in the units given by the numbers of the robot. */
 struct labmouse_sense {
   uint32_t tick;           /* ms since the mouse was switched on */
   int32_t counts[2];       /* of the encoders since then: left, right */
@@ -42,7 +43,7 @@ struct labmouse_sense {
   uint16_t millivolts;                        /* of the battery */
 };
 
-/* What the controller reports beside its duties. labmouse detects where runs begin and end; this is their purpose. */
+/** What the controller reports beside its duties. labmouse detects where runs begin and end; this is their purpose. */
 enum labmouse_word {
   LABMOUSE_DRIVE,  /* nothing */
   LABMOUSE_FAST,   /* the next run is a speed run */
@@ -51,7 +52,7 @@ enum labmouse_word {
   LABMOUSE_FORFEIT /* end the contest; the duties are ignored */
 };
 
-/* The controller's output until the next tick: duties from -LABMOUSE_FULL to LABMOUSE_FULL, and a labmouse_word; any
+/** The controller's output until the next tick: duties from -LABMOUSE_FULL to LABMOUSE_FULL, and a labmouse_word; any
    other word counts as LABMOUSE_FORFEIT. */
 struct labmouse_drive {
   int32_t left, right, word;
@@ -83,7 +84,7 @@ struct labmouse_drive {
   number(variation, floor_shift) number(variation, floor_tilt) number(variation, placement)                           \
   number(variation, placement_turn)
 
-/* Sensors: ahead of the axle and to the left of the middle in mm, and the angle to the left of ahead in rad. */
+/** Sensors: ahead of the axle and to the left of the middle in mm, and the angle to the left of ahead in rad. */
 struct labmouse_infrared {
   double ahead, aside, angle;
   double gain;      /* counts, of a wall as far as the side or the front of a cell is from its middle */
@@ -100,7 +101,7 @@ struct labmouse_ranger {
 };
 
 #define LABMOUSE_ROBOT_FIELD(section, name) double section##_##name;
-/* Numbers of sensors that it lacks are 0. Those of pairs of infrared sensors (side, front) and of a ToF sensor that
+/** Numbers of sensors that it lacks are 0. Those of pairs of infrared sensors (side, front) and of a ToF sensor that
    looks ahead are 0, too, where its file lists sensors one by one; the lists have all sensors of any robot. */
 struct labmouse_robot {
   LABMOUSE_ROBOT_NUMBERS(LABMOUSE_ROBOT_FIELD)
@@ -114,7 +115,7 @@ struct labmouse_cell {
   int x, y; /* column and row, from 0 */
 };
 
-/* What it knows before the mouse is put into the maze. Times are in ms. */
+/** What it knows before the mouse is put into the maze. Times are in ms. */
 struct labmouse_briefing {
   int width, height; /* of the maze, in cells */
   struct labmouse_cell start;
@@ -132,35 +133,42 @@ struct labmouse_briefing {
   struct labmouse_robot robot;
 };
 
-/* A controller: its functions and its batch. Several contests may go on at once, each with its own memory. */
+/** A controller: its functions and its batch. Several contests may go on at once, each with its own memory. */
 struct labmouse_controller {
-  /* Begins a contest. The pointer returned is passed to the others as `memory`; as long as it is in use, the briefing
-   * is valid. */
+  /** Begins a contest.
+   * @param briefing the maze's size, start and goals, the rules and the robot; valid until `end` returns.
+   * @return the contest's memory, passed to the other functions; may be null. */
   void* (*begin)(const struct labmouse_briefing* briefing);
-  /* Called for each tick, in order. */
+  /** Called for each tick of 1 ms, in order.
+   * @param memory what `begin` returned.
+   * @param sense the readings of this tick, valid during the call.
+   * @return the duties until the next tick, and a word. */
   struct labmouse_drive (*tick)(void* memory, const struct labmouse_sense* sense);
-  /* The mouse was carried to the start, where it stands as in the beginning: after a crash, or at its request. */
+  /** The mouse was carried to the start, where it stands as in the beginning.
+   * @param memory what `begin` returned.
+   * @param crashed 1 after a crash, 0 at its request. */
   void (*carried)(void* memory, int crashed);
-  /* The contest has ended. */
+  /** The contest has ended: frees the memory.
+   * @param memory what `begin` returned. */
   void (*end)(void* memory);
-  /* Number of ticks that main() handles at a time, 1 to LABMOUSE_LONGEST_BATCH. More are faster to simulate, but duties
-   * take effect later, by batch - 1 ms: with 1 at once, with 8 after 7 ms. */
+  /** Number of ticks that main() handles at a time, 1 to LABMOUSE_LONGEST_BATCH. More are faster to simulate, but
+   * duties take effect later, by batch - 1 ms: with 1 at once, with 8 after 7 ms. */
   int batch;
 };
 
-/* Your program defines it. */
+/** Your program defines it. */
 extern const struct labmouse_controller labmouse_controller;
 
 /* To replace parts of labmouse's own controller: that controller drives the moves, and calls your parts in place of its
    own, at each tick, or at each tick of its period (labmouse_robot.motors_period). They are linked with labmouse;
    main() below is for whole controllers. */
 
-/* A direction: the cosine and sine of its angle to the left of east. */
+/** A direction: the cosine and sine of its angle to the left of east. */
 struct labmouse_direction {
   double cosine, sine;
 };
 
-/* Where the mouse should be at a tick, and how it should move there. */
+/** Where the mouse should be at a tick, and how it should move there. */
 struct labmouse_target {
   double x, y;
   struct labmouse_direction ahead; /* the direction in which it should move */
@@ -170,7 +178,7 @@ struct labmouse_target {
   double twisting;                 /* rad/s^2 */
 };
 
-/* The estimated state of the mouse. */
+/** The estimated state of the mouse. */
 struct labmouse_estimate {
   double x, y;
   struct labmouse_direction ahead; /* the direction in which it points */
@@ -180,37 +188,64 @@ struct labmouse_estimate {
   double covariance[3][3];         /* of x, y in mm and the angle in rad */
 };
 
-/* Evidence about the walls to its left, ahead and to its right: the log-likelihood ratio of the readings, wall against
+/** Evidence about the walls to its left, ahead and to its right: the log-likelihood ratio of the readings, wall against
    no wall, in eighths of a nat, -127 to 127. */
 struct labmouse_evidence {
   int left, ahead, right;
 };
 
-/* Duties from -LABMOUSE_FULL to LABMOUSE_FULL. */
+/** Duties from -LABMOUSE_FULL to LABMOUSE_FULL. */
 struct labmouse_duties {
   int32_t left, right;
 };
 
-/* The parts; any function may be null. If `estimate`, `evidence` or `follow` is null, labmouse's own part is used. */
+/** The parts; any function may be null. If `estimate`, `evidence` or `follow` is null, labmouse's own part is used. */
 struct labmouse_parts {
-  /* As in labmouse_controller. */
+  /** Begins a contest.
+   * @param briefing as in labmouse_controller.
+   * @return the contest's memory, passed to the other functions; may be null. Without this function it is null. */
   void* (*begin)(const struct labmouse_briefing* briefing);
-  /* The estimator: the mouse was put at about this position, and is at rest. */
+  /** The estimator: the mouse was put at about this position, and is at rest.
+   * @param memory what `begin` returned.
+   * @param x mm eastwards from the south-western corner of the maze.
+   * @param y mm northwards from there.
+   * @param ahead the direction in which it points. */
   void (*put)(void* memory, double x, double y, struct labmouse_direction ahead);
-  /* Called for each tick, in order, with the target of that tick. Invalid numbers are ignored: the estimate stays. */
+  /** The estimator: called for each tick, in order.
+   * @param memory what `begin` returned.
+   * @param sense the readings of this tick, valid during the call.
+   * @param target where the mouse should be at this tick, valid during the call.
+   * @return the state of the mouse. Invalid numbers are ignored: the estimate stays. */
   struct labmouse_estimate (*estimate)(void* memory, const struct labmouse_sense* sense,
                                        const struct labmouse_target* target);
-  /* The wall detector. look(): the cell to read from now on, seen in that heading. read(): called for each tick, after
-     the estimate. evidence(): what was read of that cell so far. */
+  /** The wall detector: chooses the cell to read from now on.
+   * @param memory what `begin` returned.
+   * @param cell the cell.
+   * @param heading that in which the mouse sees it. */
   void (*look)(void* memory, struct labmouse_cell cell, enum labmouse_heading heading);
+  /** The wall detector: called for each tick, after the estimate.
+   * @param memory what `begin` returned.
+   * @param sense the readings of this tick, valid during the call.
+   * @param estimate the state of the mouse, valid during the call. */
   void (*read)(void* memory, const struct labmouse_sense* sense, const struct labmouse_estimate* estimate);
+  /** The wall detector: asks for what was read of the cell so far.
+   * @param memory what `begin` returned.
+   * @param estimate the state of the mouse, valid during the call.
+   * @return evidence of three walls of the cell, as seen in the heading of `look`; cut to -127 to 127. */
   struct labmouse_evidence (*evidence)(void* memory, const struct labmouse_estimate* estimate);
-  /* The tracker: the mouse was put down, at rest. */
+  /** The tracker: the mouse was put down, at rest.
+   * @param memory what `begin` returned. */
   void (*rest)(void* memory);
-  /* Called for each tick, last. */
+  /** The tracker: called for each tick, last.
+   * @param memory what `begin` returned.
+   * @param sense the readings of this tick, valid during the call.
+   * @param target where the mouse should be at this tick, valid during the call.
+   * @param estimate the state of the mouse, valid during the call.
+   * @return the duties until the next tick, cut to -LABMOUSE_FULL to LABMOUSE_FULL. */
   struct labmouse_duties (*follow)(void* memory, const struct labmouse_sense* sense,
                                    const struct labmouse_target* target, const struct labmouse_estimate* estimate);
-  /* The contest has ended. */
+  /** The contest has ended: frees the memory.
+   * @param memory what `begin` returned; null without `begin`. */
   void (*end)(void* memory);
 };
 
@@ -225,7 +260,8 @@ struct labmouse_parts {
 #include <stdlib.h>
 #include <string.h>
 
-/* A line of any length without its end; null at the end of the input. */
+/** Reads a line of any length from standard input. Exits with 1 if there is no memory for it.
+ * @return the line without its end, valid until the next call; null at the end of the input. */
 static char* labmouse_read_line(void) {
   static char* line = NULL;
   static size_t room = 0;
@@ -243,7 +279,10 @@ static char* labmouse_read_line(void) {
   return line;
 }
 
-/* Stores so many numbers from the text. */
+/** Stores numbers from a text.
+ * @param text numbers separated by spaces.
+ * @param to an array of at least `count` elements; those that the text lacks become 0.
+ * @param count how many. */
 static void labmouse_take_numbers(const char* text, double* to, int count) {
   char* end = NULL;
   int i;
@@ -253,7 +292,9 @@ static void labmouse_take_numbers(const char* text, double* to, int count) {
   }
 }
 
-/* Stores a line of the briefing; unknown lines are ignored. */
+/** Stores a line of the briefing.
+ * @param line without its end; unknown lines are ignored.
+ * @param told the briefing so far. */
 static void labmouse_be_told(const char* line, struct labmouse_briefing* told) {
 #define LABMOUSE_ROBOT_NAME(section, name) {#section "." #name, offsetof(struct labmouse_robot, section##_##name)},
   static const struct {
@@ -293,7 +334,11 @@ static void labmouse_be_told(const char* line, struct labmouse_briefing* told) {
     if (strcmp(word, numbers[i].name) == 0) *(double*)((char*)&told->robot + numbers[i].place) = strtod(rest, NULL);
 }
 
-/* Takes a tick from the front of the text; 0 where there is none. */
+/** Takes the readings of a tick from the front of a text.
+ * @param robot says how many sensors there are.
+ * @param text is moved behind what was read.
+ * @param sense is overwritten.
+ * @return 1; 0 if the text has no whole tick. */
 static int labmouse_take_sense(const struct labmouse_robot* robot, char** text, struct labmouse_sense* sense) {
   long numbers[7 + LABMOUSE_MOST_INFRARED + 2 * LABMOUSE_MOST_RANGERS] = {0};
   const int infrared = robot->infrared_sensors, ranges = robot->range_sensors, all = 7 + infrared + 2 * ranges;
@@ -318,7 +363,12 @@ static int labmouse_take_sense(const struct labmouse_robot* robot, char** text, 
   return 1;
 }
 
-/* Answers all ticks of a line. If these are less than a batch, the last answer is repeated to fill it. */
+/** Answers all ticks of a line with a line on standard output. If these are less than a batch, the last answer is
+ * repeated to fill it.
+ * @param robot says how many sensors there are.
+ * @param memory of the contest.
+ * @param text the readings of up to LABMOUSE_LONGEST_BATCH ticks.
+ * @param batch the least number of ticks in the answer. */
 static void labmouse_answer(const struct labmouse_robot* robot, void* memory, char* text, int batch) {
   static const char* const words[] = {"drive", "fast", "goal", "carry", "forfeit"};
   struct labmouse_sense sense;
@@ -337,7 +387,10 @@ static void labmouse_answer(const struct labmouse_robot* robot, void* memory, ch
   fflush(stdout);
 }
 
-/* The first argument, if there is one, replaces the batch of labmouse_controller. */
+/** Runs one contest over standard input and output: docs/reference/protocols.md has the lines.
+ * @param argc number of arguments, the program's name among them.
+ * @param argv the first argument, if there is one, replaces the batch of labmouse_controller.
+ * @return 0 at the end of the input. */
 int main(int argc, char** argv) {
   static struct labmouse_briefing told;
   const int batch = argc > 1 ? atoi(argv[1]) : labmouse_controller.batch;

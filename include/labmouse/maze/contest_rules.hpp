@@ -22,11 +22,14 @@ struct RuleFinding {
   std::string reason;
 };
 
-/// Checks all rules, always in this order:
-/// size, border, start, goal room, entrance, posts, goal reachable, left wall follower, right wall follower, routes.
+/// Checks all rules.
+/// @param maze of any size.
+/// @return one finding a rule, always in this order: size, border, start, goal room, entrance, posts, goal reachable,
+///   left wall follower, right wall follower, routes.
 std::vector<RuleFinding> check_contest_rules(const Maze& maze);
 
-/// Whether the maze keeps all of them.
+/// Whether the maze keeps all rules.
+/// @param maze of any size.
 bool keeps_contest_rules(const Maze& maze);
 
 }  // namespace labmouse

@@ -26,7 +26,10 @@ struct Inspection {
   std::vector<RuleFinding> contest_rules;
 };
 
-/// How many of the four sides of a cell are open.
+/// The number of open sides of a cell.
+/// @param maze the whole maze.
+/// @param cell inside the maze.
+/// @return 0 to 4.
 int count_open_sides(const Maze& maze, Cell cell);
 
 /// Inspects the maze: it searches it several times, which takes some milliseconds at most.

@@ -123,6 +123,7 @@ struct Action {
   /// Ends the search run: back to the start, for a speed run.
   static constexpr Action reset() { return {Kind::reset, 0, 0, ForfeitReason::none}; }
   /// Gives up.
+  /// @param reason not `none`.
   static constexpr Action forfeit(ForfeitReason reason) { return {Kind::forfeit, 0, 0, reason}; }
 
   friend constexpr bool operator==(const Action&, const Action&) = default;

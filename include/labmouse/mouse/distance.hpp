@@ -46,10 +46,12 @@ class DistanceField {
   void fill(const WallSet& passages, const CellSet& from);
 
   /// Distance of a cell.
+  /// @param cell any cell.
   /// @return in the motion's unit; `unreachable` if no route leads there, and for cells outside the maze.
   /// @pre fill() was called.
   int at(Cell cell) const;
-  /// Whether a route leads to the cell; false for cells outside the maze.
+  /// Whether a route leads to a cell.
+  /// @param cell any cell; false outside of the maze.
   /// @pre fill() was called.
   bool reaches(Cell cell) const { return at(cell) < unreachable; }
   /// All cells that can be reached, those at distance 0 among them.
@@ -63,6 +65,7 @@ class DistanceField {
 
   /// The moves that it was made for.
   const Motion& motion() const { return motion_; }
+  /// The size of the maze that it was made for.
   Size size() const { return size_; }
 
  private:

@@ -19,8 +19,10 @@ class Knowledge {
   /// @param sight range of a reading in cells, at least 1; a reading of that many shows no wall at its end.
   explicit Knowledge(Size size, int sight = max_side);
 
+  /// The size of the maze.
   Size size() const { return size_; }
-  /// The state of an inner wall; `closed` for those of the border and outside.
+  /// The state of a wall.
+  /// @param wall any wall; those of the border and outside are `closed`.
   WallState state(Wall wall) const;
 
   /// Learns all that a reading shows: in each of the three directions the open walls of the corridor, and the closed
@@ -45,6 +47,7 @@ class Knowledge {
   /// Inner walls that have not been seen.
   WallSet unknown() const;
   /// Whether all four walls of a cell are known.
+  /// @param cell inside the maze.
   bool knows(Cell cell) const;
   /// All cells of the maze whose four walls are known.
   CellSet known_cells() const;

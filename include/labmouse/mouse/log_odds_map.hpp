@@ -37,6 +37,8 @@ enum class MapKind : std::uint8_t {
 inline constexpr std::array all_map_kinds = {MapKind::first, MapKind::log_odds, MapKind::learned};
 
 /// The name of a kind in options and records.
+/// @param kind one of all_map_kinds.
+/// @return "first", "log-odds" or "log-odds-prior"; in static memory.
 constexpr std::string_view name_of(MapKind kind) {
   return kind == MapKind::first ? "first" : kind == MapKind::log_odds ? "log-odds" : "log-odds-prior";
 }
@@ -83,7 +85,8 @@ class LogOddsMap {
   /// @param wall any of the maze.
   /// @param evidence that of the reading, in eighths of a nat; half of it is rounded towards 0.
   void weaken(Wall wall, int evidence);
-  /// Makes a wall unknown, with log-odds of 0. Does nothing to the border.
+  /// Makes a wall unknown, with log-odds of 0.
+  /// @param wall any of the maze; the border is left as it is.
   void forget(Wall wall);
   /// Finds the path between the cells with the least sum of odds + `most` (at least 1) over its closed walls, and makes
   /// these walls unknown: few walls, and uncertain ones.

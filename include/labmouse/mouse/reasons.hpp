@@ -37,6 +37,8 @@ enum class Ground : std::uint8_t {
 inline constexpr std::array ground_names = {"candidates", "flood", "no loops"};
 
 /// The name of a method in records.
+/// @param ground one of the three.
+/// @return in static memory.
 constexpr std::string_view name_of(Ground ground) { return ground_names[static_cast<unsigned>(ground)]; }
 
 /// The reasons of one decision.

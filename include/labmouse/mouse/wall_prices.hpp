@@ -23,12 +23,14 @@ class WallPrices {
         north_(static_cast<std::size_t>(size.width + size.area()), closed),
         east_(static_cast<std::size_t>(1 + size.area()), closed) {}
 
+  /// The size of the maze.
   Size size() const { return size_; }
   /// The price of a wall.
   /// @param wall an inner one, or one of the border, which is closed.
   /// @return 0 to `highest`, or `closed`.
   int of(Wall wall) const { return sides(wall)[size_.index(wall.cell)]; }
-  /// Whether the wall is not closed.
+  /// Whether a wall is not closed.
+  /// @param wall an inner one, or one of the border, which is closed.
   bool passable(Wall wall) const { return of(wall) != closed; }
   /// Sets the price of a wall.
   /// @param wall an inner one.
@@ -40,9 +42,11 @@ class WallPrices {
         static_cast<std::uint8_t>(price);
   }
 
-  /// Prices of the north (east) sides by the cell's index. The entries before the first are closed, so that a search
-  /// can read the south side of any cell, north()[index - width], and its west side, east()[index - 1].
+  /// Prices of the north sides by the cell's index. The entries before the first are closed, so that a search can read
+  /// the south side of any cell, north()[index - width]. Valid as long as this object.
   const std::uint8_t* north() const { return north_.data() + size_.width; }
+  /// Prices of the east sides by the cell's index. The entry before the first is closed, so that a search can read the
+  /// west side of any cell, east()[index - 1]. Valid as long as this object.
   const std::uint8_t* east() const { return east_.data() + 1; }
 
  private:

@@ -30,7 +30,8 @@ struct BuiltinMouse {
   std::span<const Parameter> parameters = {};
   /// Makes it for a briefing in steps; null if it does not race in steps.
   MouseFactory make = nullptr;
-  /// Whether it is stochastic under these settings, so that races repeat its runs.
+  /// Whether it is stochastic under given settings, so that races repeat its runs.
+  /// @param settings those of its parameters.
   bool (*uses_chance)(const Settings& settings) = never;
 
   /// Makes it for a briefing in seconds; null if it does not race in seconds.
@@ -42,8 +43,10 @@ struct BuiltinMouse {
   bool drives() const { return drive != nullptr; }
 
   /// For `uses_chance`: it is never stochastic.
+  /// @return false.
   static bool never(const Settings&) { return false; }
   /// For `uses_chance`: it is always stochastic.
+  /// @return true.
   static bool always(const Settings&) { return true; }
 };
 

@@ -17,7 +17,9 @@ struct WallPrior;
 /// Type of a parameter. A `prior` is one of its choices or the path of a file from `labmouse learn`.
 enum class ParameterType : std::uint8_t { whole, real, flag, choice, list, prior };
 
-/// The type in words, for help texts: "whole number", "yes/no".
+/// The type in words, for help texts.
+/// @param type one of the types.
+/// @return "whole number", "yes/no"; in static memory.
 std::string_view name_of(ParameterType type);
 
 /// The worlds in which a parameter has an effect; `errors`: only those in seconds with errors.
@@ -50,27 +52,52 @@ struct Parameter {
                                    std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::whole, value, low, high, {}, meaning, scope};
   }
-  /// A real number; the arguments are those of whole().
+  /// A real number.
+  /// @param name as in a SPEC.
+  /// @param value the default, as written in a SPEC.
+  /// @param low the smallest value.
+  /// @param high the largest value.
+  /// @param meaning for help texts.
+  /// @param scope the worlds in which it has an effect.
   static constexpr Parameter real(std::string_view name, std::string_view value, double low, double high,
                                   std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::real, value, low, high, {}, meaning, scope};
   }
-  /// A list of numbers, for the world of steps. Its default has as many elements as each value: `3/5/3`.
+  /// A list of numbers, for the world of steps.
+  /// @param name as in a SPEC.
+  /// @param value the default, with as many elements as each value: `3/5/3`.
+  /// @param low the smallest value of each element.
+  /// @param high the largest value of each element.
+  /// @param meaning for help texts.
   static constexpr Parameter list(std::string_view name, std::string_view value, double low, double high,
                                   std::string_view meaning) {
     return {name, ParameterType::list, value, low, high, {}, meaning, ParameterScope::steps};
   }
-  /// A flag; its default is `yes` or `no`.
+  /// A flag.
+  /// @param name as in a SPEC.
+  /// @param value the default, `yes` or `no`.
+  /// @param meaning for help texts.
+  /// @param scope the worlds in which it has an effect.
   static constexpr Parameter flag(std::string_view name, std::string_view value, std::string_view meaning,
                                   ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::flag, value, 0, 0, {}, meaning, scope};
   }
-  /// A choice; `choices` are separated by `/`, and the default is one of them.
+  /// A choice.
+  /// @param name as in a SPEC.
+  /// @param value the default, one of the choices.
+  /// @param choices all of them, separated by `/`.
+  /// @param meaning for help texts.
+  /// @param scope the worlds in which it has an effect.
   static constexpr Parameter choice(std::string_view name, std::string_view value, std::string_view choices,
                                     std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::choice, value, 0, 0, choices, meaning, scope};
   }
-  /// A prior; the arguments are those of choice().
+  /// A prior: one of its choices, or the path of a file.
+  /// @param name as in a SPEC.
+  /// @param value the default, one of the choices.
+  /// @param choices all of them, separated by `/`.
+  /// @param meaning for help texts.
+  /// @param scope the worlds in which it has an effect.
   static constexpr Parameter prior(std::string_view name, std::string_view value, std::string_view choices,
                                    std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
     return {name, ParameterType::prior, value, 0, 0, choices, meaning, scope};
@@ -91,6 +118,7 @@ class Settings {
   /// Without parameters.
   Settings() = default;
   /// The defaults of a table.
+  /// @param parameters of one mouse; copied.
   explicit Settings(std::span<const Parameter> parameters);
 
   /// Sets the value of a parameter.
@@ -98,22 +126,29 @@ class Settings {
   /// @param value one that has passed check_value.
   void set(std::string_view name, std::string_view value);
 
-  /// The value of a parameter of type `whole`, which must be in the table. The same holds for the other types.
+  /// The value of a whole number.
+  /// @param name of a parameter of type `whole` in the table.
   int whole(std::string_view name) const;
-  /// The value of a parameter of type `real`.
+  /// The value of a real number.
+  /// @param name of a parameter of type `real` in the table.
   double real(std::string_view name) const;
-  /// The value of a parameter of type `flag`.
+  /// The value of a flag.
+  /// @param name of a parameter of type `flag` in the table.
   bool flag(std::string_view name) const;
-  /// The value of a parameter of type `choice` or `prior`, as text; valid until it is set again.
+  /// The value of a choice or a prior, as text.
+  /// @param name of a parameter in the table.
+  /// @return valid until it is set again.
   std::string_view choice(std::string_view name) const;
-  /// The elements of a parameter of type `list`: as many as its default has.
+  /// The elements of a list.
+  /// @param name of a parameter of type `list` in the table.
+  /// @return as many as its default has.
   std::vector<double> list(std::string_view name) const;
 
   /// All values, in the order of the table.
   std::span<const Setting> all() const { return settings_; }
 
-  /// Attaches a learned prior (null removes it), which replaces the choice of a parameter of type `prior`. The settings
-  /// must outlive strategies made with them.
+  /// Attaches a learned prior, which replaces the choice of a parameter of type `prior`.
+  /// @param prior null removes it. The settings must outlive strategies made with them.
   void attach(std::shared_ptr<const WallPrior> prior) { prior_ = std::move(prior); }
   /// The attached prior; null if there is none.
   const WallPrior* attached() const { return prior_.get(); }
@@ -123,7 +158,9 @@ class Settings {
   std::shared_ptr<const WallPrior> prior_;
 };
 
-/// The choices of a choice or a prior, in the table's order.
+/// The choices of a choice or a prior.
+/// @param parameter of one of these types.
+/// @return in the table's order, as parts of its `choices`.
 std::vector<std::string_view> choices_of(const Parameter& parameter);
 
 /// Checks a value for a parameter. A prior may be any path, because no file is opened here.

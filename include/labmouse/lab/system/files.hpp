@@ -40,8 +40,10 @@ std::string write_file(const std::string& path, std::string_view content);
 /// @return as above.
 std::string write_file(const std::string& path, const TextSource& content);
 
-/// Whether two paths for writing lead to the same file: "x" and "./x", a link and its target. The file need not exist
-/// yet. Standard output as `-` and other descriptors are the same if their numbers are.
+/// Whether two paths for writing lead to the same file: "x" and "./x", a link and its target. Standard output as `-`
+/// and other descriptors are the same if their numbers are.
+/// @param path as of write_file(); the file need not exist yet.
+/// @param other as above.
 bool is_same_file(const std::string& path, const std::string& other);
 
 /// Whether write_file() could write there now. Creates missing folders, but leaves no file.

@@ -24,8 +24,15 @@ struct Format {
   std::string_view summary;
   std::string_view extension;  ///< of the files that labmouse writes, such as ".num"
   /// Whether content seems to be of this format. Never fails, and can be wrong only for malformed content.
+  /// @param content the bytes of a file, of any size and origin.
   bool (*recognises)(std::string_view content);
+  /// Reads a maze of this format. Never throws.
+  /// @param content the bytes of a file, of any size and origin.
+  /// @return the maze, or what is wrong, with lines and columns.
   ReadResult (*read)(std::string_view content);
+  /// Writes a maze in this format.
+  /// @param maze any maze.
+  /// @return the content of a file, or why the format cannot hold the maze.
   WriteResult (*write)(const Maze& maze);
 };
 
@@ -43,12 +50,18 @@ extern const Format steps_format;
 
 /// All formats, in the order in which they are tried.
 std::span<const Format* const> all_formats();
-/// The format of that name, or null.
+/// The format of a name.
+/// @param name exactly.
+/// @return in static memory; null if there is none of that name.
 const Format* find_format(std::string_view name);
 
-/// The format that belongs to the extension of a file name, or null; `.txt`, `.maze` and none are the drawing's.
+/// The format that belongs to the extension of a file name. `.txt`, `.maze` and none are the drawing's.
+/// @param name with or without folders.
+/// @return in static memory; null if no format has the extension.
 const Format* format_of_file(std::string_view name);
-/// The first format that recognises the content, or null.
+/// The first format that recognises the content.
+/// @param content the bytes of a file, of any size and origin.
+/// @return in static memory; null if no format does.
 const Format* recognised_format(std::string_view content);
 
 /// How to read a file that does not say enough, or contradicts itself.
@@ -68,6 +81,7 @@ ReadResult read_maze(std::string_view content, const ReadChoice& choice = {});
 
 /// Writes a map as a drawing, with `...` and `:` for its unseen walls.
 /// @param map `unseen` may be empty: then this is what drawing_format writes.
+/// @return the content of a file, or why a drawing cannot hold the map: the start is a goal, or does not head north.
 WriteResult write_partial_map(const PartialMap& map);
 
 }  // namespace labmouse

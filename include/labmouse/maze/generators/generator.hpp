@@ -27,9 +27,12 @@ struct GeneratorOrder {
 struct Generator {
   std::string_view name;
   std::string_view summary;
-  /// Why the generator cannot make such a maze (a line for the user), or empty when it can.
+  /// Why the generator cannot make such a maze.
+  /// @param order any numbers.
+  /// @return a line for the user, in static memory; empty if it can.
   std::string_view (*refuses)(const GeneratorOrder& order);
-  /// Makes the maze; only for orders that it does not refuse.
+  /// Makes the maze, the same for the same order on every platform.
+  /// @param order one that it does not refuse.
   Maze (*make)(const GeneratorOrder& order);
 };
 
@@ -41,12 +44,16 @@ extern const Generator division_generator;
 extern const Generator empty_generator;
 extern const Generator contest_generator;
 
-/// Why the size or the share of loops is out of range, which every generator refuses; empty if they are valid.
+/// Why the size or the share of loops is out of range, which every generator refuses.
+/// @param order any numbers.
+/// @return a line for the user, in static memory; empty if they are valid.
 std::string_view refuses_out_of_range(const GeneratorOrder& order);
 
 /// All generators, in the order of the list above.
 std::span<const Generator* const> all_generators();
-/// The generator of that name, or null.
+/// The generator of a name.
+/// @param name exactly.
+/// @return in static memory; null if there is none of that name.
 const Generator* find_generator(std::string_view name);
 
 }  // namespace labmouse

@@ -30,8 +30,13 @@ class DriveFields {
   static DriveFields in_own_memory(Size size, const DriveModel& model);
   /// Bytes of memory that the fields for a maze take. If the model has no shared tables (share_route_tables()), this
   /// makes tables and throws them away.
+  /// @param size of the maze, with sides of at most max_drive_side cells.
+  /// @param model the robot, without error.
   static std::size_t bytes_for(Size size, const DriveModel& model);
   /// The parts of these bytes; ways and runs count only what does not overlap with others.
+  /// @param size of the maze, with sides of at most max_drive_side cells.
+  /// @param model the robot, without error.
+  /// @return the sum of its bytes is bytes_for().
   static MemoryLayout layout(Size size, const DriveModel& model);
 
   /// The field for routes of runs.

@@ -25,15 +25,19 @@ class EdgeHeap {
   EdgeHeap(std::uint16_t* heap, std::uint16_t* places, const DriveTime* times)
       : heap_(heap), places_(places), times_(times) {}
 
-  /// Empties the queue. The argument is the number of all edges.
+  /// Empties the queue.
+  /// @param edges the number of all edges: the length of the arrays, at most `nowhere`.
   void clear(std::size_t edges) {
     size_ = 0;
     for (std::size_t edge = 0; edge < edges; ++edge) places_[edge] = nowhere;
   }
+  /// Whether no edge is queued.
   bool empty() const { return size_ == 0; }
   /// Whether an edge is queued.
+  /// @param edge its number.
   bool contains(std::size_t edge) const { return places_[edge] != nowhere; }
   /// Inserts an edge, or moves it forward after its time has decreased.
+  /// @param edge its number; its time must be written before.
   void reach(std::size_t edge) {
     std::size_t place = places_[edge];
     if (place == nowhere) place = size_++;
@@ -53,6 +57,7 @@ class EdgeHeap {
     return first;
   }
   /// Removes an edge, if it is queued.
+  /// @param edge its number.
   void remove(std::size_t edge) {
     const std::size_t place = places_[edge];
     if (place == nowhere) return;

@@ -25,18 +25,25 @@ class RouteTables {
   /// @param largest size of the mazes that they can be used for, with sides of at most max_drive_side cells.
   explicit RouteTables(const DriveTables& tables, Size largest = {max_drive_side, max_drive_side});
   ~RouteTables();
-  /// The same for mazes of all sizes, and they keep the bounds that a search computes for a start, for later searches:
+  /// Makes tables for mazes of all sizes that keep the bounds which a search computes for a start, for later searches:
   /// up to eight starts in mazes of up to 16×16 cells, and eight in larger ones.
+  /// @param tables those of a model without error, with up to most_speeds speeds of a turn; copied.
+  /// @return never null.
   static std::shared_ptr<const RouteTables> keeping_bounds(const DriveTables& tables);
 
   /// Bytes of memory that a FastestRoutes for a maze takes.
+  /// @param size of the maze, at most that of the tables.
   std::size_t bytes_for(Size size) const;
-  /// How many of these, the first ones, it still needs when a field is being read. The others are free until the next
-  /// fill.
+  /// How many of these bytes, the first ones, it still needs when a field is being read. The others are free until the
+  /// next fill.
+  /// @param size of the maze, at most that of the tables.
   std::size_t kept_bytes_for(Size size) const;
-  /// The parts of these bytes.
+  /// The parts of the bytes that a FastestRoutes takes.
+  /// @param size of the maze, at most that of the tables.
+  /// @return the sum of its bytes is bytes_for().
   MemoryLayout layout(Size size) const;
-  /// Bytes of these tables themselves, as far as mazes of that size need them; constant once they are made.
+  /// Bytes of these tables themselves, as far as mazes of a size need them; constant once they are made.
+  /// @param size of the maze, at most that of the tables.
   std::size_t table_bytes(Size size) const;
 
  private:
@@ -45,7 +52,8 @@ class RouteTables {
   std::unique_ptr<const Parts> parts_;
 };
 
-/// The tables of a model without error: the shared ones if it has them, else new ones, which takes time and memory.
+/// The tables of a model: the shared ones if it has them, else new ones, which takes time and memory.
+/// @param model the robot, without error.
 /// @return never null.
 std::shared_ptr<const RouteTables> route_tables_of(const DriveModel& model);
 /// Makes shared tables for a model that many mice use, unless it has some. The model must not change afterwards.
@@ -125,7 +133,9 @@ class FastestRoutes {
   std::unique_ptr<Search, End> search_;
 };
 
-/// The walls that a route passes; none if it has no segments.
+/// The walls that a route passes.
+/// @param route of any length.
+/// @return no walls if it has no segments.
 WallSet walls_of(const DriveRoute& route);
 /// The same, and the walls beyond its end that must be open for the mouse to stop. The route can be driven if all of
 /// them are open.

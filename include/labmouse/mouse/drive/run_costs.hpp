@@ -45,6 +45,7 @@ class RunCosts {
   /// @param memory at least bytes_for(size) bytes, beginning at a multiple of two. It must outlive it.
   RunCosts(Size size, std::span<std::byte> memory);
   /// Bytes of memory that it takes for a maze.
+  /// @param size of the maze, with an area of at most largest_area.
   static std::size_t bytes_for(Size size);
   /// The largest area of a maze, in cells: larger ones would take more memory than a chip has for a strategy.
   static constexpr int largest_area = 256;

@@ -45,6 +45,7 @@ class SearchField {
   /// @param memory at least bytes_for(size) bytes, beginning at a multiple of four. It must outlive it.
   SearchField(Size size, const SearchDrive& drive, std::span<std::byte> memory);
   /// Bytes of memory that a field for a maze takes, if the memory is the caller's.
+  /// @param size of the maze, with sides of at most max_drive_side cells.
   static std::size_t bytes_for(Size size);
 
   /// Finds the times over open walls to some cells, with dashes over known cells.

@@ -30,7 +30,9 @@ enum class Place : std::uint8_t { centre, edge, left, right };
 /// All places, in the order of the enumeration.
 inline constexpr std::array all_places = {Place::centre, Place::edge, Place::left, Place::right};
 
-/// The name of a place in records: that of the enumerator.
+/// The name of a place in records.
+/// @param place one of the four.
+/// @return that of the enumerator; in static memory.
 constexpr std::string_view name_of(Place place) {
   constexpr std::array<std::string_view, 4> names = {"centre", "edge", "left", "right"};
   return names[static_cast<unsigned>(place)];
@@ -60,6 +62,8 @@ struct HalfPoint {
 };
 
 /// The point of a node, whatever its direction.
+/// @param node of any maze.
+/// @return in half cells.
 constexpr HalfPoint half_point(const DriveNode& node) {
   const HalfPoint centre = {2 * node.cell.x + 1, 2 * node.cell.y + 1};
   if (node.place == Place::centre) return centre;
@@ -68,6 +72,7 @@ constexpr HalfPoint half_point(const DriveNode& node) {
 }
 
 /// The direction of a node.
+/// @param node of any maze.
 /// @return eighths of a turn clockwise from north, 0 to 7; odd for diagonals.
 constexpr int eighths(const DriveNode& node) {
   const int straight = eighths(node.heading);
@@ -75,6 +80,8 @@ constexpr int eighths(const DriveNode& node) {
 }
 
 /// The same place in the opposite direction: a node of the same way driven backwards.
+/// @param node of any maze.
+/// @return reversed() of it is the node again.
 constexpr DriveNode reversed(const DriveNode& node) {
   switch (node.place) {
     case Place::centre:

@@ -104,11 +104,14 @@ struct Robot {
   std::array<TurnLayout, all_turns.size()> layouts{};
 
   /// The layout of a turn.
+  /// @param turn one of all_turns.
+  /// @return part of this robot; for a turn back from a diagonal that of the turn onto it.
   const TurnLayout& layout(Turn turn) const {
     const bool back = begins_diagonal(turn) && !ends_diagonal(turn);
     return layouts[static_cast<unsigned>(back ? reversed(turn) : turn)];
   }
-  /// Whether it drives a turn: if its layout says so, and for turns to or from diagonals if it drives diagonals.
+  /// Whether the robot drives a turn: if its layout says so, and for turns to or from diagonals if it drives diagonals.
+  /// @param turn one of all_turns.
   bool drives(Turn turn) const {
     return layout(turn).driven && (diagonals || !(begins_diagonal(turn) || ends_diagonal(turn)));
   }

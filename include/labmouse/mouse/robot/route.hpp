@@ -40,6 +40,7 @@ struct DriveRoute {
 class RouteEnd {
  public:
   /// Goes to the end of the next segment.
+  /// @param segment begins at the end of the last one; copied.
   void pass(const DriveSegment& segment);
   /// The node at the end of the last segment.
   /// @pre A segment has passed.

@@ -18,18 +18,24 @@ enum class Turn : std::uint8_t { f45, f90, f135, f180, v90, s90, out45, out135 }
 inline constexpr std::array all_turns = {Turn::f45, Turn::f90, Turn::f135,  Turn::f180,
                                          Turn::v90, Turn::s90, Turn::out45, Turn::out135};
 
-/// The name of a turn as builders write it; the same for a turn onto a diagonal and the one back from it.
+/// The name of a turn as builders write it.
+/// @param turn one of all_turns.
+/// @return the same for a turn onto a diagonal and the one back from it; in static memory.
 constexpr std::string_view name_of(Turn turn) {
   constexpr std::array<std::string_view, 8> names = {"45", "90", "135", "180", "V90", "S90", "45", "135"};
   return names[static_cast<unsigned>(turn)];
 }
 
 /// Whether the straight before a turn is a diagonal.
+/// @param turn one of all_turns.
 constexpr bool begins_diagonal(Turn turn) { return turn == Turn::v90 || turn == Turn::out45 || turn == Turn::out135; }
 /// Whether the straight after a turn is a diagonal.
+/// @param turn one of all_turns.
 constexpr bool ends_diagonal(Turn turn) { return turn == Turn::v90 || turn == Turn::f45 || turn == Turn::f135; }
 
 /// The turn that is the same curve driven backwards.
+/// @param turn one of all_turns.
+/// @return the turn itself, unless it leads onto a diagonal or back from one.
 constexpr Turn reversed(Turn turn) {
   switch (turn) {
     case Turn::f45:
@@ -46,6 +52,7 @@ constexpr Turn reversed(Turn turn) {
 }
 
 /// The angle of a turn.
+/// @param turn one of all_turns.
 /// @return eighths of a full circle, 1 to 4.
 constexpr int eighths(Turn turn) {
   constexpr std::array<int, 8> angles = {1, 2, 3, 4, 2, 2, 1, 3};

@@ -45,7 +45,9 @@ PathPoint end_of(Turn turn, double cell);
 /// @return a lead is below 0 if the curve needs more room than there is. The curve of a 180 may end beside its last
 ///   node: width_of() gives its width. Clearance is left at 0.
 TurnShape shape_at(Turn turn, double speed, const CurveLimits& limits, double cell);
-/// The width of the curve alone, from its beginning across to its end, in mm.
+/// The width of the curve alone, from its beginning across to its end.
+/// @param shape its leads do not count.
+/// @return mm to the left, as seen in the direction of its beginning.
 double width_of(const TurnShape& shape);
 
 /// A curve eight times as long as each of its clothoids, as wide as the nodes allow.
@@ -55,6 +57,8 @@ double width_of(const TurnShape& shape);
 TurnShape plain_shape(Turn turn, double cell);
 
 /// The same path driven backwards, mirrored so that it turns to the left again.
+/// @param shape any.
+/// @return leads are exchanged; the turn is reversed().
 TurnShape backwards(const TurnShape& shape);
 
 }  // namespace labmouse

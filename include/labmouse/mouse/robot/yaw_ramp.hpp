@@ -14,6 +14,9 @@ enum class TurnProfile : std::uint8_t { trapezoid, sine, cubic };
 
 /// The names of the profiles in robot files, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 3> turn_profile_names = {"trapezoid", "sine", "cubic"};
+/// The name of a profile in robot files.
+/// @param profile one of the three.
+/// @return in static memory.
 constexpr std::string_view name_of(TurnProfile profile) { return turn_profile_names[static_cast<unsigned>(profile)]; }
 
 /// A point of a path, in mm ahead and to the left of the path's first point, as seen in the direction there; and the
