@@ -1,0 +1,116 @@
+"""Finds the public functions of a C++ or C header that lack a docstring, or whose docstring does not describe their parameters.
+
+Public are functions, members and pointers to functions outside of `private:` and the bodies of functions. A docstring is a comment of
+`///` or `/** */` directly above.
+- Where a function has parameters, its docstring needs @param or @return, or a sentence on its argument, which may have no name.
+- Where it has none, a sentence is enough: it says what the function returns. So it is for operators, whose operands are plain.
+- Overloads directly below each other share the docstring of the first.
+- Destructors, constructors that copy or move, overrides, comparisons, and what is `= default` or `= delete` need none.
+"""
+
+import re
+
+TOKEN = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<directive>^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*)
+                       |(?P<text>"(?:\\.|[^"\\\n])*"|(?<![\w])'(?:\\.|[^'\\\n])+')|(?P<space>\s+)|(?P<code>[\w]+|.)""",
+                   re.VERBOSE | re.DOTALL | re.MULTILINE)
+NO_FUNCTION = re.compile(r"(?:using|typedef|static_assert|friend (?:class|struct)|return)\b")
+SCOPE = re.compile(r"\b(namespace|extern TEXT|class|struct|union)\b")
+
+
+def without_templates(head):
+    """The head without `template <...>`, and without macros that stand alone."""
+    if match := re.match(r"template\s*<", head):
+        depth, place = 1, match.end()
+        while depth and place < len(head):
+            depth += {"<": 1, ">": -1}.get(head[place], 0)
+            place += 1
+        return without_templates(head[place:].lstrip())
+    return re.sub(r"^[A-Z][A-Z_]+ ?\([^()]*\) ?", "", head)
+
+
+def function_of(head):
+    """The name of the function that is declared, and its parameters as text; nothing if it is another declaration."""
+    head = re.sub(r"\s+", " ", without_templates(head.strip()))
+    head = re.sub(r"^(?:\[\[\w+\]\] )?(?:explicit ?\([^()]*\) )?", "", head)
+    match = re.search(r"(\boperator ?(?:\( ?\)|[^\w\s(]+|\w[^(]*)|~ ?\w+|\( ?\* ?\w+ ?\)|\w+) ?\((?! ?\* ?\w+ ?\) ?\()", head)
+    if not match or NO_FUNCTION.match(head):
+        return None
+    result = head[:match.start(1)]
+    if result.count("<") > result.count(">") or "=" in result:
+        return None  # the parentheses are those of a type, or of a value
+    depth, place = 1, match.end()
+    while depth and place < len(head):
+        depth += {"(": 1, ")": -1}.get(head[place], 0)
+        place += 1
+    return match[1].strip("(*) "), head[match.end():place - 1].strip(), head[place:]
+
+
+def problem_of(function, docstring):
+    """What the docstring of a function lacks; nothing if it is complete."""
+    name, parameters, rest = function
+    copies = re.fullmatch(rf"(?:const )?{re.escape(name)} ?&&?", parameters)
+    inherited = re.search(r"\b(?:override|final)\b|= ?(?:default|delete)\b", rest)
+    if copies or inherited or re.match(r"~|operator ?(?:==|!=|<=>|<$)", name):
+        return None
+    if not docstring.strip("/*! \n"):
+        return f"{name} has no docstring"
+    describes = re.search(r"@(?:param|return)\b|\bargument\b", docstring) or name.startswith("operator")
+    if parameters not in ("", "void") and not describes:
+        return f"the docstring of {name} has neither @param nor @return"
+    return None
+
+
+def problems_of(text):
+    """[(line number, problem)] of a header."""
+    found, depth = [], 0  # depth: of parentheses
+    scopes = [True]  # of each scope whether what it declares is public; None for the body of a function, an enum and values
+    head, begin, docstring, end_of_docstring = "", 0, "", 0
+    before = ("", 0, None)  # name, last line and problem of the function before
+
+    def ends(line):
+        nonlocal before
+        function = function_of(head) if scopes[-1] else None
+        if function:
+            attached = docstring if end_of_docstring + 1 == begin else ""
+            shared = not attached and before[:2] == (function[0], begin - 1)
+            problem = before[2] if shared else problem_of(function, attached)
+            if problem and not shared:
+                found.append((begin, problem))
+            before = (function[0], line, problem)
+        return function
+
+    line = 1
+    for token in TOKEN.finditer(text):
+        kind, word = token.lastgroup, token[0]
+        if kind == "comment" and not head:
+            if word.startswith(("///", "/**")) and not word.startswith(("///<", "/**<")):
+                docstring = f"{docstring}\n{word}" if end_of_docstring + 1 == line else word
+                end_of_docstring = line + word.count("\n")
+        elif kind == "space" or kind == "text" or kind == "code":
+            if kind != "space" and not head:
+                begin = line
+            if depth == 0 and word == "{":
+                if scopes[-1] is None:
+                    scopes.append(None)
+                elif (scope := SCOPE.search(head)) and "(" not in head and not re.match(r"enum\b", head):
+                    scopes.append(scopes[-1] and scope[1] != "class")
+                    head = ""
+                else:
+                    scopes.append(None)
+            elif depth == 0 and word == "}":
+                last = scopes.pop()
+                if last is not None:
+                    head = ""
+                elif scopes[-1] is not None and ends(line):
+                    head = ""
+            elif scopes[-1] is not None:
+                if depth == 0 and word == ";":
+                    ends(line)
+                    head = ""
+                elif depth == 0 and word == ":" and head.strip() in ("public", "private", "protected"):
+                    scopes[-1], head = scopes[-2] and head.strip() != "private", ""
+                else:
+                    depth += {"(": 1, ")": -1}.get(word, 0)
+                    head += "TEXT" if kind == "text" else word if head or kind != "space" else ""
+        line += word.count("\n")
+    return found
