@@ -1,7 +1,7 @@
-"""Finds the public functions of a C++ or C header that lack a docstring, or whose docstring does not describe their parameters.
+"""Finds the public types and functions of a C++ or C header that lack a docstring, and docstrings that do not describe parameters.
 
-Public are functions, members and pointers to functions outside of `private:` and the bodies of functions. A docstring is a comment of
-`///` or `/** */` directly above.
+Public is what is declared outside of `private:` and the bodies of functions, pointers to functions among it. A docstring is a comment
+of `///` or `/** */` directly above.
 - Where a function has parameters, its docstring needs @param or @return, or a sentence on its argument, which may have no name.
 - Where it has none, a sentence is enough: it says what the function returns. So it is for operators, whose operands are plain.
 - Overloads directly below each other share the docstring of the first.
@@ -15,6 +15,7 @@ TOKEN = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<directive>^[ \t]*\#(?
                    re.VERBOSE | re.DOTALL | re.MULTILINE)
 NO_FUNCTION = re.compile(r"(?:using|typedef|static_assert|friend (?:class|struct)|return)\b")
 SCOPE = re.compile(r"\b(namespace|extern TEXT|class|struct|union)\b")
+TYPE = re.compile(r"(?:enum (?:class |struct )?|class |struct |union )(?:alignas\([^)]*\) )?(\w+)")
 
 
 def without_templates(head):
@@ -67,13 +68,15 @@ def problems_of(text):
     head, begin, docstring, end_of_docstring = "", 0, "", 0
     before = ("", 0, None)  # name, last line and problem of the function before
 
+    def attached():
+        return docstring if end_of_docstring + 1 == begin else ""
+
     def ends(line):
         nonlocal before
         function = function_of(head) if scopes[-1] else None
         if function:
-            attached = docstring if end_of_docstring + 1 == begin else ""
-            shared = not attached and before[:2] == (function[0], begin - 1)
-            problem = before[2] if shared else problem_of(function, attached)
+            shared = not attached() and before[:2] == (function[0], begin - 1)
+            problem = before[2] if shared else problem_of(function, attached())
             if problem and not shared:
                 found.append((begin, problem))
             before = (function[0], line, problem)
@@ -90,6 +93,8 @@ def problems_of(text):
             if kind != "space" and not head:
                 begin = line
             if depth == 0 and word == "{":
+                if scopes[-1] and (kept := TYPE.match(without_templates(head))) and not attached():
+                    found.append((begin, f"{kept[1]} has no docstring"))
                 if scopes[-1] is None:
                     scopes.append(None)
                 elif (scope := SCOPE.search(head)) and "(" not in head and not re.match(r"enum\b", head):

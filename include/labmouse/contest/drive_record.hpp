@@ -56,6 +56,7 @@ struct DeadEndCount {
 /// One run of a contest: a search (which may go on behind the goal), the way home, a speed run over what is known, or
 /// in a time trial a run of several laps.
 struct DriveRun {
+  /// The purpose of a run; see above.
   enum class Kind : std::uint8_t { search, home, speed, laps };
 
   Kind kind = Kind::search;
@@ -109,6 +110,7 @@ constexpr std::string_view name_of(DriveOutcome outcome) {
                                                 : "forfeit";
 }
 
+/// One contest of one mouse in one maze, in a world in seconds.
 struct DriveRecord {
   std::vector<DriveRun> runs;
   std::vector<WallSeen> walls;

@@ -14,6 +14,7 @@ namespace labmouse {
 /// the dead ends that a search sees before it enters a goal.
 enum class Counted : std::uint8_t { run, lap, dead_end };
 
+/// All that rules can score, in the order of the enumeration.
 inline constexpr std::array all_counted = {Counted::run, Counted::lap, Counted::dead_end};
 
 /// The name of what rules score.
@@ -37,6 +38,7 @@ constexpr std::optional<Counted> counted_named(std::string_view name) {
 /// @return "s", or "marks lost" if dead ends count; in static memory.
 constexpr std::string_view unit_of(Counted counted) { return counted == Counted::dead_end ? "marks lost" : "s"; }
 
+/// The rules of one kind of contest. Lower scores are better.
 struct DriveRules {
   std::string name;
   std::string source;  ///< where and when they were in force, and what is uncertain

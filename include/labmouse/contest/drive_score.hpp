@@ -24,6 +24,7 @@ struct DriveRunScore {
   friend bool operator==(const DriveRunScore&, const DriveRunScore&) = default;
 };
 
+/// The score of a contest: that of its best run.
 struct DriveScore {
   DriveOutcome outcome = DriveOutcome::finished;
   /// Each run that ended in a goal, or completed a lap, within the time, in order.

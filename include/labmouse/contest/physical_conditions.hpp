@@ -12,6 +12,7 @@ namespace labmouse {
 
 struct LoggedTick;
 
+/// Errors, controller and map of a contest, and what of it is written down.
 struct PhysicalConditions {
   ErrorScale errors;
   MazeTime handling = 5'000'000;  ///< time to carry a mouse to the start and let it begin

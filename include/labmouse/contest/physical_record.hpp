@@ -26,6 +26,7 @@ enum class RunEnd : std::uint8_t {
   out_of_time,
 };
 
+/// All ends, in the order of the enumeration.
 inline constexpr std::array all_run_ends = {RunEnd::done,          RunEnd::given_up,   RunEnd::slid,
                                             RunEnd::position_lost, RunEnd::wall_error, RunEnd::no_route_left,
                                             RunEnd::out_of_time};
@@ -99,6 +100,7 @@ struct PhysicalNotes {
   friend bool operator==(const PhysicalNotes&, const PhysicalNotes&) = default;
 };
 
+/// One contest of one mouse in one maze, in a world with errors.
 struct PhysicalRecord : PhysicalNotes {
   /// Runs, walls as classified by the mouse, and decisions. Times of gates are those of the true mouse.
   DriveRecord drive;

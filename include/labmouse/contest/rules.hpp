@@ -3,6 +3,7 @@
 
 namespace labmouse {
 
+/// The rules of a contest in steps.
 struct Rules {
   /// Steps over both runs; the step after the last ends the contest without a score.
   int budget = 1000;

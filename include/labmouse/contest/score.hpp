@@ -8,6 +8,7 @@
 
 namespace labmouse {
 
+/// The score of a contest in steps; lower is better.
 struct Score {
   Outcome outcome = Outcome::out_of_steps;
   /// Steps of each run; the reset's own step belongs to the search run. An unfinished run counts its steps so far.
@@ -18,6 +19,9 @@ struct Score {
 };
 
 /// The formula itself: one division and one addition, so every platform rounds alike.
+/// @param search_steps steps of the search run.
+/// @param speed_steps steps of the speed run.
+/// @param rules their `search_factor` must not be 0.
 /// @return in steps of the speed run.
 constexpr double score_of(int search_steps, int speed_steps, const Rules& rules) {
   return speed_steps + static_cast<double>(search_steps) / rules.search_factor;

@@ -6,6 +6,7 @@
 
 namespace labmouse {
 
+/// Half a turn, in rad.
 inline constexpr double pi = 3.141592653589793;
 
 /// Sine and cosine of one angle.

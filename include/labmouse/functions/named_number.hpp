@@ -5,6 +5,7 @@
 
 namespace labmouse {
 
+/// A number and its name, in static memory.
 struct NamedNumber {
   std::string_view name;
   double number = 0.0;

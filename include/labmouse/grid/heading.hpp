@@ -18,6 +18,7 @@ namespace labmouse {
 /// A direction in the maze. The values count quarter turns clockwise from north.
 enum class Heading : std::uint8_t { north, east, south, west };
 
+/// All headings, clockwise from north.
 inline constexpr std::array all_headings = {Heading::north, Heading::east, Heading::south, Heading::west};
 
 /// The heading after a turn.

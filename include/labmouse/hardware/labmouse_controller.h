@@ -84,7 +84,7 @@ struct labmouse_drive {
   number(variation, floor_shift) number(variation, floor_tilt) number(variation, placement)                           \
   number(variation, placement_turn)
 
-/** Sensors: ahead of the axle and to the left of the middle in mm, and the angle to the left of ahead in rad. */
+/** An infrared sensor: mm ahead of the axle and to the left of the middle, and rad to the left of ahead. */
 struct labmouse_infrared {
   double ahead, aside, angle;
   double gain;      /* counts, of a wall as far as the side or the front of a cell is from its middle */
@@ -94,6 +94,7 @@ struct labmouse_infrared {
   double group;     /* the groups are lit one after the other, each ms */
   double latency;   /* ms */
 };
+/** A ToF sensor, placed in the same way. */
 struct labmouse_ranger {
   double ahead, aside, angle;
   double reach;  /* mm */
@@ -101,8 +102,9 @@ struct labmouse_ranger {
 };
 
 #define LABMOUSE_ROBOT_FIELD(section, name) double section##_##name;
-/** Numbers of sensors that it lacks are 0. Those of pairs of infrared sensors (side, front) and of a ToF sensor that
-   looks ahead are 0, too, where its file lists sensors one by one; the lists have all sensors of any robot. */
+/** The numbers of the robot. Those of sensors that it lacks are 0. Those of pairs of infrared sensors (side, front) and
+   of a ToF sensor that looks ahead are 0, too, where its file lists sensors one by one; the lists have all sensors of
+   any robot. */
 struct labmouse_robot {
   LABMOUSE_ROBOT_NUMBERS(LABMOUSE_ROBOT_FIELD)
   int infrared_sensors, range_sensors; /* how many */
@@ -111,6 +113,7 @@ struct labmouse_robot {
 };
 #undef LABMOUSE_ROBOT_FIELD
 
+/** A cell of the maze. */
 struct labmouse_cell {
   int x, y; /* column and row, from 0 */
 };

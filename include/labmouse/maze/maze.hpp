@@ -9,6 +9,7 @@ namespace labmouse {
 /// readers check their input first.
 class MazeDraft {
  public:
+  /// The state of all inner walls at the beginning.
   enum class Inside { open, closed };
 
   /// A maze with its border closed, the start at (0,0) heading north, and no goal marked.

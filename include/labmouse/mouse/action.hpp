@@ -104,6 +104,7 @@ constexpr std::string_view name_of(ForfeitReason reason) {
 
 /// One decision: a step, a reset (back to the start, for the speed run) or a forfeit.
 struct Action {
+  /// A turn and a move; a return to the start; or the end of the contest.
   enum class Kind : std::uint8_t { step, reset, forfeit };
 
   Kind kind = Kind::step;

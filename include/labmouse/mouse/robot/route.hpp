@@ -10,6 +10,7 @@ namespace labmouse {
 
 /// One piece of a route, from node to node.
 struct DriveSegment {
+  /// What is driven: straight on, or a curve.
   enum class Kind : std::uint8_t { straight, turn };
 
   Kind kind = Kind::straight;
