@@ -1,9 +1,9 @@
 """Finds the public types and functions of a C++ or C header that lack a docstring, and docstrings that do not describe parameters.
 
-Public is what is declared outside of `private:` and the bodies of functions, pointers to functions among it. A docstring is a comment
-of `///` or `/** */` directly above.
-- Where a function has parameters, its docstring needs @param or @return, or a sentence on its argument, which may have no name.
-- Where it has none, a sentence is enough: it says what the function returns. So it is for operators, whose operands are plain.
+Public is what is declared outside of `private:` and the bodies of functions, pointers to functions among it. A docstring is a
+comment of `///` or `/** */` directly above.
+- The docstring of a function describes each parameter that has a name by @param. Operators do without: their operands are plain.
+- What a function returns may be said by @return, or by its sentence: "The number of cells."
 - Overloads directly below each other share the docstring of the first.
 - Destructors, constructors that copy or move, overrides, comparisons, and what is `= default` or `= delete` need none.
 """
@@ -46,6 +46,14 @@ def function_of(head):
     return match[1].strip("(*) "), head[match.end():place - 1].strip(), head[place:]
 
 
+def names_of(parameters):
+    """The names in a list of parameters; those that have none are left out."""
+    while (plain := re.sub(r"<[^<>]*>|\([^()]*\)", "", parameters)) != parameters:
+        parameters = plain
+    found = (re.search(r"[\w>&*] ?\b(\w+)(?:\[\w*\])?$", re.sub(r"=.*", "", part).strip()) for part in parameters.split(","))
+    return [match[1] for match in found if match]
+
+
 def problem_of(function, docstring):
     """What the docstring of a function lacks; nothing if it is complete."""
     name, parameters, rest = function
@@ -55,9 +63,10 @@ def problem_of(function, docstring):
         return None
     if not docstring.strip("/*! \n"):
         return f"{name} has no docstring"
-    describes = re.search(r"@(?:param|return)\b|\bargument\b", docstring) or name.startswith("operator")
-    if parameters not in ("", "void") and not describes:
-        return f"the docstring of {name} has neither @param nor @return"
+    described = re.findall(r"@param (\w+)", docstring)
+    lost = [parameter for parameter in names_of(parameters) if parameter not in described]
+    if lost and not name.startswith("operator"):
+        return f"the docstring of {name} has no @param {lost[0]}"
     return None
 
 

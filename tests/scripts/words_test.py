@@ -56,24 +56,24 @@ class Words(unittest.TestCase):
 
     def test_public_types_and_functions_have_docstrings(self):
         find = loaded(ROOT / "scripts" / "docstrings.py").problems_of
-        for line in ("int f();", "// Plain.\nint f();", "/// Far.\n\nint f();", "/// One.\nint f(int a);", "int f() { return 1; }",
+        for line in ("int f();", "// Plain.\nint f();", "/// Far.\n\nint f();", "/// One.\n/// @return a.\nint f(int a);", "int f() { return 1; }",
                      "/// A.\nstruct A {\n  /// One.\n  explicit A(int a) : a_{a} {}\n};", "/// A.\nclass A {\n public:\n  int f() const;\n};",
                      "template <class T, int n = 1>\nT f();", "/// One.\nint f();\nint g();", "int a = g();  ///< One.\nint f();",
                      "/// A.\nstruct A {\n  /** One. */\n  int (*f)(void* a);\n};", "#define F(a) a\nint f();", "namespace a {\nint f();\n}",
                      "/// A.\nstruct A {\n  B b{1};\n  int f();\n};", "/// One.\nint f(int a);\nint f(int a, int b);",
-                     "/// A.\nstruct A {\n  A& operator|=(A other);\n};", "/// One.\nvoid f(const A& a) {}", "struct A {};",
+                     "/// A.\nstruct A {\n  A& operator|=(A other);\n};", "/// One.\n/// @param a one.\nvoid f(int a, const A& b) {}", "/// One.\nint f(int a = b);", "struct A {};",
                      "enum class A : int { a };", "template <class T>\nclass A final : B {};", "/// A.\nstruct A {\n  enum B { c };\n};"):
             self.assertEqual(len(find(line + "\n")), 1, line)
-        for line in ("/// One.\nint f();", "/// One.\n/// @param a a number.\nvoid f(int a);", "/** One.\n * @return a number. */\nint f(int a);",
+        for line in ("/// One.\nint f();", "/// One.\n/// @param a a number.\nvoid f(int a);", "/** One.\n * @param a one. */\nint f(int a);",
                      "/// A.\nclass A {\n  int f();\n};", "/// A.\nclass A {\n public:\n  A() = default;\n  ~A();\n private:\n  int f(int a);\n};",
                      "/// A.\nstruct A : B {\n  int f(int a) const override;\n  int g() final { return h(1); }\n};",
                      "friend bool operator==(A, A) = default;", "int a = g(1);", "int a{g(1)};", "std::function<int(int)> f;", "using F = int(int);",
                      "static_assert(sizeof(int) == 4);", "/// A.\nenum class A { a = int(1), b };", "/// A.\nstruct A {\n  int a = 1;\n  B b = {f(1)};\n};",
-                     "/// One.\nint f() {\n  if (g(1)) return h(2);\n  return 3;\n}", "/// One.\n/// @return a.\nint f(int a);\nint f(A a);",
-                     "/// One.\n/// @return a.\nint f(A a = {}, B b = '(');", "#define F(a) \\\n  int f(a);", "const char* a = \"int f();\";",
+                     "/// One.\nint f() {\n  if (g(1)) return h(2);\n  return 3;\n}", "/// One.\n/// @param a one.\nint f(int a);\nint f(A a, int b);",
+                     "/// One.\n/// @param a one.\n/// @param b one.\nint f(A<unsigned int, B> a = {1, 2}, B b = '(', int (*)(A c, A d) = g);", "#define F(a) \\\n  int f(a);", "const char* a = \"int f();\";",
                      "/// The sum.\nA operator+(A a, A b);", "/// A.\nstruct A {\n  A(A&&) noexcept;\n  A(const A& other);\n};",
                      "struct A;", "/// A.\nclass A {\n  struct B {};\n};", "/// A.\ntemplate <class T>\nclass A {};", "enum { a = 1 };",
-                     "/// The argument is a number.\nvoid f(int /*a*/) {}", "extern \"C\" {\n/// One.\nint f(void);\n}"):
+                     "/// One.\nvoid f(int /*a*/, const A&) {}", "extern \"C\" {\n/// One.\nint f(void);\n}"):
             self.assertEqual(find(line + "\n"), [], line)
 
     def test_comments_and_messages_are_in_plain_words(self):

@@ -28,6 +28,8 @@ constexpr double score_of(int search_steps, int speed_steps, const Rules& rules)
 }
 
 /// Scores a record, of a simulated or a real robot.
+/// @param record of a contest in steps.
+/// @param rules those of the contest.
 /// @return `value` in steps of the speed run; lower is better.
 Score score(const RunRecord& record, const Rules& rules);
 

@@ -55,6 +55,7 @@ inline constexpr std::array all_forfeit_reasons = {ForfeitReason::none,
                                                    ForfeitReason::not_judged};
 
 /// The name of a reason in messages and records.
+/// @param reason one of the enumeration.
 /// @return in lower case, with spaces: "no route".
 constexpr std::string_view name_of(ForfeitReason reason) {
   switch (reason) {

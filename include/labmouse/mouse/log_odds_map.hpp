@@ -96,11 +96,13 @@ class LogOddsMap {
   bool weaken_path(Cell from, const CellSet& to);
 
   /// The log-odds of a wall.
+  /// @param wall any of the maze.
   /// @return in eighths of a nat, above 0 if the wall is more likely closed; 0 if it is unknown, `most` for the border.
   int odds(Wall wall) const;
   /// The known walls that follow from the odds.
   const Knowledge& view() const { return view_; }
   /// The walls around a pose as a reading of one cell.
+  /// @param pose inside the maze.
   /// @return 1 for an open wall, 0 for a closed or unknown one.
   Sighting sighting(const Pose& pose) const;
   /// Grows whenever a known wall changes or is forgotten.

@@ -130,6 +130,7 @@ struct Contestant {
 };
 
 /// The SPEC of a mouse, whether or not its user gave it a name.
+/// @param mouse any.
 /// @return a part of the mouse.
 inline const std::string& spec_of(const Contestant& mouse) { return mouse.spec.empty() ? mouse.name : mouse.spec; }
 

@@ -32,6 +32,7 @@ SpecResult read_specs(std::span<const std::string> texts, const ExternalOptions&
 SpecResult read_builtin_specs(std::string_view text);
 
 /// The table entry of a built-in mouse, also of one with external parts.
+/// @param mouse any.
 /// @return null for an external mouse and for the oracle.
 const BuiltinMouse* entry_of(const Contestant& mouse);
 
@@ -75,15 +76,18 @@ enum class Driving : std::uint8_t { ideal, with_errors, by_controller };
 std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving = Driving::ideal);
 
 /// Why a mouse cannot race in steps, or which of its settings has no effect there.
+/// @param mouse one that enters the race.
 /// @return a message; empty if it can.
 std::string refuse_to_walk(const Contestant& mouse);
 
 /// The settings of a mouse that have an effect in seconds.
+/// @param mouse any.
 /// @return all settings of a mouse that does not race in steps. Of another one, those with an effect in both worlds,
 ///   and those with an effect in seconds only if they differ from their defaults, because there are many. Empty for
 ///   external mice and the oracle.
 Settings settings_in_seconds(const Contestant& mouse);
 /// The settings of a mouse that have an effect in steps.
+/// @param mouse any.
 /// @return empty for external mice and the oracle.
 Settings settings_in_steps(const Contestant& mouse);
 
