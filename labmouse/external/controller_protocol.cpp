@@ -102,13 +102,16 @@ std::optional<std::vector<ControllerTick>> read_duties(std::string_view line) {
   return ticks;
 }
 
-std::optional<Verdict> judge_controller_greeting(std::string_view line) {
-  if (line == controller_greeting) return std::nullopt;
+JudgedLine<AnswerUnits> judge_controller_greeting(std::string_view line) {
+  if (line == controller_greeting) return {AnswerUnits::duties, std::nullopt};
+  if (line == speeds_greeting) return {AnswerUnits::speeds, std::nullopt};
   const char* hint = line == program_greeting    ? "; it decides step by step; race it as program:COMMAND"
                      : read_parts_greeting(line) ? "; it has parts of a controller; race it as MOUSE:parts=COMMAND"
                                                  : "";
-  return Verdict{ForfeitReason::invalid_answer,
-                 fmt::format("its first line is {} instead of '{}'{}", quoted_line(line), controller_greeting, hint)};
+  return {{},
+          Verdict{ForfeitReason::invalid_answer,
+                  fmt::format("its first line is {} instead of '{}' or '{}'{}", quoted_line(line), controller_greeting,
+                              speeds_greeting, hint)}};
 }
 
 DutiesAnswer judge_duties(std::string_view line, std::string_view more) {

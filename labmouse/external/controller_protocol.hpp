@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ namespace labmouse {
 /// The first line of both sides: the protocol and its version.
 inline constexpr std::string_view controller_greeting = "labmouse pilot 1";
 
+/// The first line of a controller that answers with speeds in place of duties.
+inline constexpr std::string_view speeds_greeting = "labmouse pilot 1 speeds";
+
 /// The first line of a program that offers parts of a controller, for messages.
 inline constexpr std::string_view parts_greeting = "labmouse pilot 1 PART...";
 
@@ -30,8 +34,11 @@ void add_sense(const Sense& sense, std::string& text);
 /// Parses an answer into duties tick by tick; the first tick has the answer's word. nullopt if it is invalid.
 std::optional<std::vector<ControllerTick>> read_duties(std::string_view line);
 
-/// Checks the first line; nullopt if it is the greeting.
-std::optional<Verdict> judge_controller_greeting(std::string_view line);
+/// What the pairs of numbers in a controller's answers are.
+enum class AnswerUnits : std::uint8_t {
+  duties,  ///< of the motors, in parts of ControllerTick::full
+  speeds,  ///< speed in mm/s, and turn rate in thousandths of rad/s to the left
+};
 
 /// A parsed answer: its ticks, or a verdict if it is invalid.
 struct DutiesAnswer {
@@ -70,6 +77,7 @@ struct JudgedLine {
   Value value{};
   std::optional<Verdict> verdict;
 };
+JudgedLine<AnswerUnits> judge_controller_greeting(std::string_view line);
 JudgedLine<OfferedParts> judge_parts_greeting(std::string_view line);
 JudgedLine<PoseEstimate> judge_estimate(std::string_view line, std::string_view more);
 JudgedLine<WallEvidence> judge_evidence(std::string_view line, std::string_view more);

@@ -1,17 +1,30 @@
 #include "labmouse/external/external_controller.hpp"
 
-#include "labmouse/external/controller_protocol.hpp"
+#include <cmath>
+#include <utility>
 
 namespace labmouse {
+namespace {
 
-ExternalController::ExternalController(const Launch& launch, std::string_view briefing)
-    : talk_(launch, controller_greeting) {
+/// Duties in parts of ControllerTick::full.
+ControllerTick tick_of(const Drive& drive, ControllerWord word) {
+  const auto parts = [](float duty) { return static_cast<std::int16_t>(std::lround(duty * ControllerTick::full)); };
+  return {parts(drive.left), parts(drive.right), word};
+}
+
+}  // namespace
+
+ExternalController::ExternalController(const Launch& launch, std::string_view briefing, SpeedControl inner_loop)
+    : talk_(launch, controller_greeting), inner_loop_(std::move(inner_loop)) {
   const auto line = talk_.greet(briefing);
   if (!line) return;
-  if (const auto verdict = judge_controller_greeting(*line))
-    talk_.give_up(*verdict);
-  else
-    talk_.accept();
+  const auto judged = judge_controller_greeting(*line);
+  if (judged.verdict) {
+    talk_.give_up(*judged.verdict);
+    return;
+  }
+  units_ = judged.value;
+  talk_.accept();
 }
 
 ControllerTick ExternalController::tick(const Sense& sense) {
@@ -31,7 +44,9 @@ ControllerTick ExternalController::tick(const Sense& sense) {
     }
     ticks_ = std::move(answer.ticks);
   }
-  return ticks_[next_++];
+  const ControllerTick& answer = ticks_[next_++];
+  if (units_ == AnswerUnits::duties) return answer;
+  return tick_of(inner_loop_.control(answer.left, answer.right / 1e3, sense), answer.word);
 }
 
 void ExternalController::carried(bool crashed) {
@@ -39,6 +54,7 @@ void ExternalController::carried(bool crashed) {
   senses_.clear();
   ticks_.clear();
   next_ = 0;
+  inner_loop_.rest();
 }
 
 }  // namespace labmouse

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "labmouse/contest/controller_code.hpp"
+#include "labmouse/controller/speed_control.hpp"
+#include "labmouse/external/controller_protocol.hpp"
 #include "labmouse/external/talk.hpp"
 
 namespace labmouse {
@@ -13,8 +15,9 @@ namespace labmouse {
 /// protocol or a limit is ended, and gives up with that reason.
 class ExternalController final : public ControllerCode {
  public:
-  /// `briefing`: the lines from the greeting to `begin`.
-  ExternalController(const Launch& launch, std::string_view briefing);
+  /// @param briefing the lines from the greeting to `begin`.
+  /// @param inner_loop drives at the speeds of a program that does not answer with duties.
+  ExternalController(const Launch& launch, std::string_view briefing, SpeedControl inner_loop);
 
   ControllerTick tick(const Sense& sense) override;
   void carried(bool crashed) override;
@@ -24,8 +27,10 @@ class ExternalController final : public ControllerCode {
 
  private:
   ExternalTalk talk_;
+  SpeedControl inner_loop_;
+  AnswerUnits units_ = AnswerUnits::duties;
   std::string events_, senses_;        ///< not yet sent to it
-  std::vector<ControllerTick> ticks_;  ///< of its last answer
+  std::vector<ControllerTick> ticks_;  ///< of its last answer, in its units
   std::size_t next_ = 0;
 };
 

@@ -30,7 +30,8 @@ Contest contest(const Launch& launch, MazeTime limit = 3600'000'000) {
   rules.time_limit = limit;
   PhysicalConditions conditions;
   conditions.trace_every = 1;
-  ExternalController code(launch, "labmouse pilot 1\nbegin\n");
+  ExternalController code(launch, "labmouse pilot 1\nbegin\n",
+                          SpeedControl(*model->robot.hardware, model->tables.cell));
   Contest held;
   held.record = drive_by_code(test::ring(), rules, *model, conditions, 1, code);
   held.words = code.last_words();
@@ -39,10 +40,10 @@ Contest contest(const Launch& launch, MazeTime limit = 3600'000'000) {
 }
 
 /// What a controller answers, line by line, as a shell script that also writes down what it is asked.
-Launch scripted(const std::string& answers) {
+Launch scripted(const std::string& answers, const std::string& greeting = "labmouse pilot 1") {
   Launch launch;
   launch.words = {"sh", "-c",
-                  "exec 3<&0; echo 'labmouse pilot 1'; " + answers +
+                  "exec 3<&0; echo '" + greeting + "'; " + answers +
                       " | while read -r answer; do read -r line <&3; while [ \"${line%% *}\" != sense ]; do"
                       " [ \"${line%% *}\" = carried ] && echo \"$line\" >&2; read -r line <&3; done;"
                       " set -- $line; echo $# $2 >&2; echo \"$answer\"; done"};
@@ -57,6 +58,21 @@ TEST(ExternalController, ChoosesItsBatchByTheLengthOfItsAnswer) {
       (std::vector<ControllerTick>{
           {1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 9, ControllerWord::fast}, {9, 9}, {0, 0, ControllerWord::give_up}}));
   EXPECT_THAT(held.words, HasSubstr("14 1\n40 2\n14 5\n27 6"));
+  EXPECT_EQ(held.record.drive.reason, ForfeitReason::gave_up);
+}
+
+TEST(ExternalController, MayAnswerWithSpeeds) {
+  const std::string still = "drive 0 0 0 0 0 0 0 0", ahead = "drive 300 0 300 0 300 0 300 0";
+  const std::string answers = "(for i in 1 2 3 4 5; do echo " + still + "; done; for i in $(seq 60); do echo " + ahead +
+                              "; done; echo carry; echo " + still + "; echo forfeit)";
+  const Contest held = contest(scripted(answers, "labmouse pilot 1 speeds"));
+  const auto& tape = held.record.tape;
+  ASSERT_GT(tape.size(), 262U) << held.words;
+  for (std::size_t i = 0; i < 20; ++i) EXPECT_LT(std::abs(tape[i].left), 600) << i;
+  EXPECT_GT(tape[20].left, 1000);
+  const std::vector<TracePoint>& trace = held.record.trace;  // a point a tick
+  EXPECT_NEAR(trace[258].truth.position.y - trace[208].truth.position.y, 15.0, 0.75);
+  EXPECT_LT(std::abs(tape[261].left), 600) << "the loop was not put to rest";
   EXPECT_EQ(held.record.drive.reason, ForfeitReason::gave_up);
 }
 

@@ -196,7 +196,7 @@ TEST(PartsProtocol, ReadsGreetings) {
                            "labmouse pilot 1 readers", "labmouse pilot 1reader"})
     EXPECT_FALSE(read_parts_greeting(line)) << line;
   // Each kind of program says what it is raced as.
-  EXPECT_THAT(judge_controller_greeting("labmouse pilot 1 reader")->sentence, HasSubstr("MOUSE:parts=COMMAND"));
+  EXPECT_THAT(judge_controller_greeting("labmouse pilot 1 reader").verdict->sentence, HasSubstr("MOUSE:parts=COMMAND"));
   EXPECT_THAT(judge_parts_greeting("labmouse pilot 1").verdict->sentence, HasSubstr("controller:COMMAND"));
 }
 

@@ -60,7 +60,9 @@ Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) 
     };
   } else if (kind == "controller:") {
     contestant.kind = [launch](const ControllerBriefing& briefing) {
-      return std::make_unique<ExternalController>(seeded(launch, briefing.seed), controller_lines(briefing));
+      return std::make_unique<ExternalController>(
+          seeded(launch, briefing.seed), controller_lines(briefing),
+          SpeedControl(*briefing.model.robot.hardware, briefing.model.tables.cell));
     };
   } else {
     contestant.runs = runs;

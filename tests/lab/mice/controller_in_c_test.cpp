@@ -149,6 +149,11 @@ TEST(ControllerProtocol, TellsEachSensorOfALine) {
 }
 
 #ifdef LABMOUSE_CONTROLLER_TEMPLATE
+SpeedControl inner_loop(const Event& event) {
+  const ControllerBriefing briefing = event.briefing(7);
+  return {*briefing.model.robot.hardware, briefing.model.tables.cell};
+}
+
 /// The last sensor of each kind, as a program of C reads it, is the last one that there is.
 TEST(ControllerInC, IsAskedWithAllSensorsOfALine) {
   Event event = with_lists();
@@ -158,7 +163,7 @@ TEST(ControllerInC, IsAskedWithAllSensorsOfALine) {
   Launch launch;
   launch.words = {LABMOUSE_LAST_SENSORS, "1"};
   launch.limits.silence = launch.limits.contest = std::chrono::minutes(5);
-  ExternalController program(launch, controller_lines(event.briefing(7)));
+  ExternalController program(launch, controller_lines(event.briefing(7)), inner_loop(event));
   const PhysicalRecord record = event.hold(program, 7);
   ASSERT_GT(record.tape.size(), 100U) << program.last_words();
   ASSERT_GE(log.size(), record.tape.size());
@@ -173,7 +178,7 @@ TEST(ControllerInC, IsTheSameAsAProgramThatIsAskedTickByTick) {
   Launch launch;
   launch.words = {LABMOUSE_CONTROLLER_TEMPLATE, "1"};
   launch.limits.silence = launch.limits.contest = std::chrono::minutes(5);
-  ExternalController program(launch, controller_lines(event.briefing(7)));
+  ExternalController program(launch, controller_lines(event.briefing(7)), inner_loop(event));
   const auto code = controller_in_c(labmouse_controller, event.briefing(7));
   const PhysicalRecord native = event.hold(*code, 7);
   EXPECT_EQ(event.hold(program, 7), native) << program.last_words();
