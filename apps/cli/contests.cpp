@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -42,6 +43,19 @@ void stop_or_end(int number) {
   }
   caught_at = milliseconds_now();
   caught_signal = number;
+}
+
+/// Parses a part such as "3/64"; nothing for an invalid text.
+std::optional<Shard> shard_of(const std::string& text) {
+  Shard shard;
+  const auto slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const double number = parse_plain_number(text.substr(0, slash)).value_or(0.0);
+  const double of = parse_plain_number(text.substr(slash + 1)).value_or(0.0);
+  constexpr double most = 1e6;
+  if (number != std::floor(number) || of != std::floor(of) || number < 1 || number > of || of > most)
+    return std::nullopt;
+  return Shard{static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
 }
 
 }  // namespace
@@ -109,6 +123,17 @@ void Contests::finish_store(bool below_a_table) const {
   else
     tell(text + ".\n");
   if (!error.empty()) throw UsageError(error);
+}
+
+Option* add_shard(Command& command, Shard& shard, std::string_view what) {
+  return command
+      .add_word(
+          "--shard", [&shard](const std::string& text) { shard = *shard_of(text); },
+          fmt::format("Run only the I-th of N parts of the {}; `labmouse store merge` joins their stores", what))
+      ->type_name("I/N")
+      ->check(Check([](const std::string& text) {
+        return shard_of(text) ? "" : fmt::format("{} is no part: write 3/64 for the third of 64", text);
+      }));
 }
 
 std::vector<Contestant> mice_of(SpecResult read) {

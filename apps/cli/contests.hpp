@@ -45,6 +45,10 @@ void add_mazes(Command& command, Contests& contests, const std::string& default_
 /// Adds --world with its settings, --seed, --store and --jobs.
 void add_world_and_seed(Command& command, Contests& contests);
 
+/// Adds the option --shard.
+/// @param what has parts: "race".
+Option* add_shard(Command& command, Shard& shard, std::string_view what);
+
 /// The mice that were read; throws UsageError with all that is wrong with them.
 std::vector<Contestant> mice_of(SpecResult read);
 

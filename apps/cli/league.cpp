@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct LeagueOptions {
-  std::string folder, seed_file, entry, site, page;
+  std::string folder, seed_file, entry, site, page, after, store;
   std::vector<std::string> practice;
   std::string title = "labmouse league";
   Contests contests;
@@ -37,6 +37,7 @@ struct LeagueOptions {
   ExternalOptions external_mice;
   std::string sandbox = "on";
   int jobs = 0;
+  Shard shard;
   bool replace = false, no_check = false, reveal = false;
 };
 
@@ -52,15 +53,10 @@ std::string drawn_seed() {
   return seed;
 }
 
-std::string seed_in(const std::string& path) {
-  const FileContent file = read_file(path);
-  if (!file.error.empty())
-    throw UsageError(fmt::format("{}: error: {}; name the file of the seed with --seed-file", path, file.error));
-  std::string seed = secret_in(file.content);
-  if (seed.size() < shortest_secret)
-    throw UsageError(fmt::format("{}: error: the seed has fewer than {} characters, so that it could be guessed", path,
-                                 shortest_secret));
-  return seed;
+/// Throws UsageError.
+std::string valid(SecretSeed seed) {
+  if (!seed.error.empty()) throw UsageError(seed.error);
+  return std::move(seed.secret);
 }
 
 /// Copies the files that settings name into the folder, so that the season does not depend on them.
@@ -74,6 +70,22 @@ void freeze_settings(const LeagueOptions& options, NamedWorld& world) {
     save(path_in(options, name), file.content);
     chosen->second = name;
   }
+}
+
+/// The season before; its results.json becomes a file of the new season. Throws UsageError.
+PreviousSeason previous_of(const LeagueOptions& options) {
+  if (options.after.empty()) return {};
+  PreviousSeason previous = read_previous_season(options.after);
+  if (!previous.error.empty()) throw UsageError(previous.error);
+  return previous;
+}
+
+/// Throws UsageError if the seed is one that was published with an earlier season.
+void expect_new_seed(const PreviousSeason& previous, const std::string& seed_hash) {
+  for (const EarlierSeason& season : previous.seasons)
+    if (season.seed_hash == seed_hash)
+      throw UsageError(shown(fmt::format(
+          "error: the seed is that of the season '{}', which everybody knows; choose another one", season.title)));
 }
 
 /// The text of the maze's file.
@@ -119,14 +131,17 @@ int init(LeagueOptions& options) {
     if (std::error_code unknown; fs::exists(path, unknown))
       throw UsageError(
           fmt::format("{}: error: is there already; a season is not changed, so choose another folder", path));
+  const PreviousSeason previous = previous_of(options);
   const MazeCollection mazes = find_mazes_of(entry, options.contests);
   season.world.settings = entry.settings;
-  const std::string secret = options.seed_file.empty() ? drawn_seed() : seed_in(options.seed_file);
+  const std::string secret = options.seed_file.empty() ? drawn_seed() : valid(read_secret_seed(options.seed_file));
   season.seed_hash = sha256_text(secret);
+  expect_new_seed(previous, season.seed_hash);
   if (const std::string reason = refuse_examination(*entry.world, season.examination, secret); !reason.empty())
     throw UsageError("error: " + reason);
   freeze_settings(options, season.world);
   const std::size_t practice = freeze_practice(options, mazes.mazes);
+  if (!previous.content.empty()) save(path_in(options, previous_file_name), previous.content);
   save_for_owner(secret_file, secret_text(secret));
   // The store and the records will have mazes of the examination.
   std::error_code ignored;
@@ -144,23 +159,16 @@ int init(LeagueOptions& options) {
 League league_of(LeagueOptions& options, const std::atomic<bool>& stopped, bool any_entries = false) {
   options.external_mice.sandbox = options.sandbox == "off" ? SandboxUse::never : SandboxUse::always;
   options.external_mice.stop = &stopped;
-  if (options.sandbox != "off" && !why_no_sandbox().empty())
-    throw UsageError(
-        fmt::format("error: this system has no sandboxes ({}); --sandbox off runs programs without one, "
-                    "and the results say so",
-                    why_no_sandbox()));
-  std::vector<std::string> secret_files;
-  if (!options.seed_file.empty()) secret_files.push_back(options.seed_file);
-  League league = load_league(options.folder, options.external_mice, secret_files);
+  std::vector<std::string> others;
+  for (const std::string& path : {options.seed_file, options.store})
+    if (!path.empty()) others.push_back(path);
+  League league = load_league(options.folder, options.external_mice, others);
   if (any_entries)
     tell_remarks(league.entry_errors);
   else
     league.errors.insert(league.errors.end(), league.entry_errors.begin(), league.entry_errors.end());
   if (!league.errors.empty()) throw UsageError(fmt::format("{}", fmt::join(league.errors, "\n")));
   tell_remarks(league.remarks);
-  if (!league.season.version.empty() && league.season.version != version())
-    tell(fmt::format("The season was made by labmouse {}, and this is {}: results may differ.\n", league.season.version,
-                     version()));
   return league;
 }
 
@@ -231,37 +239,33 @@ int add(LeagueOptions& options) {
   return exit_good;
 }
 
+std::string store_of(const LeagueOptions& options) {
+  return options.store.empty() ? path_in(options, store_file_name) : options.store;
+}
+
 /// Runs what is missing of the season, with a progress bar. Throws UsageError.
 SeasonRaces run_contests(const LeagueOptions& options, const League& league, const std::string& secret,
                          const std::atomic<bool>& stopped) {
-  auto store = std::make_shared<Store>(path_in(options, store_file_name));
+  auto store = std::make_shared<Store>(store_of(options));
   if (store->failed()) throw UsageError(store->finish());
   SeasonOrder order;
   order.secret = secret;
   order.jobs = options.jobs;
+  order.shard = options.shard;
   order.store = store;
   order.stop = &stopped;
   Progress progress;
-  order.advanced = [&](std::size_t all) { progress.advance(all); };
+  order.advanced = [&](std::size_t all, bool) { progress.advance(all); };
   SeasonRaces races = run_season(league, order);
   if (const std::string error = store->finish(); !error.empty()) throw UsageError(error);
   if (!races.error.empty()) throw UsageError(races.error);
   return races;
 }
 
-std::string secret_of(const LeagueOptions& options, const League& league) {
-  const std::string path = options.seed_file.empty() ? path_in(options, secret_file_name) : options.seed_file;
-  std::string secret = seed_in(path);
-  if (sha256_text(secret) != league.season.seed_hash)
-    throw UsageError(
-        fmt::format("{}: error: the hash of this seed is not that of the season, {}", path, league.season.seed_hash));
-  return secret;
-}
-
 /// Writes the files of the site.
 void write_site(const LeagueOptions& options, const SeasonResults& results, const std::string& page) {
   const auto file = [&](const char* name) { return fmt::format("{}/{}", options.site, name); };
-  save(file("results.json"), json_of(results));
+  save(file(results_name), json_of(results));
   save(file("report.html"), race_page(results.league, results.races.practice, page));
   if (results.revealed) save(file("examination.html"), race_page(results.league, results.races.examination, page));
   save(file("index.html"), index_page(results));
@@ -270,7 +274,7 @@ void write_site(const LeagueOptions& options, const SeasonResults& results, cons
 
 /// Throws UsageError where the pages cannot be written, or would replace pages of somebody else.
 void expect_site(const LeagueOptions& options) {
-  const std::string index = options.site + "/index.html", results = options.site + "/results.json";
+  const std::string index = options.site + "/index.html", results = fmt::format("{}/{}", options.site, results_name);
   std::error_code unknown;
   if (fs::exists(index, unknown) && !fs::exists(results, unknown))
     throw UsageError(
@@ -285,7 +289,7 @@ int run_or_publish(LeagueOptions& options) {
   const std::string page = publishes ? find_page(options.page) : "";
   std::optional<Interruptible> interruptible(std::in_place);
   const League league = league_of(options, interruptible->stopped());
-  const std::string secret = secret_of(options, league);
+  const std::string secret = valid(read_secret_seed_of(league, options.seed_file));
   const SeasonRaces races = run_contests(options, league, secret, interruptible->stopped());
   interruptible.reset();
   if (races.stopped) {
@@ -297,8 +301,14 @@ int run_or_publish(LeagueOptions& options) {
                      counted(static_cast<std::size_t>(races.not_judged), "contest was", "contests were")));
     return exit_finding;
   }
-  const SeasonResults results = {league, races, rank_mice(examination_shares(races.examination.race)),
-                                 options.reveal ? std::optional(secret) : std::nullopt};
+  if (options.shard.of > 1) {
+    print(fmt::format(
+        "part {} of {}: {} in {}\n", options.shard.number, options.shard.of,
+        counted(races.practice.race.results.size() + races.examination.race.results.size(), "contest", "contests"),
+        shown(store_of(options))));
+    return exit_good;
+  }
+  const SeasonResults results = results_of(league, races, options.reveal ? std::optional(secret) : std::nullopt);
   if (publishes)
     write_site(options, results, page);
   else
@@ -357,6 +367,10 @@ void add_init(Command& league, std::shared_ptr<LeagueOptions> options, int& exit
       ->add_option("--seed-file", options->seed_file,
                    "File with the secret seed of the examination mazes; default: one from the system's randomness")
       ->type_name("FILE");
+  command
+      ->add_option("--after", options->after,
+                   "The season before, whose ranks the pages show: the folder of its pages, published with --reveal")
+      ->type_name("DIR");
   command->group(groups::world);
   options->contests.world.add_to(*command);
   add_limits(*command, options->external_mice.limits);
@@ -384,7 +398,16 @@ void add_league(Command& app, int& exit) {
   Command* run_command =
       add_with_folder(*league, *options, "run", "Run all contests that are missing, and print the ranking");
   add_running(*run_command, *options);
-  run_command->footer("Example: labmouse league run spring");
+  auto* shard = add_shard(*run_command, options->shard, "season");
+  auto* store = run_command
+                    ->add_option("--store", options->store,
+                                 "Store for the contests of a part; default without --shard: FOLDER/results.db")
+                    ->type_name("FILE")
+                    ->needs(shard);
+  shard->needs(store);
+  run_command->footer(
+      "Example: labmouse league run spring\n"
+      "         labmouse league run spring --shard 3/64 --store part-3.db");
   run_command->callback([options, &exit] { exit = run_or_publish(*options); });
   Command* publish_command =
       add_with_folder(*league, *options, "publish", "Write the results as pages; runs contests that are missing");

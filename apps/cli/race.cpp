@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -210,19 +209,6 @@ std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entr
   return fields;
 }
 
-/// Parses a shard such as "3/64"; nothing for an invalid text.
-std::optional<Shard> shard_of(const std::string& text) {
-  Shard shard;
-  const auto slash = text.find('/');
-  if (slash == std::string::npos) return std::nullopt;
-  const double number = parse_plain_number(text.substr(0, slash)).value_or(0.0);
-  const double of = parse_plain_number(text.substr(slash + 1)).value_or(0.0);
-  constexpr double most = 1e6;
-  if (number != std::floor(number) || of != std::floor(of) || number < 1 || number > of || of > most)
-    return std::nullopt;
-  return Shard{static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
-}
-
 /// The results file of --out, which must not be the file of another option.
 std::string results_path(const RaceOptions& options) {
   return options.out.empty() ? "" : fmt::format("{}/{}", options.out, results_file_name);
@@ -312,15 +298,7 @@ void add_race(Command& app, int& exit) {
       ->type_name("N")
       ->check(in_range(1, 1'000'000));
   command->group(groups::contests);
-  auto* shard =
-      command
-          ->add_word(
-              "--shard", [options](const std::string& text) { options->contests.order.shard = *shard_of(text); },
-              "Run only the I-th of N parts of the race; `labmouse store merge` joins their stores")
-          ->type_name("I/N")
-          ->check(Check([](const std::string& text) {
-            return shard_of(text) ? "" : fmt::format("{} is no part of a race: write 3/64 for the third of 64", text);
-          }));
+  auto* shard = add_shard(*command, options->contests.order.shard, "race");
   command->group(groups::output);
   command
       ->add_option("--curves", options->curves,

@@ -18,6 +18,7 @@ void bind_bounds(nanobind::module_& module);
 void bind_learning(nanobind::module_& module);
 void bind_studies(nanobind::module_& module);
 void bind_comparisons(nanobind::module_& module);
+void bind_seasons(nanobind::module_& module);
 void bind_real_robots(nanobind::module_& module);
 
 }  // namespace labmouse::python

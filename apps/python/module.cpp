@@ -39,5 +39,6 @@ NB_MODULE(_native, module) {
   labmouse::python::bind_learning(module);
   labmouse::python::bind_studies(module);
   labmouse::python::bind_comparisons(module);
+  labmouse::python::bind_seasons(module);
   labmouse::python::bind_real_robots(module);
 }

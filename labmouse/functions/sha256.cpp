@@ -79,4 +79,9 @@ std::string sha256_text(std::string_view text) {
   return hash;
 }
 
+bool is_sha256_text(std::string_view text) {
+  return text.size() == 2 * std::tuple_size_v<Sha256> &&
+         text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 }  // namespace labmouse

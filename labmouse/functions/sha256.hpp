@@ -16,4 +16,7 @@ Sha256 sha256(std::string_view bytes);
 /// The hash of a text as 64 hexadecimal digits.
 std::string sha256_text(std::string_view text);
 
+/// Whether the text is 64 hexadecimal digits, as sha256_text() writes them.
+bool is_sha256_text(std::string_view text);
+
 }  // namespace labmouse

@@ -39,9 +39,10 @@ class AnOrganiser : public AUser {
     file("seed.txt", std::string("# secret\n") + secret + "\n");
   }
 
-  Ended init(const std::string& season, std::vector<std::string> more = {}) const {
+  Ended init(const std::string& season, std::vector<std::string> more = {},
+             const std::string& seed_file = "seed.txt") const {
     more.insert(more.begin(), {"league", "init", season, "--practice", "parallel-8,spiral-9", "--examination", "12",
-                               "--kind", "prim", "--side", "8", "--seed-file", "seed.txt"});
+                               "--kind", "prim", "--side", "8", "--seed-file", seed_file});
     return labmouse(std::move(more));
   }
   /// Makes the folder of an entry with that mouse, and with the text as robot.py.
@@ -226,6 +227,81 @@ TEST_F(AnOrganiser, DrawsASeedOfTheirOwnEachTime) {
   ASSERT_EQ(labmouse({"league", "init", "two"}).code, 0);
   EXPECT_NE(content("one/secret-seed.txt"), content("two/secret-seed.txt"));
   is_refused({"league", "init", "one"}, "one/season.toml");
+}
+
+// The parts run on several machines, one of them twice because it was interrupted; each contest runs once.
+TEST_F(AnOrganiser, RunsASeasonInParts) {
+  entry("mine", "mouse = \"flood:stride=1\"");
+  entry("counted", "capstone = \"robot.py\"",
+        follower("        open('" + (folder_ / "contests.log").string() + "', 'a').write('x')\n"));
+  const auto publish = [&](const std::string& season) {
+    return labmouse(
+        {"league", "publish", season, "-o", season + "-site", "--page", "page.html", "--reveal", "--sandbox", "off"});
+  };
+  for (const char* season : {"whole", "parts"}) {
+    ASSERT_EQ(init(season).code, 0);
+    for (const char* name : {"mine", "counted"}) ASSERT_EQ(add(season, name, {"--no-check"}).code, 0);
+  }
+  ASSERT_EQ(publish("whole").code, 0);
+  const std::size_t contests = content("contests.log").size();
+  EXPECT_EQ(contests, 14U);
+  const auto run = [&](const std::string& shard, const std::string& store) {
+    return labmouse({"league", "run", "parts", "--sandbox", "off", "--shard", shard, "--store", store});
+  };
+  for (const char* shard : {"1/3", "2/3", "3/3", "2/3"})
+    ASSERT_EQ(run(shard, std::string("part-") + shard[0] + ".db").code, 0) << shard;
+  ASSERT_EQ(labmouse({"store", "merge", "part-1.db", "part-2.db", "part-3.db", "-o", "parts/results.db"}).code, 0);
+  const Ended published = publish("parts");
+  ASSERT_EQ(published.code, 0) << published.err;
+  EXPECT_EQ(content("contests.log").size(), 2 * contests);
+  for (const char* name : {"index.html", "results.json", "report.html", "examination.html"})
+    EXPECT_TRUE(content(std::string("whole-site/") + name) == content(std::string("parts-site/") + name)) << name;
+  is_refused({"league", "run", "parts", "--sandbox", "off", "--shard", "1/3"}, "--store");
+  is_refused({"league", "run", "parts", "--sandbox", "off", "--shard", "4/3", "--store", "x.db"}, "4/3");
+}
+
+// What a season was before is read from its published results alone.
+TEST_F(AnOrganiser, ShowsTheSeasonsBefore) {
+  file("summer.txt", "dry chalk and 42 lemons\n");
+  file("autumn.txt", "no chalk and 43 lemons\n");
+  const auto publish = [&](const std::string& season, std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"league", "publish", season, "-o", season + "-site", "--page", "page.html", "--sandbox", "off"});
+    return labmouse(std::move(more)).code;
+  };
+  ASSERT_EQ(init("spring", {"--title", "Spring <1>"}).code, 0);
+  entry("ada", "mouse = \"flood:stride=1\"");
+  entry("ben", "mouse = \"flood:stride=2\"");
+  ASSERT_EQ(add("spring", "ada").code, 0);
+  ASSERT_EQ(publish("spring", {}), 0);
+  is_refused({"league", "init", "summer", "--after", "spring-site", "--seed-file", "summer.txt"}, "--reveal");
+  ASSERT_EQ(publish("spring", {"--reveal"}), 0);
+  is_refused({"league", "init", "summer", "--after", "spring-site", "--seed-file", "seed.txt"}, "Spring <1>");
+  is_refused({"league", "init", "summer", "--after", "nowhere", "--seed-file", "summer.txt"}, "nowhere");
+  EXPECT_FALSE(fs::exists(folder_ / "summer/season.toml"));
+  ASSERT_EQ(init("summer", {"--title", "Summer", "--after", "spring-site"}, "summer.txt").code, 0);
+  ASSERT_EQ(add("summer", "ben").code, 0);
+  fs::rename(folder_ / "spring-site", folder_ / "kept");
+  ASSERT_EQ(publish("summer", {"--reveal"}), 0);
+  const auto spring = nlohmann::json::parse(content("kept/results.json")), summer = results("summer-site");
+  ASSERT_EQ(summer.at("earlier_seasons").size(), 1U);
+  EXPECT_EQ(of(summer.at("earlier_seasons")[0], "ada").at("rank"), of(spring, "ada").at("rank"));
+  EXPECT_EQ(of(summer.at("earlier_seasons")[0], "ada").at("share_of_best"), of(spring, "ada").at("share_of_best"));
+  EXPECT_EQ(summer.at("earlier_seasons")[0].at("mice").size(), spring.at("mice").size());
+  ASSERT_EQ(init("autumn", {"--after", "summer-site/results.json"}, "autumn.txt").code, 0);
+  ASSERT_EQ(publish("autumn", {}), 0);
+  const auto autumn = results("autumn-site");
+  ASSERT_EQ(autumn.at("earlier_seasons").size(), 2U);
+  EXPECT_EQ(autumn.at("earlier_seasons")[0], summer.at("earlier_seasons")[0]);
+  EXPECT_EQ(of(autumn.at("earlier_seasons")[1], "ben").at("rank"), of(summer, "ben").at("rank"));
+  const std::string page = content("autumn-site/index.html");
+  const auto history = page.find("History");
+  ASSERT_NE(history, std::string::npos);
+  for (const char* text : {"Spring &lt;1&gt;", "Summer", "<th>ada</th>", "<th>ben</th>"})
+    EXPECT_NE(page.find(text, history), std::string::npos) << text;
+  EXPECT_EQ(content("kept/index.html").find("History"), std::string::npos);
+  file("autumn/previous-season.json", "{}");
+  EXPECT_EQ(publish("autumn", {}), 2);
 }
 
 TEST_F(AnOrganiser, RefusesWhatIsNoEntry) {

@@ -5,6 +5,7 @@ No test kills by a timer: the moment is a decision of a mouse, a line of the cli
 
 import collections
 import contextlib
+import json
 import os
 import random
 import select
@@ -247,6 +248,89 @@ def test_a_comparison_refuses_workers_with_other_mice(client, tmp_path, monkeypa
     monkeypatch.setattr(cluster._Spread, "_merge", lambda self, parts: self.came.update(one for picked, _ in parts for one in picked))
     with pytest.raises(labmouse.Error, match="a.db"):
         cluster.compare(client, "flood", "certify", generator="prim", size=8, store=tmp_path / "a.db", progress=False)
+
+
+ROBOT = """
+class Robot(object):
+    def __init__(self, dim):
+        self.moves = 0
+    def next_move(self, sensors):
+        self.moves += 1
+        return (0, 1) if sensors[1] else (90, 1) if sensors[2] else (-90, 1)
+"""
+
+
+@pytest.fixture
+def season(tmp_path, command, programs):
+    """Makes a season with an entry of each kind in a new folder, the same each time."""
+    (tmp_path / "seed.txt").write_text("wet chalk and 41 lemons\n")
+    for name, mouse in (("mine", 'mouse = "flood:stride=1"'), ("robot", 'capstone = "robot.py"')):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "robot.py").write_text(ROBOT)
+        (tmp_path / name / "entry.toml").write_text(f'authors = ["Ada"]\nlicence = "MIT"\n[[mouse]]\nname = "{name}"\n{mouse}\n')
+
+    def make(name):
+        folder = tmp_path / name
+        command("league", "init", str(folder), "--practice", "parallel-8,spiral-9", "--examination", "6", "--kind", "prim", "--side", "8",
+                "--seed-file", str(tmp_path / "seed.txt"))
+        for entry in ("mine", "robot"):
+            command("league", "add", str(folder), str(tmp_path / entry), "--no-check", "--sandbox", "off")
+        return folder
+
+    return make
+
+
+@pytest.fixture
+def site_of(tmp_path, command):
+    """Publishes a season; the contents of its files by their names."""
+    page = tmp_path / "page.html"
+    page.write_text("<!doctype html><html><head><title>labmouse</title></head><body><!-- labmouse:report --></body></html>\n")
+
+    def publish(folder):
+        site = tmp_path / f"{folder.name}-site"
+        command("league", "publish", str(folder), "-o", str(site), "--page", str(page), "--sandbox", "off", "--reveal")
+        return {file.name: file.read_bytes() for file in site.iterdir()}
+
+    return publish
+
+
+def test_a_season_is_that_of_one_machine(client, season, site_of):
+    alone, spread = season("alone"), season("spread")
+    expected = site_of(alone)
+    held = cluster.league(client, spread, sandbox=False)
+    assert held.complete and held.from_store == 0
+    assert held.data["mice"] == json.loads(expected["results.json"])["mice"]
+    assert list(held.table["rank"]) == [mouse["rank"] for mouse in held.data["mice"]]
+    assert all(mouse["name"] in str(held) for mouse in held.data["mice"])
+    records = {file.name: file.stat().st_mtime_ns for file in (spread / "records").iterdir()}
+    contests = kept(spread / "results.db")
+    assert len(records) == contests == 8 * len(held.data["mice"])
+    assert site_of(spread) == expected
+    # Publishing ran none of them again.
+    assert {file.name: file.stat().st_mtime_ns for file in (spread / "records").iterdir()} == records
+    assert cluster.league(client, spread, sandbox=False).from_store == contests
+
+
+@pytest.mark.parametrize("after", [False, True])
+def test_a_season_goes_on_anywhere_after_ctrl_c(client, season, site_of, monkeypatch, after):
+    alone, spread = season("alone"), season("spread")
+    with monkeypatch.context() as patch:
+        before_call(patch, 1, lambda: os.kill(os.getpid(), signal.SIGINT), cluster._native, "merge_stores", after=after)
+        with pytest.raises(labmouse.Interrupted) as stopped:
+            cluster.league(client, spread, sandbox=False, progress=False)
+    assert not stopped.value.partial.complete and stopped.value.partial.data == {}
+    assert site_of(spread) == site_of(alone)
+
+
+def test_a_season_with_another_seed_is_refused(client, season, tmp_path):
+    folder = season("spring")
+    (tmp_path / "other.txt").write_text("dry chalk and 42 lemons\n")
+    for named, says in ((dict(seed_file=tmp_path / "other.txt"), "other.txt"), (dict(seed_file=tmp_path / "none.txt"), "none.txt")):
+        with pytest.raises(labmouse.Error, match=says):
+            cluster.league(client, folder, sandbox=False, **named)
+    with pytest.raises(labmouse.Error, match="season.toml"):
+        cluster.league(client, tmp_path / "nowhere", sandbox=False)
+    assert "wet chalk" not in repr(cluster._Season([], [], "", ("", {}), 1, str(folder), "wet chalk and 41 lemons", False))
 
 
 def test_a_sweep_races_all_combinations_of_two_parameters(client, tmp_path):

@@ -546,6 +546,52 @@ def batch_of(maze: str) -> int:
     The batch of a comparison in which a drawn maze of that name is raced in.
     """
 
+class HeldSeason:
+    @property
+    def complete(self) -> bool: ...
+
+    @property
+    def from_store(self) -> int: ...
+
+    def table(self) -> str: ...
+
+    def json(self) -> str: ...
+
+class RunningSeason:
+    def __init__(self, folder: str, seed: str, python: str, sandbox: bool, jobs: int, records: str, store: tuple[str, Sequence[tuple[str, str, int]] | None, str]) -> None: ...
+
+    @property
+    def spent(self) -> float:
+        """The seconds of all contests that ran, in one thread."""
+
+    @property
+    def remarks(self) -> list[str]: ...
+
+    @property
+    def settings(self) -> dict[str, str]:
+        """
+        The settings of the world that were given, and the defaults that depend on the mazes.
+        """
+
+    @property
+    def done(self) -> int: ...
+
+    @property
+    def all(self) -> int: ...
+
+    def wait(self, seconds: float) -> bool: ...
+
+    def stop(self) -> None: ...
+
+    def missing(self) -> list[tuple[str, str, int]]: ...
+
+    def result(self) -> HeldSeason: ...
+
+def season_seed(folder: str, seed_file: str) -> str:
+    """
+    The seed of the season in that folder. Raises Error if it has another hash than the season file.
+    """
+
 class RealRobot:
     """
     The map of a real robot, from the bytes that it sends (docs/reference/protocols.md).

@@ -1,4 +1,4 @@
-"""Races, studies, sweeps and comparisons on a Dask cluster: docs/how-to/clusters-and-stores.md.
+"""Races, studies, sweeps, comparisons and seasons of a league on a Dask cluster: docs/how-to/clusters-and-stores.md.
 
 Needs Dask: run `pip install -v '.[cluster]'` in the source folder of labmouse.
 """
@@ -25,6 +25,7 @@ from ._mice import AnyMouse, Given, Mice, _python, given
 from ._native import Error, Maze
 from ._progress import Interrupted, finish
 from ._races import Race
+from ._seasons import Season
 from ._studies import Study
 from ._workers import Workers, processors, snapshot
 from ._worlds import Mazes, Setting, mazes_of, world_with
@@ -32,11 +33,11 @@ from ._worlds import Mazes, Setting, mazes_of, world_with
 if TYPE_CHECKING:
     from distributed import Client
 
-__all__ = ["compare", "race", "study", "sweep"]
+__all__ = ["Season", "compare", "league", "race", "study", "sweep"]
 
 #: The name of a mouse, that of a maze, and the number of the run.
 _Contest = tuple[str, str, int]
-_Running = Union[_native.RunningRace, _native.RunningStudy, _native.RunningComparison]
+_Running = Union[_native.RunningRace, _native.RunningStudy, _native.RunningComparison, _native.RunningSeason]
 
 #: Contests of similar duration: (name of the mouse, number of cells of the maze).
 _Kind = tuple[str, int]
@@ -57,8 +58,11 @@ _SECONDS_BETWEEN_QUESTIONS = 1.0
 _SECONDS_FOR_AN_ANSWER = 10.0
 
 
-#: The one kind of all contests of a study, whose time includes the training of mice, and of a comparison.
+#: The one kind of all contests of a study, whose time includes the training of mice, of a comparison and of a season.
 _ANY: _Kind = ("", 0)
+
+#: What a task of a worker returns: the content of a store, other files by their names, and times.
+_Held = tuple[bytes, dict[str, str], _Spent]
 
 #: (path, contests to run if it does not have them or None for all, use). The use is "keep", "read" (runs none) or "send" (a
 #: temporary file, whose content goes to the client).
@@ -67,7 +71,7 @@ _Store = tuple[str, Union[list[_Contest], None], str]
 
 @dataclasses.dataclass(frozen=True)
 class _Work:
-    """A race, a study or a comparison in a form that can be sent to workers, each of which runs a part of it."""
+    """A race, a study, a comparison or a season in a form that can be sent to workers, each of which runs a part of it."""
 
     specs: "list[tuple[str, str]]"
     own: "list[tuple[str, bytes, bool, str]]"
@@ -91,6 +95,9 @@ class _Work:
 
     def start(self, mice: Any, mazes: "list[Maze]", store: _Store, jobs: int) -> _Running:
         raise NotImplementedError
+
+    def keep(self, files: "dict[str, str]") -> None:
+        """Keeps the files that came from a worker with its contests."""
 
     def begin(self, mazes: "list[Maze]", store: _Store, jobs: int = 0) -> "_Part":
         """Starts the contests that the store names."""
@@ -149,6 +156,27 @@ class _Comparison(_Work):
         return _native.RunningComparison(mice, self.first_is_own, mazes, self.generator, self.world, (*self.test, self.seed, jobs), store, batch)
 
 
+#: The folder of the records that a worker sends, beside its store.
+_RECORDS = "records"
+
+
+@dataclasses.dataclass(frozen=True)
+class _Season(_Work):
+    folder: str
+    secret: str = dataclasses.field(repr=False)
+    """Dask logs the arguments of a task that fails."""
+    sandbox: bool
+
+    def start(self, mice: Any, mazes: "list[Maze]", store: _Store, jobs: int) -> _Running:
+        path, _, use = store
+        records = os.path.join(os.path.dirname(path), _RECORDS) if use == "send" else ""
+        return _native.RunningSeason(self.folder, self.secret, _python(), self.sandbox, jobs, records, store)
+
+    def keep(self, files: "dict[str, str]") -> None:
+        for name, text in files.items():
+            _native.write_file(os.path.join(self.folder, _RECORDS, name), text)
+
+
 class _Part:
     """Running contests and their worker processes for mice in Python, which the context ends."""
 
@@ -164,8 +192,8 @@ class _Part:
             self.workers.close()
 
 
-def _hold(work: _Work, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[bytes, _Spent]":
-    """The task of a Dask worker: runs contests. Returns the content of a store with them, and their times."""
+def _hold(work: _Work, mazes: "list[Maze]", picked: "list[_Contest]") -> _Held:
+    """The task of a Dask worker: runs contests. Returns the content of a store with them, their other files, and their times."""
     begin = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         store = os.path.join(folder, "part.db")
@@ -174,11 +202,16 @@ def _hold(work: _Work, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[
             while not running.wait(1.0):
                 pass
             running.result()
-        # The times of a race exclude the overhead of the task, which does not grow with the number of contests. Studies and
-        # comparisons do not measure their contests, so their time is that of the whole task.
-        spent = running.spent() if isinstance(running, _native.RunningRace) else {_ANY: (len(picked), time.perf_counter() - begin)}
+        # The times of races and seasons exclude the overhead of the task, which does not grow with the number of contests.
+        # Studies and comparisons do not measure their contests, so their time is that of the whole task.
+        if isinstance(running, _native.RunningRace):
+            spent: _Spent = running.spent()
+        else:
+            seconds = running.spent if isinstance(running, _native.RunningSeason) else time.perf_counter() - begin
+            spent = {_ANY: (len(picked), seconds)}
         del running, part  # closes the store
-        return Path(store).read_bytes(), spent
+        files = {file.name: file.read_text(encoding="utf-8") for file in Path(folder, _RECORDS).glob("*")}
+        return Path(store).read_bytes(), files, spent
 
 
 class _Spread:
@@ -305,7 +338,7 @@ class _Spread:
         if picked is None:
             return []
         try:
-            data, spent = future.result(timeout=_SECONDS_FOR_AN_ANSWER)
+            data, files, spent = future.result(timeout=_SECONDS_FOR_AN_ANSWER)
         except (OSError, asyncio.TimeoutError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
             if future.status == "error":  # the task itself raised it
                 raise
@@ -326,6 +359,8 @@ class _Spread:
         for kind, (number, seconds) in spent.items():
             before = self.spent.get(kind, (0, 0.0))
             self.spent[kind] = (before[0] + number, before[1] + seconds)
+        # Before the store has the contests: a contest that it has counts as done.
+        self.work.keep(files)
         return [(picked, data)]
 
     def _merge(self, parts: "list[tuple[list[_Contest], bytes]]") -> None:
@@ -499,6 +534,35 @@ def compare(
     if stopped:
         raise Interrupted(verdicts)
     return verdicts
+
+
+def league(
+    client: "Client",
+    folder: "str | os.PathLike[str]",
+    *,
+    seed_file: "str | os.PathLike[str] | None" = None,
+    sandbox: bool = True,
+    progress: "bool | None" = None,
+    patience: float = 300.0,
+) -> Season:
+    """Runs the contests of a season on the workers of a `distributed.Client`, with the same results as `labmouse league run`.
+
+    folder: the folder of the season, which `labmouse league init` made and which all machines need under the same path. The
+        results and records are kept there on this machine, so a season that was killed continues when it is started
+        again, here or by `labmouse league run`; `labmouse league publish` writes its pages.
+    seed_file: the file with the secret seed, on this machine; default: that in the folder. Workers get the seed.
+    sandbox: False runs programs without a sandbox, and the results say so.
+
+    `patience` is as in `race`. Raises Error. Ctrl-C raises Interrupted, whose `partial` is an incomplete Season.
+    """
+    place = os.path.abspath(path("folder", folder))
+    secret = _native.season_seed(place, "" if seed_file is None else path("seed_file", seed_file))
+    work = _Season(**_parts(client, Given([], []), None, ("", {}), 1), folder=place, secret=secret, sandbox=bool(sandbox))
+    held, from_store, stopped = _spread(client, work, [], os.path.join(place, "results.db"), progress, patience)
+    season = Season(held, from_store)
+    if stopped:
+        raise Interrupted(season)
+    return season
 
 
 def sweep(

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "labmouse/external/sandbox.hpp"
+#include "labmouse/functions/sha256.hpp"
 #include "labmouse/lab/mazes/secret_mazes.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 
@@ -42,6 +45,15 @@ std::string refuse(const League& league, const EntryManifest& manifest, const Co
   return league.world->refuse(mouse);
 }
 
+void load_earlier(League& league) {
+  const std::string path = fmt::format("{}/{}", league.folder, previous_file_name);
+  std::error_code unknown;
+  if (fs::symlink_status(path, unknown).type() == fs::file_type::not_found) return;
+  PreviousSeason previous = read_previous_season(path);
+  if (!previous.error.empty()) league.errors.push_back(std::move(previous.error));
+  league.earlier = std::move(previous.seasons);
+}
+
 void load_practice(League& league) {
   const std::string folder = fmt::format("{}/{}", league.folder, practice_folder_name);
   MazeCollection found = load_mazes(std::vector{folder});
@@ -67,7 +79,7 @@ std::vector<std::string> League::hidden() const {
   for (const char* name :
        {season_file_name, secret_file_name, store_file_name, practice_folder_name, records_folder_name})
     paths.push_back(fmt::format("{}/{}", folder, name));
-  paths.insert(paths.end(), secret_files.begin(), secret_files.end());
+  paths.insert(paths.end(), other_files.begin(), other_files.end());
   return paths;
 }
 
@@ -98,6 +110,22 @@ LeagueEntryResult read_entry(const League& league, const std::string& folder, Ex
   return {LeagueEntry{manifest.entry, folder, hash, std::move(mouse)}, {}};
 }
 
+PreviousSeason read_previous_season(const std::string& path) {
+  PreviousSeason previous;
+  std::error_code unknown;
+  previous.path = fs::is_directory(path, unknown) ? fmt::format("{}/{}", path, results_name) : path;
+  FileContent file = read_found_file(previous.path, most_results_bytes);
+  std::string error = std::move(file.error);
+  if (error.empty()) {
+    EarlierSeasonsResult read = read_earlier_seasons(file.content);
+    previous.seasons = std::move(read.seasons);
+    error = std::move(read.error);
+  }
+  previous.content = std::move(file.content);
+  if (!error.empty()) previous.error = shown(fmt::format("{}: error: {}", previous.path, error));
+  return previous;
+}
+
 std::vector<NamedMaze> examination_mazes(const SecretMazes& mazes, const std::string& secret) {
   std::vector<NamedMaze> all;
   for (int number = 1; number <= mazes.count; ++number) {
@@ -119,10 +147,37 @@ std::string refuse_examination(const World& world, const SecretMazes& mazes, con
   return "";
 }
 
-League load_league(const std::string& folder, const ExternalOptions& options, std::vector<std::string> secret_files) {
+SecretSeed read_secret_seed(const std::string& path) {
+  const FileContent file = read_file(path);
+  const auto failed = [&](const std::string& reason) {
+    return SecretSeed{"", shown(fmt::format("{}: error: {}", path, reason))};
+  };
+  if (!file.error.empty()) return failed(file.error + "; name the file of the seed with --seed-file");
+  std::string secret = secret_in(file.content);
+  if (secret.size() < shortest_secret)
+    return failed(fmt::format("the seed has fewer than {} characters, so that it could be guessed", shortest_secret));
+  return {std::move(secret), ""};
+}
+
+SecretSeed read_secret_seed_of(const League& league, const std::string& path) {
+  const std::string file = path.empty() ? fmt::format("{}/{}", league.folder, secret_file_name) : path;
+  SecretSeed seed = read_secret_seed(file);
+  if (seed.error.empty() && sha256_text(seed.secret) != league.season.seed_hash)
+    return {"", shown(fmt::format("{}: error: the hash of this seed is not that of the season, {}", file,
+                                  league.season.seed_hash))};
+  return seed;
+}
+
+League load_league(const std::string& folder, const ExternalOptions& options, std::vector<std::string> other_files) {
   League league;
   league.folder = folder;
-  league.secret_files = std::move(secret_files);
+  league.other_files = std::move(other_files);
+  if (options.sandbox == SandboxUse::always && !why_no_sandbox().empty()) {
+    league.errors.push_back(fmt::format(
+        "error: this system has no sandboxes ({}); --sandbox off runs programs without one, and the results say so",
+        why_no_sandbox()));
+    return league;
+  }
   const std::string path = fmt::format("{}/{}", folder, season_file_name);
   const FileContent file = read_found_file(path);
   if (!file.error.empty()) {
@@ -134,13 +189,17 @@ League load_league(const std::string& folder, const ExternalOptions& options, st
   for (const Problem& problem : season.problems) league.errors.push_back(describe(path, problem));
   if (!league.errors.empty()) return league;
   league.season = std::move(season.season);
+  if (!league.season.version.empty() && league.season.version != version())
+    league.remarks.push_back(shown(fmt::format(
+        "The season was made by labmouse {}, and this is {}: results may differ.", league.season.version, version())));
   WorldResult made = make_world(league.season.world, folder);
   league.world = std::move(made.world);
-  league.remarks = std::move(made.remarks);
+  league.remarks.insert(league.remarks.end(), made.remarks.begin(), made.remarks.end());
   if (!made.error.empty()) league.errors.push_back(fmt::format("{}: {}", shown(path), made.error));
   if (league.world == nullptr) return league;
   if (const std::string reason = refuse_for_league(*league.world); !reason.empty())
     league.errors.push_back(fmt::format("{}: error: {}", shown(path), reason));
+  load_earlier(league);
   league.builtin = residents_of(*league.world);
   load_practice(league);
   for (const std::string& entry : folders_in(entries_folder(league))) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "labmouse/functions/sha256.hpp"
 #include "labmouse/lab/mice_files/limit_table.hpp"
 
 namespace labmouse {
@@ -40,9 +41,8 @@ std::string read_hash(const toml::table& table, TomlFields& fields) {
     return "";
   }
   std::string hash = fields.text(table, key);
-  constexpr std::size_t digits = 64;
-  if (!hash.empty() && (hash.size() != digits || hash.find_first_not_of("0123456789abcdef") != std::string::npos))
-    fields.add(node->source().begin, fmt::format("'{}' must be {} hexadecimal digits", key, digits));
+  if (!hash.empty() && !is_sha256_text(hash))
+    fields.add(node->source().begin, fmt::format("'{}' must be 64 hexadecimal digits", key));
   return hash;
 }
 

@@ -29,8 +29,9 @@ std::vector<Contestant> mice_of(const League& league) {
 /// Names the records of a race by all that determines them.
 class RecordPaths {
  public:
-  RecordPaths(const League& league, std::vector<Contestant>& mice, std::vector<NamedMaze>& mazes, std::uint64_t seed)
-      : folder_(fmt::format("{}/{}", league.folder, records_folder_name)), world_(key_of(*league.world)), seed_(seed) {
+  RecordPaths(const League& league, std::string folder, std::vector<Contestant>& mice, std::vector<NamedMaze>& mazes,
+              std::uint64_t seed)
+      : folder_(std::move(folder)), world_(key_of(*league.world)), seed_(seed) {
     // As the race sorts them, so that its positions are known before it begins.
     const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
     std::sort(mice.begin(), mice.end(), by_name);
@@ -93,7 +94,9 @@ void remove_traces(RecordedRace& recorded, const std::vector<std::string>& paths
 RecordedRace run_race(const League& league, const SeasonOrder& order, std::vector<NamedMaze> mazes, std::uint64_t seed,
                       std::size_t all, SeasonRaces& races) {
   std::vector<Contestant> mice = mice_of(league);
-  const RecordPaths paths(league, mice, mazes, seed);
+  const std::string folder =
+      order.records.empty() ? fmt::format("{}/{}", league.folder, records_folder_name) : order.records;
+  const RecordPaths paths(league, folder, mice, mazes, seed);
   RaceOrder race_order;
   race_order.world = league.world;
   race_order.runs = 1;
@@ -101,6 +104,7 @@ RecordedRace run_race(const League& league, const SeasonOrder& order, std::vecto
   // Programs get other seeds than the contests, so that they cannot foresee what is random in them.
   race_order.first_told = 1;
   race_order.jobs = order.jobs;
+  race_order.shard = order.shard;
   race_order.store = order.store;
   race_order.files = league.hidden();
   std::atomic<bool> failed = false;
@@ -111,7 +115,7 @@ RecordedRace run_race(const League& league, const SeasonOrder& order, std::vecto
     return Keep{!std::filesystem::exists(paths.of(contest), unknown), false};
   };
   hooks.finished = [&](const Race&, const ContestResult& contest, const ContestOutput& output) {
-    if (order.advanced) order.advanced(all);
+    if (order.advanced) order.advanced(all, !output.record.empty());
     if (output.record.empty() || !contest.judged || failed) return;
     const std::string path = paths.of(contest), error = write_file(path, output.record);
     if (error.empty()) return;
@@ -140,8 +144,11 @@ SeasonRaces run_season(const League& league, const SeasonOrder& order) {
     return races;
   }
   std::vector<NamedMaze> examination = examination_mazes(league.season.examination, order.secret);
-  const std::size_t all =
-      (league.builtin.size() + league.entries.size()) * (league.practice.size() + examination.size());
+  const std::size_t mice = league.builtin.size() + league.entries.size();
+  const auto contests_in = [&](std::size_t mazes) {
+    return (mice * mazes + order.shard.of - order.shard.number) / order.shard.of;
+  };
+  const std::size_t all = contests_in(league.practice.size()) + contests_in(examination.size());
   races.practice = run_race(league, order, league.practice, 1, all, races);
   if (races.stopped) return races;
   races.examination =

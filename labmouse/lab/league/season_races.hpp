@@ -29,10 +29,13 @@ struct SeasonRaces {
 struct SeasonOrder {
   std::string secret;  ///< the seed of the examination
   int jobs = 0;        ///< threads; 0 takes as many as there are processors. Results do not depend on it.
-  /// Where contests are taken from and kept. Contests with a record in the folder of the league are not run again.
+  Shard shard = {};    ///< only these contests of each race are run
+  /// Where contests are taken from and kept. Those with a record are not run again.
   std::shared_ptr<ContestStore> store;
-  const std::atomic<bool>* stop = nullptr;         ///< once it is true, no other contest begins
-  std::function<void(std::size_t)> advanced = {};  ///< called after each contest with how many there are
+  std::string records = {};                 ///< the folder of records; empty for that of the league
+  const std::atomic<bool>* stop = nullptr;  ///< once it is true, no other contest begins
+  /// Called after each contest with how many there are, and whether it ran: it does not where the store has it.
+  std::function<void(std::size_t, bool)> advanced = {};
 };
 
 /// Runs one contest of each mouse in each maze.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "labmouse/functions/sha256.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
@@ -148,6 +150,50 @@ std::string pairs_html(const Ranking& ranking) {
   return html + "</table></div>\n";
 }
 
+/// How that mouse did in the season; null where it was not in it.
+const EarlierMouse* mouse_of(const EarlierSeason& season, const std::string& name) {
+  const auto found = std::find_if(season.mice.begin(), season.mice.end(),
+                                  [&](const EarlierMouse& mouse) { return mouse.name == name; });
+  return found == season.mice.end() ? nullptr : &*found;
+}
+
+/// The names of all mice of all seasons: those of this season first, then those of the season before, and so on.
+std::vector<std::string> names_of_all_seasons(const SeasonResults& results) {
+  std::vector<std::string> names;
+  std::set<std::string> known;
+  const auto add = [&](const auto& mice) {
+    for (const auto& mouse : mice)
+      if (known.insert(mouse.name).second) names.push_back(mouse.name);
+  };
+  add(results.ranking.mice);
+  const std::vector<EarlierSeason>& earlier = results.league.earlier;
+  for (auto season = earlier.rbegin(); season != earlier.rend(); ++season) add(season->mice);
+  return names;
+}
+
+/// A rank and a share, as in "2 (71.3)".
+std::string place_cell(int rank, double share) { return number_cell(fmt::format("{} ({})", rank, percent(share))); }
+
+/// The ranks of all mice in all seasons.
+std::string history_html(const SeasonResults& results) {
+  const std::vector<EarlierSeason>& earlier = results.league.earlier;
+  std::string html = "<div><table>\n<tr>" + head("mouse");
+  for (const EarlierSeason& season : earlier) html += head(xml_escaped(season.title));
+  html += head(xml_escaped(results.league.season.title)) + "</tr>\n";
+  std::map<std::string, const RankedMouse*> now;
+  for (const RankedMouse& mouse : results.ranking.mice) now[mouse.name] = &mouse;
+  for (const std::string& name : names_of_all_seasons(results)) {
+    html += "<tr>" + head(xml_escaped(name));
+    for (const EarlierSeason& season : earlier) {
+      const EarlierMouse* mouse = mouse_of(season, name);
+      html += mouse == nullptr ? cell("") : place_cell(mouse->rank, mouse->share);
+    }
+    const auto found = now.find(name);
+    html += (found == now.end() ? cell("") : place_cell(found->second->rank, found->second->mean)) + "</tr>\n";
+  }
+  return html + "</table></div>\n";
+}
+
 std::string entries_html(const League& league) {
   std::string html =
       "<div><table>\n<tr>" + head("mouse") + head("authors") + head("licence") + head("started by") + "</tr>\n";
@@ -197,6 +243,10 @@ std::string season_html(const SeasonResults& results) {
 
 }  // namespace
 
+SeasonResults results_of(const League& league, const SeasonRaces& races, std::optional<std::string> revealed) {
+  return {league, races, rank_mice(examination_shares(races.examination.race)), std::move(revealed)};
+}
+
 std::string promises_of(const SeasonResults& results) {
   std::vector<Contestant> mice;
   for (const LeagueEntry& entry : results.league.entries) mice.push_back(entry.mouse);
@@ -234,6 +284,7 @@ std::string json_of(const SeasonResults& results) {
                                {"difference", ranking.pairs[a][b].difference},
                                {"interval", interval_of(ranking.pairs[a][b].interval)},
                                {"verdict", name_of(ranking.pairs[a][b].verdict)}});
+  json["earlier_seasons"] = json_of(results.league.earlier);
   json["sandbox"] = promises_of(results);
   return text_of(json);
 }
@@ -255,6 +306,11 @@ std::string index_page(const SeasonResults& results) {
       "<p>Mean share of the best possible score of the mouse of the line minus that of the column, in percentage "
       "points; bold where a difference is shown.</p>\n" +
       pairs_html(results.ranking);
+  if (!results.league.earlier.empty())
+    html +=
+        "<h2>History</h2>\n<p>Rank, and share of the best possible score in %. Each season has mazes of its own: "
+        "compare with the built-in mice of the same season.</p>\n" +
+        history_html(results);
   html += "<h2>Entries</h2>\n" + entries_html(results.league) + "<h2>Season</h2>\n" + season_html(results);
   return html + "<h2>Sandbox</h2>\n" + lines_html(promises_of(results)) + "</body>\n</html>\n";
 }

@@ -18,6 +18,9 @@ struct SeasonResults {
   std::optional<std::string> revealed;
 };
 
+/// Ranks the mice. No contest may be missing.
+SeasonResults results_of(const League& league, const SeasonRaces& races, std::optional<std::string> revealed = {});
+
 /// The ranking as a table for a terminal.
 std::string table_of(const SeasonResults& results);
 
