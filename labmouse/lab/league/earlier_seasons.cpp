@@ -97,7 +97,7 @@ EarlierSeasonsResult read_earlier_seasons(std::string_view text) {
   const ReadJson json = read_json(text);
   if (json.is_discarded()) {
     const Problem problem = json_problem(text);
-    return {{}, fmt::format("line {}, column {}: {}", problem.line, problem.column, problem.reason)};
+    return {{}, shown(fmt::format("line {}, column {}: {}", problem.line, problem.column, problem.reason))};
   }
   JsonFields fields(json, "");
   if (fields.text("labmouse") != "league" || fields.whole("format", 1, 1) != 1 || !fields.error().empty())

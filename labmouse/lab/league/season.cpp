@@ -81,11 +81,13 @@ SeasonResult read_season(std::string_view text) {
 }
 
 std::string season_text(const Season& season) {
-  std::string text = fmt::format(
-      "# A season of labmouse league. It stays as it is until the season ends.\ntitle = {}\nlabmouse = {}\nworld = {}\n"
-      "# SHA-256 of the secret seed of the examination mazes\nexamination_seed_sha256 = {}\n",
-      quoted_toml(season.title), quoted_toml(season.version), quoted_toml(season.world.entry->name),
-      quoted_toml(season.seed_hash));
+  std::string text =
+      fmt::format("# A season of labmouse league. It stays as it is until the season ends.\ntitle = {}\n",
+                  quoted_toml(season.title));
+  if (!season.version.empty()) text += fmt::format("labmouse = {}\n", quoted_toml(season.version));
+  text +=
+      fmt::format("world = {}\n# SHA-256 of the secret seed of the examination mazes\nexamination_seed_sha256 = {}\n",
+                  quoted_toml(season.world.entry->name), quoted_toml(season.seed_hash));
   if (!season.world.settings.empty()) text += "\n[settings]\n";
   for (const WorldSetting& setting : season.world.entry->settings)
     if (const auto chosen = season.world.settings.find(setting.name); chosen != season.world.settings.end())

@@ -74,6 +74,7 @@ TEST(EarlierSeasons, RefuseOtherFiles) {
   EXPECT_THAT(read_earlier_seasons("").error, test::HasParts(std::vector<std::string>{"line 1"}));
   EXPECT_THAT(read_earlier_seasons("{\n\"labmouse\": x}").error,
               test::HasParts(std::vector<std::string>{"line 2", "column 13"}));
+  EXPECT_EQ(read_earlier_seasons("{\"a\x1b\": 1}").error.find('\x1b'), std::string::npos);
   for (const char* text : {"[]", "3", "{}", R"({"labmouse": "race", "format": 1})", R"({"labmouse": "league"})"})
     EXPECT_NE(read_earlier_seasons(text).error, "") << text;
 }
