@@ -120,8 +120,8 @@ int grade(const GradeOptions& options) {
                   {"--tasks", options.tasks},
                   {"--seed-file", options.seed_file},
                   {"--page", options.page}});
-  std::optional<Interruptible> interruptible(std::in_place);
   const GradingPlan plan = plan_of(options);
+  std::optional<Interruptible> interruptible(std::in_place);
   const std::vector<Student> students = students_of(options, plan, interruptible->stopped());
   const StudentPaths paths = paths_of(options, students);
   const ClassContests contests = held(options, plan, students, interruptible->stopped());

@@ -272,8 +272,20 @@ void write_site(const LeagueOptions& options, const SeasonResults& results, cons
   print(fmt::format("wrote {}\n", shown(file("index.html"))));
 }
 
+/// Whether the path is that of the folder, or of something in it.
+bool is_in(const std::string& path, const std::string& folder) {
+  std::error_code unknown;
+  const fs::path real = fs::weakly_canonical(path, unknown), outer = fs::weakly_canonical(folder, unknown);
+  return std::mismatch(outer.begin(), outer.end(), real.begin(), real.end()).first == outer.end();
+}
+
 /// Throws UsageError where the pages cannot be written, or would replace pages of somebody else.
 void expect_site(const LeagueOptions& options) {
+  if (is_in(options.site, options.folder))
+    throw UsageError(
+        fmt::format("{}: error: lies in the folder of the season, which has the secret seed; choose "
+                    "another folder",
+                    shown(options.site)));
   const std::string index = options.site + "/index.html", results = fmt::format("{}/{}", options.site, results_name);
   std::error_code unknown;
   if (fs::exists(index, unknown) && !fs::exists(results, unknown))

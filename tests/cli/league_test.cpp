@@ -1,4 +1,6 @@
 // labmouse league: a season of twelve entries, among them one that looks for what it must not see and one that breaks.
+#include <sys/stat.h>
+
 #include <filesystem>
 
 #include "tests/cli/robots_in_python.hpp"
@@ -220,6 +222,45 @@ TEST_F(AnOrganiser, KeepsPagesOfOthers) {
   file("site/index.html", "mine");
   is_refused({"league", "publish", "spring", "-o", "site", "--page", "page.html", "--sandbox", "off"}, "index.html");
   EXPECT_EQ(content("site/index.html"), "mine");
+}
+
+TEST_F(AnOrganiser, KeepsThePagesApartFromTheSeed) {
+  ASSERT_EQ(init("spring").code, 0);
+  fs::create_directory_symlink("spring", folder_ / "link");
+  for (const char* site : {"spring", "spring/site", "spring/entries/site", "link", "link/site", "./x/../spring/site"})
+    is_refused({"league", "publish", "spring", "-o", site, "--page", "page.html", "--sandbox", "off"}, site);
+  EXPECT_FALSE(fs::exists(folder_ / "spring/index.html"));
+  const auto published =
+      labmouse({"league", "publish", "spring", "-o", "spring-site", "--page", "page.html", "--sandbox", "off"});
+  EXPECT_EQ(published.code, 0) << published.err;
+}
+
+// Without this, pages would lack replays and nobody would know.
+TEST_F(AnOrganiser, RefusesBrokenRecords) {
+  ASSERT_EQ(init("spring").code, 0);
+  const std::vector<std::string> run = {"league", "run", "spring", "--sandbox", "off"};
+  ASSERT_EQ(labmouse(run).code, 0);
+  const fs::path record = fs::directory_iterator(folder_ / "spring/records")->path();
+  const std::string good = content_of(record), name = "records/" + record.filename().string();
+  file("spring/" + name, "{");
+  is_refused(run, name);
+  fs::remove(record);
+  fs::create_directory(record);
+  is_refused(run, name);
+  fs::remove(record);
+  EXPECT_EQ(labmouse(run).code, 0);
+  EXPECT_EQ(content_of(record), good);
+}
+
+// A pipe may never end.
+TEST_F(AnOrganiser, ReadsNoPipes) {
+  for (const std::string name : {"secret-seed.txt", "season.toml", "previous-season.json"}) {
+    ASSERT_EQ(init("of-" + name).code, 0);
+    const fs::path path = folder_ / ("of-" + name) / name;
+    fs::remove(path);
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    is_refused({"league", "run", "of-" + name, "--sandbox", "off"}, name);
+  }
 }
 
 TEST_F(AnOrganiser, DrawsASeedOfTheirOwnEachTime) {

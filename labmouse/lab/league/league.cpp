@@ -72,6 +72,17 @@ void load_practice(League& league) {
     league.errors.push_back(shown(fmt::format("{}: error: has no mazes", folder)));
 }
 
+SecretSeed seed_in(const std::string& path, const FileContent& file) {
+  const auto failed = [&](const std::string& reason) {
+    return SecretSeed{"", shown(fmt::format("{}: error: {}", path, reason))};
+  };
+  if (!file.error.empty()) return failed(file.error + "; name the file of the seed with --seed-file");
+  std::string secret = secret_in(file.content);
+  if (secret.size() < shortest_secret)
+    return failed(fmt::format("the seed has fewer than {} characters, so that it could be guessed", shortest_secret));
+  return {std::move(secret), ""};
+}
+
 }  // namespace
 
 std::vector<std::string> League::hidden() const {
@@ -147,21 +158,12 @@ std::string refuse_examination(const World& world, const SecretMazes& mazes, con
   return "";
 }
 
-SecretSeed read_secret_seed(const std::string& path) {
-  const FileContent file = read_file(path);
-  const auto failed = [&](const std::string& reason) {
-    return SecretSeed{"", shown(fmt::format("{}: error: {}", path, reason))};
-  };
-  if (!file.error.empty()) return failed(file.error + "; name the file of the seed with --seed-file");
-  std::string secret = secret_in(file.content);
-  if (secret.size() < shortest_secret)
-    return failed(fmt::format("the seed has fewer than {} characters, so that it could be guessed", shortest_secret));
-  return {std::move(secret), ""};
-}
+SecretSeed read_secret_seed(const std::string& path) { return seed_in(path, read_file(path)); }
 
 SecretSeed read_secret_seed_of(const League& league, const std::string& path) {
-  const std::string file = path.empty() ? fmt::format("{}/{}", league.folder, secret_file_name) : path;
-  SecretSeed seed = read_secret_seed(file);
+  const std::string own = fmt::format("{}/{}", league.folder, secret_file_name);
+  const std::string& file = path.empty() ? own : path;
+  SecretSeed seed = path.empty() ? seed_in(own, read_found_file(own)) : read_secret_seed(path);
   if (seed.error.empty() && sha256_text(seed.secret) != league.season.seed_hash)
     return {"", shown(fmt::format("{}: error: the hash of this seed is not that of the season, {}", file,
                                   league.season.seed_hash))};

@@ -7,6 +7,7 @@
 
 #include "labmouse/functions/sha256.hpp"
 #include "labmouse/lab/mazes/secret_mazes.hpp"
+#include "labmouse/lab/reports/file_kind.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -90,6 +91,19 @@ void remove_traces(RecordedRace& recorded, const std::vector<std::string>& paths
   for (std::string& record : recorded.records) record = without_paths(std::move(record), paths);
 }
 
+/// The record at that path; empty where there is none.
+/// @param error gets the first problem, as a line for the user.
+std::string record_at(const std::string& path, std::string& error) {
+  std::error_code unknown;
+  if (fs::symlink_status(path, unknown).type() == fs::file_type::not_found) return "";
+  FileContent file = read_found_file(path, longest_record);
+  if (file.error.empty() && kind_of_file(file.content) != FileKind::record)
+    file.error = "is not the record of a contest";
+  if (!file.error.empty() && error.empty())
+    error = shown(fmt::format("{}: error: {}; remove it, and run the season again", path, file.error));
+  return std::move(file.content);
+}
+
 /// Runs one of the two races of a season.
 RecordedRace run_race(const League& league, const SeasonOrder& order, std::vector<NamedMaze> mazes, std::uint64_t seed,
                       std::size_t all, SeasonRaces& races) {
@@ -128,7 +142,7 @@ RecordedRace run_race(const League& league, const SeasonOrder& order, std::vecto
   if (races.stopped) return recorded;
   for (const ContestResult& contest : recorded.race.results) {
     races.not_judged += contest.judged ? 0 : 1;
-    recorded.records.push_back(read_found_file(paths.of(contest), longest_record).content);
+    recorded.records.push_back(record_at(paths.of(contest), races.error));
   }
   remove_traces(recorded, paths_of(league));
   return recorded;

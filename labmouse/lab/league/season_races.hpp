@@ -23,7 +23,7 @@ struct SeasonRaces {
   RecordedRace practice, examination;
   bool stopped = false;  ///< before all contests were done
   int not_judged = 0;    ///< contests that have no result because the machine was too busy
-  std::string error;     ///< why records cannot be written, as a line for the user
+  std::string error;     ///< why records cannot be written or read, as a line for the user
 };
 
 struct SeasonOrder {
