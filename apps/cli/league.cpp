@@ -15,6 +15,7 @@
 #include "labmouse/functions/sha256.hpp"
 #include "labmouse/lab/league/season_site.hpp"
 #include "labmouse/lab/races/never_started.hpp"
+#include "labmouse/lab/reports/race_page.hpp"
 #include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -266,8 +267,9 @@ SeasonRaces run_contests(const LeagueOptions& options, const League& league, con
 void write_site(const LeagueOptions& options, const SeasonResults& results, const std::string& page) {
   const auto file = [&](const char* name) { return fmt::format("{}/{}", options.site, name); };
   save(file(results_name), json_of(results));
-  save(file("report.html"), race_page(results.league, results.races.practice, page));
-  if (results.revealed) save(file("examination.html"), race_page(results.league, results.races.examination, page));
+  save(file("report.html"), race_page(results.races.practice.race, results.races.practice.records, page));
+  if (results.revealed)
+    save(file("examination.html"), race_page(results.races.examination.race, results.races.examination.records, page));
   save(file("index.html"), index_page(results));
   print(fmt::format("wrote {}\n", shown(file("index.html"))));
 }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "labmouse/contest/action_errors.hpp"
+#include "labmouse/lab/races/race_order.hpp"
 #include "labmouse/mouse/action.hpp"
 
 namespace labmouse {
@@ -18,7 +19,7 @@ bool has_hung(const ContestResult& contest) {
 }
 
 /// One contest with what is kept of it.
-struct HeldContest {
+struct RunContest {
   ContestResult result;
   std::optional<int> known_wall_hits;
   std::string record;
@@ -45,12 +46,11 @@ class ClassRun {
     if (mice.empty() || begin == end) return true;
     std::vector<std::size_t> places;
     for (std::size_t maze = begin; maze < end; ++maze) places.push_back(maze);
-    // As the race sorts them, so that its positions are known before it begins.
     std::sort(places.begin(), places.end(),
-              [&](std::size_t a, std::size_t b) { return plan_.mazes[a].maze.name < plan_.mazes[b].maze.name; });
+              [&](std::size_t a, std::size_t b) { return in_race_order(plan_.mazes[a].maze, plan_.mazes[b].maze); });
     std::vector<NamedMaze> mazes;
     for (const std::size_t place : places) mazes.push_back(plan_.mazes[place].maze);
-    std::vector<HeldContest> held(contests(mice, mazes.size()));
+    std::vector<RunContest> held(contests(mice, mazes.size()));
     RaceHooks hooks;
     hooks.stop = order_.stop;
     hooks.keep = [&](const ContestResult& contest) {
@@ -58,7 +58,7 @@ class ClassRun {
       return Keep{order_.keep_records && visible && contest.run == 0, false};
     };
     hooks.finished = [&](const Race& race, const ContestResult& contest, const ContestOutput& output) {
-      HeldContest& one = held[static_cast<std::size_t>(&contest - race.results.data())];
+      RunContest& one = held[static_cast<std::size_t>(&contest - race.results.data())];
       one.record = output.record;
       if (output.run)
         one.known_wall_hits = labmouse::known_wall_hits(*output.run, race.mazes[contest.maze].maze.size());
@@ -81,13 +81,13 @@ class ClassRun {
     const auto found = of_.find(mouse);
     if (found == of_.end()) return "";
     const bool hung = std::any_of(found->second.begin(), found->second.end(),
-                                  [](const HeldContest& contest) { return has_hung(contest.result); });
+                                  [](const RunContest& contest) { return has_hung(contest.result); });
     return hung ? plan_.mazes.front().maze.name : "";
   }
 
   void hand_over(const Contestant& mouse, StudentContests& student) {
-    std::vector<HeldContest>& contests = of_[mouse.name];
-    std::sort(contests.begin(), contests.end(), [](const HeldContest& a, const HeldContest& b) {
+    std::vector<RunContest>& contests = of_[mouse.name];
+    std::sort(contests.begin(), contests.end(), [](const RunContest& a, const RunContest& b) {
       return std::pair(a.result.maze, a.result.run) < std::pair(b.result.maze, b.result.run);
     });
     Race& race = student.race.emplace();
@@ -95,7 +95,7 @@ class ClassRun {
     race.mice = {mouse};
     for (const GradedMaze& maze : plan_.mazes) race.mazes.push_back(maze.maze);
     race.facts = facts_;
-    for (HeldContest& contest : contests) {
+    for (RunContest& contest : contests) {
       race.results.push_back(std::move(contest.result));
       student.known_wall_hits.push_back(contest.known_wall_hits);
       student.records.push_back(std::move(contest.record));
@@ -107,7 +107,7 @@ class ClassRun {
   const ClassOrder& order_;
   RaceOrder race_order_;
   std::vector<MazeFacts> facts_;
-  std::map<std::string, std::vector<HeldContest>> of_;  ///< by the name of the mouse
+  std::map<std::string, std::vector<RunContest>> of_;  ///< by the name of the mouse
 };
 
 }  // namespace

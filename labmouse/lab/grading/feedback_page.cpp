@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
-#include "labmouse/lab/reports/report_page.hpp"
-#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/reports/race_page.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {
 namespace {
@@ -86,28 +83,14 @@ Race visible_part(const GradingPlan& plan, const Race& race) {
   return visible;
 }
 
-/// The page with the visible contests as a report; the page alone where there are none.
-std::string with_contests(const GradingPlan& plan, const StudentContests& contests, std::string_view page) {
-  if (!contests.race) return std::string(page);
-  const Race visible = visible_part(plan, *contests.race);
-  if (visible.mazes.empty()) return std::string(page);
-  std::map<std::string, Maze> mazes;
-  for (const NamedMaze& maze : visible.mazes) mazes.try_emplace(maze.name, maze.maze);
-  std::vector<std::string> records;
-  for (const std::string& record : contests.records)
-    if (!record.empty()) records.push_back(record);
-  const ReadResultsResult results = read_report_results(json_of(visible, {}));
-  if (!results.results) return std::string(page);
-  return make_report(*results.results, pack_records(*plan.file.world.entry, records, std::move(mazes)), page).page;
-}
-
 }  // namespace
 
 std::string feedback_page(const GradingPlan& plan, const Grades& grades, const StudentContests& contests,
                           const StudentGrade& student, std::string_view page) {
   const bool has_replays =
       std::any_of(contests.records.begin(), contests.records.end(), [](const auto& record) { return !record.empty(); });
-  std::string text = with_contests(plan, contests, page);
+  std::string text =
+      contests.race ? race_page(visible_part(plan, *contests.race), contests.records, page) : std::string(page);
   constexpr std::string_view body = "<body>";
   const auto begin = text.find(body);
   // A page without a body, which HTML allows, begins with its head: the points come last there.

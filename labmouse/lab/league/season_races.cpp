@@ -7,6 +7,7 @@
 
 #include "labmouse/functions/sha256.hpp"
 #include "labmouse/lab/mazes/secret_mazes.hpp"
+#include "labmouse/lab/races/race_order.hpp"
 #include "labmouse/lab/reports/file_kind.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
@@ -33,10 +34,8 @@ class RecordPaths {
   RecordPaths(const League& league, std::string folder, std::vector<Contestant>& mice, std::vector<NamedMaze>& mazes,
               std::uint64_t seed)
       : folder_(std::move(folder)), world_(key_of(*league.world)), seed_(seed) {
-    // As the race sorts them, so that its positions are known before it begins.
-    const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
-    std::sort(mice.begin(), mice.end(), by_name);
-    std::sort(mazes.begin(), mazes.end(), by_name);
+    std::sort(mice.begin(), mice.end(), in_race_order);
+    std::sort(mazes.begin(), mazes.end(), in_race_order);
     for (const Contestant& mouse : mice) mice_.push_back(mouse.name + "\n" + key_of(*league.world, mouse));
     for (const NamedMaze& maze : mazes) mazes_.push_back(maze.name + "\n" + key_of(maze.maze));
   }

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "labmouse/functions/sha256.hpp"
-#include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/standings.hpp"
@@ -313,17 +312,6 @@ std::string index_page(const SeasonResults& results) {
         history_html(results);
   html += "<h2>Entries</h2>\n" + entries_html(results.league) + "<h2>Season</h2>\n" + season_html(results);
   return html + "<h2>Sandbox</h2>\n" + lines_html(promises_of(results)) + "</body>\n</html>\n";
-}
-
-std::string race_page(const League& league, const RecordedRace& recorded, std::string_view page) {
-  std::map<std::string, Maze> mazes;
-  for (const NamedMaze& maze : recorded.race.mazes) mazes.try_emplace(maze.name, maze.maze);
-  std::vector<std::string> records;
-  for (const std::string& record : recorded.records)
-    if (!record.empty()) records.push_back(record);
-  const ReadResultsResult results = read_report_results(labmouse::json_of(recorded.race, {}));
-  if (!results.results) return std::string(page);
-  return make_report(*results.results, pack_records(*league.season.world.entry, records, std::move(mazes)), page).page;
 }
 
 }  // namespace labmouse

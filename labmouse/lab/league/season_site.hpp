@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "labmouse/lab/league/season_races.hpp"
 
@@ -32,9 +31,5 @@ std::string json_of(const SeasonResults& results);
 
 /// The page of the season: HTML that needs no script and no other file.
 std::string index_page(const SeasonResults& results);
-
-/// One of the two races as a page with its records.
-/// @param page must pass wrong_page().
-std::string race_page(const League& league, const RecordedRace& recorded, std::string_view page);
 
 }  // namespace labmouse

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "labmouse/chance/rng.hpp"
+#include "labmouse/lab/races/race_order.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/mouse/action.hpp"
 
@@ -103,9 +104,8 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
   race.order = order;
   race.mice = std::move(mice);
   race.mazes = std::move(mazes);
-  const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
-  std::sort(race.mice.begin(), race.mice.end(), by_name);
-  std::sort(race.mazes.begin(), race.mazes.end(), by_name);
+  std::sort(race.mice.begin(), race.mice.end(), in_race_order);
+  std::sort(race.mazes.begin(), race.mazes.end(), in_race_order);
   list_contests(race);
   hide_files(race);
   if (find_facts(race, hooks)) recall(race, hooks);
