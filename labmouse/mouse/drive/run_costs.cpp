@@ -38,20 +38,21 @@ RunCosts::RunCosts(Size size, std::span<std::byte> memory) : size_(size), ahead_
 void RunCosts::set_walls(const WallPrices& walls, const RunTolls& tolls) {
   tolls_ = tolls;
   std::fill(walls_, walls_ + 4 * size_.area(), std::uint8_t{WallPrices::closed});
-  for (int index = 0; index < size_.area(); ++index)
-    for (const Heading heading : {Heading::north, Heading::east}) {
-      const Wall wall = wall_at(size_.cell_at(index), heading);
-      if (on_border(wall, size_)) continue;
-      const int price = walls.of(wall);
-      // A price above 0 counts as at least one step.
-      const int steps = price == 0 ? 0 : std::max(price / price_step, 1);
-      const std::size_t side = static_cast<std::size_t>(4 * index + static_cast<int>(heading));
-      walls_[side] = walls_[behind(side) + ahead_[side % 4]] =
-          static_cast<std::uint8_t>(price < tolls.closed ? steps : WallPrices::closed);
+  const auto set = [&](std::size_t side, int price) {
+    // A price above 0 counts as at least one step.
+    const int steps = price == 0 ? 0 : std::max(price / price_step, 1);
+    walls_[side] = walls_[behind(side) + ahead_[side % 4]] =
+        static_cast<std::uint8_t>(price < tolls.closed ? steps : WallPrices::closed);
+  };
+  const auto width = static_cast<std::size_t>(size_.width), area = static_cast<std::size_t>(size_.area());
+  for (std::size_t row = 0; row < area; row += width)
+    for (std::size_t cell = row; cell < row + width; ++cell) {
+      if (row + width < area) set(4 * cell + static_cast<std::size_t>(Heading::north), walls.north()[cell]);
+      if (cell + 1 < row + width) set(4 * cell + static_cast<std::size_t>(Heading::east), walls.east()[cell]);
     }
+  for (std::size_t steps = 0; steps < tolls_of_steps_.size(); ++steps)
+    tolls_of_steps_[steps] = toll(static_cast<int>(steps));
 }
-
-int RunCosts::cost_of(std::size_t last, std::size_t next) const { return costs_[last][next]; }
 
 /// Finds a lower bound of what a run costs from an edge into each cell on: the distance to the rectangle around the
 /// goals, by the cheapest edges.
@@ -83,55 +84,66 @@ void RunCosts::clear(Field& field, int limit) {
   limit_ = std::min(limit, no_run);
   std::fill(field.costs, field.costs + states(), static_cast<std::uint16_t>(no_run));
   std::fill(waiting_, waiting_ + words_for(states()), static_cast<std::uint16_t>(0));
+  filled_ = {};
 }
 
-void RunCosts::reach(Field& field, std::size_t number, int cost, int steps) {
+inline void RunCosts::reach(Field& field, std::size_t number, int cost, int steps) {
   if (cost >= field.costs[number]) return;
   field.costs[number] = static_cast<std::uint16_t>(cost);
   field.prices[number] = static_cast<std::uint8_t>(std::min(steps, 0xff));
-  waiting_[number / bits] = static_cast<std::uint16_t>(waiting_[number / bits] | 1U << number % bits);
+  const std::size_t word = number / bits;
+  waiting_[word] = static_cast<std::uint16_t>(waiting_[word] | 1U << number % bits);
+  filled_[word / 64] |= std::uint64_t{1} << word % 64;
 }
 
-void RunCosts::reach_from_start(std::size_t edge, std::size_t last, int cost, int steps) {
+inline void RunCosts::reach_from_start(std::size_t edge, std::size_t last, int cost, int steps) {
   if (cost + least_[edge / 4] < limit_) reach(from_start_, lasts * edge + last, cost, steps);
 }
 
-void RunCosts::reach_to_goal(std::size_t edge, std::size_t last, int cost, int steps) {
+inline void RunCosts::reach_to_goal(std::size_t edge, std::size_t last, int cost, int steps) {
   const std::size_t number = lasts * edge + last;
   if (cost + from_start_.costs[number] < limit_) reach(to_goal_, number, cost, steps);
 }
 
-void RunCosts::go_on(std::size_t number) {
+inline void RunCosts::go_on(std::size_t number) {
   const std::size_t edge = number / lasts, last = number % lasts;
+  const int cost = from_start_.costs[number], price = from_start_.prices[number];
   for (const std::size_t next : {straight, left, right}) {
     const std::size_t side = turned_edge(edge, quarters[next]);
-    const int steps = walls_[side];
+    const std::size_t steps = walls_[side];
     if (steps == WallPrices::closed) continue;
-    reach_from_start(side + ahead_[side % 4], next, from_start_.costs[number] + cost_of(last, next) + toll(steps),
-                     from_start_.prices[number] + steps);
+    reach_from_start(side + ahead_[side % 4], next, cost + costs_[last][next] + tolls_of_steps_[steps],
+                     price + static_cast<int>(steps));
   }
 }
 
-void RunCosts::go_back(std::size_t number) {
+inline void RunCosts::go_back(std::size_t number) {
   const std::size_t edge = number / lasts, next = number % lasts;
-  const int steps = walls_[behind(edge)];
+  const std::size_t steps = walls_[behind(edge)];
   if (steps == WallPrices::closed) return;
+  const int cost = to_goal_.costs[number] + tolls_of_steps_[steps];
+  const int price = to_goal_.prices[number] + static_cast<int>(steps);
   const std::size_t before = turned_edge(edge - ahead_[edge % 4], 4 - quarters[next]);
-  for (const std::size_t last : {straight, left, right})
-    reach_to_goal(before, last, to_goal_.costs[number] + cost_of(last, next) + toll(steps),
-                  to_goal_.prices[number] + steps);
+  for (const std::size_t last : {straight, left, right}) reach_to_goal(before, last, cost + costs_[last][next], price);
 }
 
-/// Expands all queued states, and those that this queues.
+/// Expands all queued states, and those that this queues, in rounds by their numbers.
 template <class Expand>
 void RunCosts::search(Expand expand) {
   for (bool any = true; any;) {
     any = false;
-    for (std::size_t word = 0; word < words_for(states()); ++word)
-      while (waiting_[word] != 0) {
-        const auto bit = static_cast<unsigned>(std::countr_zero(waiting_[word]));
-        waiting_[word] = static_cast<std::uint16_t>(waiting_[word] & (waiting_[word] - 1U));
-        expand(word * bits + bit);
+    for (std::size_t group = 0; group < filled_.size(); ++group)
+      for (std::uint64_t rest = ~std::uint64_t{0}; (filled_[group] & rest) != 0;) {
+        const auto place = static_cast<unsigned>(std::countr_zero(filled_[group] & rest));
+        const std::size_t word = 64 * group + place;
+        while (waiting_[word] != 0) {
+          const auto bit = static_cast<unsigned>(std::countr_zero(waiting_[word]));
+          waiting_[word] = static_cast<std::uint16_t>(waiting_[word] & (waiting_[word] - 1U));
+          expand(word * bits + bit);
+        }
+        filled_[group] &= ~(std::uint64_t{1} << place);
+        // What this queues in earlier words waits for the next round.
+        rest = ~std::uint64_t{1} << place;
         any = true;
       }
   }

@@ -88,7 +88,6 @@ class RunCosts {
   std::size_t edges_of(Cell cell) const { return 4 * static_cast<std::size_t>(size_.index(cell)); }
   void set_walls(const WallPrices& walls, const RunTolls& tolls);
   int toll(int steps) const { return steps == 0 ? 0 : tolls_.base + steps * price_step * tolls_.per_nat / 32; }
-  int cost_of(std::size_t last, std::size_t next) const;
   void find_least();
   void clear(Field& field, int limit);
   void reach(Field& field, std::size_t number, int cost, int steps);
@@ -107,11 +106,14 @@ class RunCosts {
   std::array<std::array<int, lasts>, lasts> costs_{};  ///< of an edge, by the turns before it and at it
   std::array<std::size_t, 4> ahead_;                   ///< from an edge to the next one ahead, by heading
   RunTolls tolls_;
+  std::array<int, WallPrices::highest / price_step + 1> tolls_of_steps_{};
   int limit_ = no_run;
   Field from_start_, to_goal_;
   std::uint16_t* waiting_ = nullptr;  ///< by state, a bit: whether it is to be expanded
-  std::uint16_t* least_ = nullptr;    ///< by cell: a lower bound of what a run costs from there on
-  std::uint8_t* walls_ = nullptr;     ///< by cell and side: the price of the wall in steps, or closed
+  /// By word of these, a bit: whether any bit of it is set.
+  std::array<std::uint64_t, 4 * lasts * largest_area / 16 / 64> filled_{};
+  std::uint16_t* least_ = nullptr;  ///< by cell: a lower bound of what a run costs from there on
+  std::uint8_t* walls_ = nullptr;   ///< by cell and side: the price of the wall in steps, or closed
 };
 
 }  // namespace labmouse
