@@ -281,15 +281,18 @@ TEST(SearchField, IsAfterAnyChangesWhatItIsWhenFilledAnew) {
     CellSet known = any_cells(size, rng), targets = maze.goals();
     SearchField repaired(size, times);
     SearchPlace place = {{maze.start(), maze.start_heading()}, true};
+    SearchDrive moves = times;
     for (int change = 0; change < 40; ++change) {
       change_a_little(size, rng, passages, known, targets);
+      // The times of moves change now and then, too, even to nothing.
+      if (rng.chance(1, 10)) moves.turn = rng.below(times.turn + 1);
       // A field over prices lies between them now and then.
       if (rng.chance(1, 20)) repaired.fill(WallPrices(size), {times}, known, targets);
       const bool all = rng.chance(1, 4);
       if (rng.chance(1, 3)) place.pose = {size.cell_at(rng.below(size.area())), all_headings[rng.below(4)]};
-      repaired.fill(passages, known, targets, all ? nullptr : &place);
+      repaired.fill(moves, passages, known, targets, all ? nullptr : &place);
       SearchField anew(size, times);
-      anew.fill(passages, known, targets);
+      anew.fill(moves, passages, known, targets);
       ASSERT_EQ(repaired.from(place), anew.from(place));
       SearchPlace there = place;
       for (Action step = anew.step(there); step.movement > 0; step = anew.step(there)) {

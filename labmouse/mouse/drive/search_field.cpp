@@ -15,6 +15,10 @@ DriveTime sum(std::int64_t a, std::int64_t b) { return static_cast<DriveTime>(st
 /// Every move takes some time, whatever it saves.
 DriveTime some_time(DriveTime time) { return std::max<DriveTime>(time, 1); }
 
+bool same_moves(const SearchDrive& a, const SearchDrive& b) {
+  return a.cell == b.cell && a.turn == b.turn && a.back == b.back;
+}
+
 bool overlap(const CellSet& cells, const CellSet& others) {
   CellSet both = cells;
   both &= others;
@@ -53,12 +57,12 @@ SearchField::SearchField(Size size, const SearchDrive& drive, std::span<std::byt
 SearchField::SearchField(Size size, const SearchDrive& drive, std::byte* memory, std::size_t due_bytes)
     : size_(size), drive_(drive), ahead_(edges_ahead(size)) {
   assert(drive.cell > 0 && drive.turn > 0 && drive.back > 0);
-  assert(4 * size.area() < EdgeHeap::nowhere);
+  assert(4 * size.area() < EdgeBuckets::first_of_bucket);
   const auto edges = static_cast<std::size_t>(4 * size.area());
   due_ = new (memory) DriveTime[edges];
   times_ = new (memory + due_bytes) DriveTime[edges];
   auto* const numbers = new (memory + due_bytes + edges * sizeof(DriveTime)) std::uint16_t[2 * edges];
-  heap_ = EdgeHeap(numbers, numbers + edges, due_);
+  queue_ = EdgeBuckets(numbers, numbers + edges, due_);
   prices_ = new (numbers + 2 * edges) std::uint8_t[edges];
   std::fill(times_, times_ + edges, no_time);
   std::fill(prices_, prices_ + edges, closed);
@@ -68,10 +72,10 @@ template <class Price>
 void SearchField::set_prices(const SearchTolls& tolls, Price price) {
   tolls_ = tolls;
   std::fill(prices_, prices_ + 4 * size_.area(), closed);
-  for (int index = 0; index < size_.area(); ++index)
-    for (const Heading heading : {Heading::north, Heading::east}) {
-      const Wall wall = wall_at(size_.cell_at(index), heading);
-      if (!on_border(wall, size_)) set_price(wall, static_cast<std::uint8_t>(price(wall)));
+  for (Cell cell{0, 0}; cell.y < size_.height; ++cell.y)
+    for (cell.x = 0; cell.x < size_.width; ++cell.x) {
+      if (const Wall wall{cell, Heading::north}; cell.y + 1 < size_.height) set_price(wall, price(wall));
+      if (const Wall wall{cell, Heading::east}; cell.x + 1 < size_.width) set_price(wall, price(wall));
     }
 }
 
@@ -90,15 +94,16 @@ DriveTime SearchField::toll(std::size_t edge) const {
   return price == 0 ? -saved : sum(tolls_.base - saved, std::int64_t{price} * tolls_.unit);
 }
 
-void SearchField::fill(const WallSet& passages, const CellSet& known, const CellSet& targets,
+void SearchField::fill(const SearchDrive& moves, const WallSet& passages, const CellSet& known, const CellSet& targets,
                        const SearchPlace* place) {
-  if (repairable_ && overlap(targets, targets_)) {
+  if (repairable_ && same_moves(moves, tolls_.drive) && overlap(targets, targets_)) {
     repair(passages, known, targets);
   } else {
-    set_prices({drive_}, [&](Wall wall) { return passages.contains(wall) ? 0 : closed; });
+    set_prices({moves}, [&](Wall wall) { return passages.contains(wall) ? std::uint8_t{0} : closed; });
     begin(known, targets);
   }
-  repairable_ = own_ != nullptr;
+  // Repairs need the exact order of edges of which one move leads to the other.
+  repairable_ = own_ != nullptr && bucket_width() <= shortest_move();
   if (repairable_) *passages_ = passages;
   search(place);
 }
@@ -106,9 +111,25 @@ void SearchField::fill(const WallSet& passages, const CellSet& known, const Cell
 void SearchField::fill(const WallPrices& prices, const SearchTolls& tolls, const CellSet& known, const CellSet& targets,
                        const SearchPlace* place) {
   repairable_ = false;
-  set_prices(tolls, [&](Wall wall) { return prices.of(wall) < tolls.closed ? prices.of(wall) : closed; });
+  set_prices(tolls, [&](Wall wall) {
+    const int price = prices.of(wall);
+    return price < tolls.closed ? static_cast<std::uint8_t>(price) : closed;
+  });
   begin(known, targets);
   search(place);
+}
+
+DriveTime SearchField::shortest_move() const {
+  const SearchDrive& moves = tolls_.drive;
+  const DriveTime least = std::min({moves.cell, moves.turn, moves.back});
+  constexpr int shortest_dash = 2;
+  return drive_.dashes() ? std::min(least, drive_.dash(shortest_dash)) : least;
+}
+
+/// The shortest move, unless a strategy counts it as next to nothing.
+DriveTime SearchField::bucket_width() const {
+  constexpr int buckets_a_cell = 16;
+  return std::max({shortest_move(), drive_.cell / buckets_a_cell, 1});
 }
 
 void SearchField::begin(const CellSet& known, const CellSet& targets) {
@@ -116,7 +137,7 @@ void SearchField::begin(const CellSet& known, const CellSet& targets) {
   targets_ = targets;
   const auto edges = static_cast<std::size_t>(4 * size_.area());
   std::fill(times_, times_ + edges, no_time);
-  heap_.clear(edges);
+  queue_.clear(edges, bucket_width());
   targets.for_each([&](Cell cell) {
     for (const Heading heading : all_headings) reach(edge_of(cell, heading), 0);
   });
@@ -126,8 +147,8 @@ void SearchField::begin(const CellSet& known, const CellSet& targets) {
 void SearchField::search(const SearchPlace* place) {
   // Edges that are due after the time from the place cannot lower it.
   DriveTime enough = place != nullptr ? from(*place) : no_time;
-  while (!heap_.empty() && due_[heap_.first()] <= enough) {
-    const std::size_t edge = heap_.take();
+  while (queue_.find(enough)) {
+    const std::size_t edge = queue_.take();
     take(edge);
     if (place != nullptr && leads_to(*place, edge)) enough = from(*place);
   }
@@ -135,9 +156,9 @@ void SearchField::search(const SearchPlace* place) {
 
 /// Queues an edge for a time, if that is less than its own time and than what it is queued for.
 void SearchField::reach(std::size_t edge, DriveTime time) {
-  if (time >= times_[edge] || (heap_.contains(edge) && time >= due_[edge])) return;
+  if (time >= times_[edge] || (queue_.contains(edge) && time >= due_[edge])) return;
   due_[edge] = time;
-  heap_.reach(edge);
+  queue_.put(edge);
 }
 
 /// Handles an edge that was taken from the queue.
@@ -155,7 +176,7 @@ void SearchField::take(std::size_t edge) {
   if (is_shut_behind(edge)) return;
   for_each_before(edge, [&](std::size_t from, DriveTime move) {
     const DriveTime time = sum(lost, move);
-    if (time == times_[from] || (heap_.contains(from) && time == due_[from])) repair(from);
+    if (time == times_[from] || (queue_.contains(from) && time == due_[from])) repair(from);
   });
 }
 
@@ -237,13 +258,13 @@ void SearchField::repair_before(std::size_t edge) {
 /// Queues an edge if its time is not that of its best move.
 void SearchField::repair(std::size_t edge) {
   const DriveTime best = best_of(edge), time = std::min(best, times_[edge]);
-  if (heap_.contains(edge)) {
+  if (queue_.contains(edge)) {
     if (best != times_[edge] && time == due_[edge]) return;
-    heap_.remove(edge);
+    queue_.remove(edge);
   }
   if (best == times_[edge]) return;
   due_[edge] = time;
-  heap_.reach(edge);
+  queue_.put(edge);
 }
 
 /// The same as from() for an edge, if no wall costs or saves anything.
@@ -254,10 +275,10 @@ DriveTime SearchField::best_of(std::size_t edge) const {
   const auto by = [&](std::size_t heading, DriveTime move) {
     if (prices_[cell + heading] == 0) best = std::min(best, times_[cell + heading + ahead_[heading]] + move);
   };
-  by(ahead, drive_.cell);
-  by((ahead + 1) % 4, drive_.turn);
-  by((ahead + 3) % 4, drive_.turn);
-  by((ahead + 2) % 4, drive_.back);
+  by(ahead, tolls_.drive.cell);
+  by((ahead + 1) % 4, tolls_.drive.turn);
+  by((ahead + 3) % 4, tolls_.drive.turn);
+  by((ahead + 2) % 4, tolls_.drive.back);
   if (!drive_.dashes() || prices_[edge] != 0) return best;
   const Pose pose = pose_of(edge);
   Cell next = neighbour(pose.cell, pose.heading);

@@ -1,6 +1,6 @@
 // The least search times from every place to a set of cells.
 //
-// Method: Dijkstra with a heap, backwards from the cells, over the edges by which cells are entered, one for each
+// Method: Dijkstra with buckets, backwards from the cells, over the edges by which cells are entered, one for each
 // heading. A field in its own memory is repaired if little has changed since it was filled (Koenig, Likhachev and Furcy
 // 2004, without a heuristic): an edge whose time is no longer that by its best move is inconsistent, and queued for the
 // earlier of these two times. When it is taken and the move is earlier, it gets the time of the move. If the move is
@@ -14,7 +14,7 @@
 #include <span>
 
 #include "labmouse/grid/wall_set.hpp"
-#include "labmouse/mouse/drive/edge_heap.hpp"
+#include "labmouse/mouse/drive/edge_buckets.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
 #include "labmouse/mouse/wall_prices.hpp"
 
@@ -44,6 +44,8 @@ class SearchField {
   /// @param drive the moves; the times of cell, turn and back must be more than 0.
   /// @param memory at least bytes_for(size) bytes, beginning at a multiple of four. It must outlive it.
   SearchField(Size size, const SearchDrive& drive, std::span<std::byte> memory);
+  /// Whether it is in its own memory, so that no other field overwrites it.
+  bool keeps() const { return own_ != nullptr; }
   /// Bytes of memory that a field for a maze takes, if the memory is the caller's.
   /// @param size of the maze, with sides of at most max_drive_side cells.
   static std::size_t bytes_for(Size size);
@@ -54,7 +56,12 @@ class SearchField {
   /// @param targets the cells to enter, all inside the size; without any, all times are no_time.
   /// @param place null for all times; otherwise it finds only what from() and step() need there and at the places that
   ///   its steps lead to.
-  void fill(const WallSet& passages, const CellSet& known, const CellSet& targets, const SearchPlace* place = nullptr);
+  void fill(const WallSet& passages, const CellSet& known, const CellSet& targets, const SearchPlace* place = nullptr) {
+    fill(drive_, passages, known, targets, place);
+  }
+  /// The same with other times of the moves cell, turn and back, which from() and step() use, too, until the next fill.
+  void fill(const SearchDrive& moves, const WallSet& passages, const CellSet& known, const CellSet& targets,
+            const SearchPlace* place = nullptr);
   /// The same over all walls that are not closed, of which unseen ones cost more. from() and step() use these tolls,
   /// too, until the next fill.
   /// @param prices of the walls.
@@ -100,6 +107,8 @@ class SearchField {
   /// Whether an edge cannot be passed; that of the border never can.
   bool is_shut_behind(std::size_t edge) const;
   DriveTime toll(std::size_t edge) const;
+  DriveTime shortest_move() const;
+  DriveTime bucket_width() const;
   void begin(const CellSet& known, const CellSet& targets);
   void search(const SearchPlace* place);
   void reach(std::size_t edge, DriveTime time);
@@ -138,7 +147,7 @@ class SearchField {
   /// By edge_of, for leaving the cell in that heading: the cost besides the time, in units, or `closed`.
   std::uint8_t* prices_;
   SearchTolls tolls_;
-  EdgeHeap heap_;
+  EdgeBuckets queue_;
 };
 
 }  // namespace labmouse
