@@ -24,14 +24,14 @@ bool DriveRuns::plan(const WallSet& optimistic, const Knowledge& knowledge) {
   const bool anew = !planned_ || !cut.empty();
   if (anew) {
     // Fewer passages are possible at each plan, so that those of now give bounds for the next ones.
-    constexpr int plans_for_an_aim = 12;
-    constexpr double longer = 1.05;
+    constexpr int plans_for_an_aim = 8;
+    constexpr double longer = 1.1;
     if (planned_ && time_ < no_time && aimed_plans_-- == 0) {
       routes_.aim(start_, knowledge.possible(), static_cast<DriveTime>(std::min<double>(no_time, longer * time_)));
       aimed_plans_ = plans_for_an_aim;
     }
-    // Routes only become slower, and mostly a little: one not much slower than the last is found faster.
-    const DriveTime limit = planned_ && time_ < no_time ? time_ + time_ / 32 : no_time;
+    // Routes only become slower, mostly a little: one not much slower than the last is found faster.
+    const DriveTime limit = planned_ && time_ < no_time ? time_ + time_ / 8 : no_time;
     routes_.fill_for(start_, optimistic, goals_, limit);
     time_ = routes_.time_from(start_);
     if (time_ > limit) {

@@ -22,6 +22,16 @@ class WallSet {
     return walls;
   }
 
+  /// The walls on the north sides of some cells and on the east sides of others.
+  /// @param north cells whose north sides are inner walls.
+  /// @param east cells whose east sides are inner walls.
+  static constexpr WallSet of(const CellSet& north, const CellSet& east) {
+    WallSet walls;
+    walls.north_ = north;
+    walls.east_ = east;
+    return walls;
+  }
+
   /// Whether a wall is a member.
   /// @param wall as wall_at() makes it; false for those of the border.
   constexpr bool contains(Wall wall) const { return side(wall).contains(wall.cell); }

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <new>
 
+#include "labmouse/mouse/drive/route_passages.hpp"
 #include "labmouse/mouse/drive/search.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 
@@ -106,7 +107,7 @@ class FastestRoutes::Search {
   static std::size_t own_bytes() { return drive::aligned(sizeof(Search)); }
 
   Search(Size size, const Parts& parts, std::byte* memory)
-      : tables_(parts.tables), first_(parts.first), search_(parts.searches->make(size, memory)) {}
+      : size_(size), tables_(parts.tables), first_(parts.first), search_(parts.searches->make(size, memory)) {}
 
   void fill(const WallSet& passages, const CellSet& goals) {
     goals_ = goals;
@@ -114,7 +115,8 @@ class FastestRoutes::Search {
   }
   void fill_for(Pose start, const WallSet& passages, const CellSet& goals, DriveTime limit) {
     goals_ = goals;
-    search_->fill(passages, goals, number({start.cell, start.heading, Place::centre}), limit);
+    search_->fill(passages_of_routes(size_, passages, start.cell, goals), goals,
+                  number({start.cell, start.heading, Place::centre}), limit);
   }
   void aim(Pose start, const WallSet& passages, DriveTime latest) {
     search_->aim(passages, number({start.cell, start.heading, Place::centre}), latest);
@@ -264,6 +266,7 @@ class FastestRoutes::Search {
 
   static constexpr std::size_t no_lane = ~std::size_t{0};
 
+  Size size_;
   const DriveTables& tables_;
   const std::array<std::size_t, all_turns.size() + 1>& first_;
   CellSet goals_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "labmouse/mouse/drive/drive_fields.hpp"
+#include "labmouse/mouse/drive/route_passages.hpp"
 #include "labmouse/mouse/drive/run_prices.hpp"
 #include "labmouse/mouse/driving_explorer.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
@@ -26,18 +27,18 @@ constexpr PriceTable reluctances = [] {
     table[reluctance] = static_cast<std::uint8_t>(std::min<int>(static_cast<int>(reluctance), WallPrices::highest));
   return table;
 }();
+constexpr double probability_of_one = 0.96923323447634413;  // exp(-1 / 32)
+constexpr auto probabilities = [] {
+  std::array<double, 1024> table{};
+  table[0] = 1.0;
+  for (std::size_t i = 1; i < table.size(); ++i) table[i] = table[i - 1] * probability_of_one;
+  return table;
+}();
 /// exp(-n / 32), the same on every platform.
 double probability(int reluctance) {
-  constexpr double of_one = 0.96923323447634413;
-  constexpr auto table = [] {
-    std::array<double, 1024> table{};
-    table[0] = 1.0;
-    for (std::size_t i = 1; i < table.size(); ++i) table[i] = table[i - 1] * of_one;
-    return table;
-  }();
-  constexpr int most = static_cast<int>(table.size()) - 1;
-  double probability = table[static_cast<std::size_t>(std::clamp(reluctance, 0, most))];
-  for (; reluctance > most; --reluctance) probability *= of_one;
+  constexpr int most = static_cast<int>(probabilities.size()) - 1;
+  double probability = probabilities[static_cast<std::size_t>(std::clamp(reluctance, 0, most))];
+  for (; reluctance > most; --reluctance) probability *= probability_of_one;
   return probability;
 }
 
@@ -76,7 +77,7 @@ class Driver final : public DrivingExplorer {
     if (outlook_.learn(knowledge())) news_ = true;
     if (!goal_entered()) return to_goal();
     if (std::exchange(news_, false)) {
-      known_time_.reset();
+      next_.reset();
       runs_ != nullptr ? save() : forget_known_cells();
     }
     // Without a known run there is no gain to compare with.
@@ -93,13 +94,17 @@ class Driver final : public DrivingExplorer {
 
   bool knows_run() { return runs_ != nullptr ? known_ != RunCosts::no_run : known_time(no_time) != no_time; }
 
-  /// Time of the fastest known route; no_time if that is above the limit.
+  /// Time of the fastest known route; no_time if that is above the limit. It changes only with passages outside of dead
+  /// ends.
   DriveTime known_time(DriveTime limit) {
-    if (!known_time_ || (*known_time_ == no_time && known_limit_ < limit)) {
+    const WallSet passages =
+        passages_of_routes(briefing().size, knowledge().open(), briefing().start.cell, briefing().goals);
+    if (timed_passages_ != passages || (known_time_ == no_time && known_limit_ < limit)) {
+      timed_passages_ = passages;
       known_limit_ = limit;
       known_time_ = routes_->known_time(knowledge(), limit);
     }
-    return *known_time_;
+    return known_time_;
   }
 
   /// Whether the maze time counts, so that a look costs score.
@@ -112,9 +117,11 @@ class Driver final : public DrivingExplorer {
 
   Action to_goal() {
     count_plan();
-    SearchTolls tolls{search_};
-    if (weighs() || is_early()) tolls.drive.turn = std::min(search_.turn, part(policy_.corner_turn, search_.cell));
-    return step_towards(briefing().goals, tolls);
+    SearchDrive moves = search_;
+    if (weighs() || is_early()) moves.turn = std::min(search_.turn, part(policy_.corner_turn, search_.cell));
+    const SearchPlace here = place();
+    ways_.fill(moves, knowledge().possible(), knowledge().known_cells(), briefing().goals, &here);
+    return hopeful_step(ways_, knowledge(), here);
   }
 
   Action home() {
@@ -154,7 +161,8 @@ class Driver final : public DrivingExplorer {
     // for errors of rounding.
     const DriveTime best = routes_->optimistic_time();
     const double longest = trust > least_part_ ? trust * best / (trust - least_part_) + 1000 : no_time;
-    const DriveTime known = known_time(static_cast<DriveTime>(std::min<double>(longest, no_time)));
+    const auto limit = static_cast<DriveTime>(std::min<double>(longest, no_time));
+    const DriveTime known = known_time(limit);
     return known != no_time && trust * (known - best) < least_part_ * known;
   }
 
@@ -177,10 +185,14 @@ class Driver final : public DrivingExplorer {
     return walls;
   }
 
+  /// Without news, cells and tolls are those of the last call, and its plan holds for the places to which it leads.
   Action step_towards(const CellSet& cells, const SearchTolls& tolls) {
     const SearchPlace here = place();
-    ways_.fill(outlook_.prices(), tolls, knowledge().known_cells(), cells, &here);
-    return hopeful_step(ways_, knowledge(), here);
+    if (next_ != here) ways_.fill(outlook_.prices(), tolls, knowledge().known_cells(), cells, &here);
+    const Action step = hopeful_step(ways_, knowledge(), here);
+    next_.reset();
+    if (ways_.keeps() && step.kind == Action::Kind::step && step.movement > 0) next_ = after_search(here, step);
+    return step;
   }
 
   /// Whether the mouse could enter each cell in the time allowed.
@@ -198,7 +210,9 @@ class Driver final : public DrivingExplorer {
   /// it exists.
   void save() {
     count_plan();
-    known_ = runs_->known(outlook_.prices());
+    const WallSet passages = passages_without_price();
+    if (known_passages_ != passages) known_ = runs_->known(outlook_.prices());
+    known_passages_ = passages;
     const bool any = known_ == RunCosts::no_run;
     const RunTolls tolls{policy_.run_a_nat, policy_.run_a_wall, policy_.run_closed};
     const int longest =
@@ -208,6 +222,22 @@ class Driver final : public DrivingExplorer {
     CellSet::all(briefing().size).for_each([&](Cell cell) {
       savings_[static_cast<std::size_t>(briefing().size.index(cell))] = known_cells.contains(cell) ? 0 : saving(cell);
     });
+  }
+
+  /// The passages that a known run may take.
+  WallSet passages_without_price() const {
+    CellSet north, east;
+    const Size size = briefing().size;
+    for (int y = 0, index = 0; y < size.height; ++y) {
+      std::uint64_t to_north = 0, to_east = 0;
+      for (int x = 0; x < size.width; ++x, ++index) {
+        to_north |= std::uint64_t{outlook_.prices().north()[index] == 0} << x;
+        to_east |= std::uint64_t{outlook_.prices().east()[index] == 0} << x;
+      }
+      north.set_row(y, to_north);
+      east.set_row(y, to_east);
+    }
+    return passages_of_routes(size, WallSet::of(north, east), briefing().start.cell, briefing().goals);
   }
 
   DriveTime saving(Cell cell) const {
@@ -233,9 +263,12 @@ class Driver final : public DrivingExplorer {
   RunCosts* runs_ = nullptr;  ///< null in mazes that are too large
   SearchField& ways_;
   std::vector<DriveTime> savings_;
-  int known_ = RunCosts::no_run;         ///< approximate time of the best known run, ms
-  std::optional<DriveTime> known_time_;  ///< exact time, once computed; no_time if it is above a limit
-  DriveTime known_limit_ = no_time;      ///< of that computation
+  std::optional<SearchPlace> next_;        ///< where the last step led to, if the plan of the ways still holds there
+  int known_ = RunCosts::no_run;           ///< approximate time of the best known run, ms
+  std::optional<WallSet> known_passages_;  ///< passages that this run may take
+  DriveTime known_time_ = no_time;         ///< exact time; no_time if it is above a limit
+  DriveTime known_limit_ = no_time;        ///< of that computation
+  std::optional<WallSet> timed_passages_;  ///< passages for which it was computed
   bool news_ = true;
 };
 
