@@ -4,6 +4,7 @@
 
 #include "labmouse/functions/angles.hpp"
 #include "labmouse/mouse/robot/fitted_turn.hpp"
+#include "labmouse/mouse/robot/search_drive.hpp"
 
 namespace labmouse {
 
@@ -13,10 +14,8 @@ SearchManner search_manner(const DriveModel& model, double speed) {
   const double own = robot.search_speed > 0.0 ? robot.search_speed : robot.cell / (model.search.cell / 1e6);
   manner.speed = speed > 0.0 ? speed : own;
   manner.turn_speed = speed <= 0.0 && robot.search_turn_speed > 0.0 ? robot.search_turn_speed : manner.speed;
-  manner.turn = robot.search_turn_speed > 0.0
-                    ? turn_laid_out_for(robot.search_turn_speed, Turn::s90, robot).shape
-                    : *std::find_if(model.shapes.begin(), model.shapes.end(),
-                                    [](const TurnShape& shape) { return shape.turn == Turn::s90; });
+  manner.turn = robot.search_turn_speed > 0.0 ? turn_laid_out_for(robot.search_turn_speed, Turn::s90, robot).shape
+                                              : search_turn(robot, model.tables.turns, model.shapes).shape;
   manner.acceleration = std::min(robot.acceleration, robot.braking);
   manner.known_speed = robot.known_speed;
   manner.known_acceleration = robot.known_acceleration > 0.0 ? robot.known_acceleration : manner.acceleration;

@@ -28,7 +28,9 @@ class GripOf : public testing::TestWithParam<Robot> {};
 INSTANTIATE_TEST_SUITE_P(Robots, GripOf,
                          testing::Values(grip_robot(), small_grip_robot(),
                                          with_profile(grip_robot(), TurnProfile::cubic),
-                                         with_profile(small_grip_robot(), TurnProfile::sine)),
+                                         with_profile(small_grip_robot(), TurnProfile::sine),
+                                         with_profile(grip_robot(), TurnProfile::free),
+                                         with_profile(small_grip_robot(), TurnProfile::free)),
                          [](const auto& robot) { return robot.param.name; });
 
 TEST_P(GripOf, ItsTyresIsNeverAskedForMore) {
@@ -55,7 +57,7 @@ TEST_P(GripOf, ItsTyresIsNeverAskedForMore) {
       const double middle = curvature_at(shape, (static_cast<double>(k) + 0.5) * step);
       const double lateral = (from * from + to * to) / 2.0 * middle;
       ASSERT_LE(std::sqrt(forward * forward + lateral * lateral), robot.grip * 1.001);
-      ASSERT_LE(lateral, robot.lateral_acceleration * 1.001);
+      ASSERT_LE(std::abs(lateral), robot.lateral_acceleration * 1.001);
       ASSERT_LE(forward, robot.acceleration * 1.001);
       ASSERT_GE(forward, -robot.braking * 1.001);
       const double after = to * curvature_at(shape, static_cast<double>(k + 1) * step);
@@ -64,7 +66,10 @@ TEST_P(GripOf, ItsTyresIsNeverAskedForMore) {
       seconds += time;
     }
     EXPECT_NEAR(turn.time, seconds * 1e6, 1.0);
-    EXPECT_LE(turn.time, shape.length / std::min(turn.speed, turn.end_speed) * 1e6 + 1.0);
+    // A turn of free shape may be slower within than at both ends.
+    if (robot.profile != TurnProfile::free) {
+      EXPECT_LE(turn.time, shape.length / std::min(turn.speed, turn.end_speed) * 1e6 + 1.0);
+    }
   }
   EXPECT_GT(changing, 20);
 }

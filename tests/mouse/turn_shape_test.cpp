@@ -28,7 +28,8 @@ std::vector<TurnOfRobot> all_turns_of_all_robots() {
   for (const Robot& robot :
        {published_robot(), small_robot(), large_robot(), fan_robot(), jerk_robot(), large_jerk_robot(), square_robot(),
         slow_robot(), strong_robot(), with_profile(large_robot(), TurnProfile::sine),
-        with_profile(large_jerk_robot(), TurnProfile::cubic)}) {
+        with_profile(large_jerk_robot(), TurnProfile::cubic), with_profile(large_robot(), TurnProfile::free),
+        with_profile(large_jerk_robot(), TurnProfile::free)}) {
     const DriveModel model = make_drive_model(robot);
     EXPECT_EQ(model.error, "") << robot.name;
     EXPECT_EQ(model.shapes.size(), model.tables.turns.size());

@@ -81,11 +81,13 @@ constexpr std::array limit_keys = {
              100.0, With::curves, optional},
     RobotKey{"curve.yaw_jerk", "how quickly the yaw acceleration rises and falls; default: at once", "rad/s³", 10.0,
              1e8, With::curves, optional},
-    choice("curve.profile",
-           "how the yaw rate rises at the beginning of a turn and falls at its end: at a steady yaw acceleration "
-           "(\"trapezoid\"), as half a cosine wave (\"sine\"), or as a cubic polynomial (\"cubic\"); the largest yaw "
-           "acceleration is that of curve.yaw_acceleration. Default \"trapezoid\"",
-           turn_profile_names),
+    choice(
+        "curve.profile",
+        "how the yaw rate rises at the beginning of a turn and falls at its end: at a steady yaw acceleration "
+        "(\"trapezoid\"), as half a cosine wave (\"sine\"), or as a cubic polynomial (\"cubic\"); the largest yaw "
+        "acceleration is that of curve.yaw_acceleration. Or the fastest path that is found for each turn (\"free\"), "
+        "which gains most together with curve.grip. Default \"trapezoid\"",
+        turn_profile_names),
     RobotKey{"curve.grip",
              "what the tyres hold in any direction, at least as much as every other acceleration; default: turns are "
              "driven at one speed each. Not together with a yaw jerk",

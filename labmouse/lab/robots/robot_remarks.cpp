@@ -114,8 +114,12 @@ std::vector<std::string> speed_remarks(const Robot& robot) {
 /// The highest yaw rate in a curve, rad/s.
 double quickest_curve(const DriveModel& model) {
   double quickest = 0.0;
-  for (std::size_t i = 0; i < model.shapes.size(); ++i)
-    quickest = std::max(quickest, model.shapes[i].ramp.peak * model.tables.turns[i].speed);
+  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+    // Where the bend is hardest, the speed may be lower than at the ends: lateral acceleration limits both together.
+    const double peak = model.shapes[i].ramp.peak;
+    quickest = std::max(
+        quickest, std::min(peak * model.tables.turns[i].speed, std::sqrt(peak * model.robot.lateral_acceleration)));
+  }
   return quickest;
 }
 

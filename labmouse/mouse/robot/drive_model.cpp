@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "labmouse/mouse/robot/fitted_turn.hpp"
+#include "labmouse/mouse/robot/free_turn.hpp"
 #include "labmouse/mouse/robot/search_drive.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
 #include "labmouse/mouse/robot/turn_drive.hpp"
@@ -93,16 +94,30 @@ void add_turn(DriveModel& model, const TurnShape& shape, double from, double to,
   model.shapes.push_back(shape);
 }
 
+/// Seconds of the curve of a turn between two speeds; nothing if it cannot be driven so.
+std::optional<double> curve_seconds(const FittedTurn& turn, double from, double to, double top, const Robot& robot) {
+  if (robot.grip <= 0.0)
+    return from == to && from <= turn.speed ? std::optional(turn.shape.length / from) : std::nullopt;
+  const auto drive = turn_drive(turn.shape, from, to, top, robot);
+  return drive ? std::optional(drive->seconds) : std::nullopt;
+}
+
 /// Adds a turn at all of its speeds, the largest first: from each to itself, or with grip from each to every one that
-/// it can reach.
-void add_turns(DriveModel& model, const TurnShape& shape, const std::vector<double>& speeds, const Robot& robot) {
+/// it can reach. Of several paths each takes the best.
+void add_turns(DriveModel& model, const std::vector<FittedTurn>& paths, const std::vector<double>& speeds,
+               const Robot& robot) {
   for (const double from : speeds)
-    for (const double to : speeds)
-      if (robot.grip <= 0.0) {
-        if (from == to) add_turn(model, shape, from, to, shape.length / from);
-      } else if (const auto drive = turn_drive(shape, from, to, speeds.front(), robot)) {
-        add_turn(model, shape, from, to, drive->seconds);
+    for (const double to : speeds) {
+      const FittedTurn* best = nullptr;
+      double best_cost = 0.0, best_seconds = 0.0;
+      for (const FittedTurn& path : paths) {
+        const auto seconds = curve_seconds(path, from, to, speeds.front(), robot);
+        if (!seconds) continue;
+        const double cost = paths.size() > 1 ? cost_of(path.shape, from, to, *seconds, robot) : 0.0;
+        if (best == nullptr || cost < best_cost) best = &path, best_cost = cost, best_seconds = *seconds;
       }
+      if (best != nullptr) add_turn(model, best->shape, from, to, best_seconds);
+    }
 }
 
 std::string refusal_of_slowest(const Robot& robot, const FittedTurn& slowest) {
@@ -177,25 +192,65 @@ std::vector<double> levels_of(const std::vector<FittedTurn>& fitted, double comm
   return bounds;
 }
 
+bool is_free(Turn turn, const Robot& robot) {
+  return robot.profile == TurnProfile::free && robot.layout(turn).given <= 0.0;
+}
+
+/// The speeds of a turn: its own, and all lower ones that turns share.
+std::vector<double> speeds_of(double own, const std::vector<double>& levels) {
+  std::vector<double> speeds = {own};
+  std::copy_if(levels.rbegin(), levels.rend(), std::back_inserter(speeds), [&](double it) { return it < own; });
+  return speeds;
+}
+
+/// Lowers the first of the speeds to what the paths allow. Where their leads have changed, so have the steps in which
+/// they are driven, and with them the last digits of that speed. A turn back from a diagonal brakes where the one onto
+/// it speeds up.
+void lower_first(std::vector<double>& speeds, const std::vector<FittedTurn>& paths, const Robot& robot) {
+  double most = 0.0;
+  for (const FittedTurn& path : paths) most = std::max(most, end_speed_of(path.shape, speeds.front(), robot));
+  std::erase_if(speeds, [&](double speed) { return speed >= most; });
+  speeds.insert(speeds.begin(), most);
+}
+
 /// Each turn at its own largest speed, and on the same path at lower ones, because a slow turn cannot follow a fast one
-/// at once. With one speed only, all turns at the common one.
+/// at once. A turn of free shape may have a path for each speed. With one speed only, all turns at the common one.
 DriveModel model_of_speeds(const Robot& robot) {
-  std::vector<FittedTurn> fitted;
+  std::vector<FittedTurn> plain, fitted;
   for (const Turn turn : turns_of(robot)) {
-    fitted.push_back(fitted_turn(leads_back(turn) ? reversed(turn) : turn, robot));
-    if (!fitted.back().error.empty()) return refused(fitted.back().error);
-    if (leads_back(turn)) fitted.back().shape = backwards(fitted.back().shape);
+    if (leads_back(turn)) {
+      const auto onto = std::find_if(plain.begin(), plain.end(),
+                                     [&](const FittedTurn& it) { return it.shape.turn == reversed(turn); });
+      const auto place = onto - plain.begin();
+      plain.push_back(*onto);
+      fitted.push_back(fitted[static_cast<std::size_t>(place)]);
+      continue;
+    }
+    plain.push_back(fitted_turn(turn, robot));
+    if (!plain.back().error.empty()) return refused(plain.back().error);
+    fitted.push_back(is_free(turn, robot) ? freed(plain.back(), turn_top_speed(turn, robot), robot) : plain.back());
   }
   const FittedTurn slowest = *std::min_element(
       fitted.begin(), fitted.end(), [](const FittedTurn& a, const FittedTurn& b) { return a.speed < b.speed; });
   if (slowest.speed < slowest_speed) return refused(refusal_of_slowest(robot, slowest));
-  const std::vector<double> levels = levels_of(fitted, common_speed(robot, fitted), robot.speeds);
+  const std::vector<double> levels =
+      levels_of(fitted, std::min(common_speed(robot, plain), slowest.speed), robot.speeds);
   DriveModel model;
-  for (const FittedTurn& turn : fitted) {
-    const double own = robot.speeds > 1 ? turn.speed : levels.front();
-    std::vector<double> speeds = {own};
-    std::copy_if(levels.rbegin(), levels.rend(), std::back_inserter(speeds), [&](double it) { return it < own; });
-    add_turns(model, turn.shape, speeds, robot);
+  const std::vector<Turn> turns = turns_of(robot);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const double own = robot.speeds > 1 ? fitted[i].speed : levels.front();
+    std::vector<double> speeds = speeds_of(own, levels);
+    std::vector<FittedTurn> paths = {fitted[i]};
+    if (is_free(turns[i], robot))
+      for (const double speed : speeds)
+        if (speed < fitted[i].speed) paths.push_back(freed(plain[i], speed, robot));
+    if (leads_back(turns[i]))
+      for (FittedTurn& path : paths) path.shape = backwards(path.shape);
+    if (is_free(turns[i], robot) && robot.grip > 0.0) {
+      share_leads(paths);
+      lower_first(speeds, paths, robot);
+    }
+    add_turns(model, paths, speeds, robot);
   }
   model.tables.cell = robot.cell;
   fill_between(model.tables.along, robot.cell / 2.0, limits_along(robot));
@@ -289,13 +344,11 @@ DriveModel model_of(const Robot& robot) {
   if (!model.error.empty()) return model;
   if (std::string why = refusal_of_turn_times(model.tables); !why.empty()) return refused(std::move(why));
   if (std::string why = refusal_of_ends(model.tables); !why.empty()) return refused(std::move(why));
-  const auto small = static_cast<std::size_t>(
-      std::find_if(model.shapes.begin(), model.shapes.end(), [](const TurnShape& s) { return s.turn == Turn::s90; }) -
-      model.shapes.begin());
-  const SearchModel search = search_model(robot, model.shapes[small], model.tables.turns[small].speed);
+  model.robot = robot;
+  const FittedTurn small = search_turn(robot, model.tables.turns, model.shapes);
+  const SearchModel search = search_model(robot, small.shape, small.speed);
   if (!search.error.empty()) return refused(search.error);
   model.search = search.drive;
-  model.robot = robot;
   model.tables.hash = hash_of(model.tables);
   return model;
 }

@@ -8,12 +8,6 @@
 namespace labmouse {
 namespace {
 
-/// The speed limit of the straights that the turn lies between.
-double top_speed(Turn turn, const Robot& robot) {
-  if (begins_diagonal(turn) && ends_diagonal(turn)) return robot.speed_diagonal;
-  return ends_diagonal(turn) ? std::min(robot.speed, robot.speed_diagonal) : robot.speed;
-}
-
 std::string name_with_fit(Turn turn, const Robot& robot) {
   return "its turn " + std::string(name_of(turn)) + " does not fit into cells of " + millimetres(robot.cell);
 }
@@ -56,13 +50,18 @@ FittedTurn fitted_around_post(const Robot& robot) {
   fitted.shape = shape_at(Turn::f180, speed, curve_limits(robot), robot.cell);
   set_leads_around_post(fitted.shape, robot);
   fitted.shape.clearance = clearance_of(fitted.shape, robot.cell);
-  fitted.speed = std::min(speed, top_speed(Turn::f180, robot));
+  fitted.speed = std::min(speed, turn_top_speed(Turn::f180, robot));
   if (fitted.shape.clearance < robot.clearance)
     fitted.error = refusal_of_clearance(Turn::f180, robot, fitted.shape.clearance, fitted.speed);
   return fitted;
 }
 
 }  // namespace
+
+double turn_top_speed(Turn turn, const Robot& robot) {
+  if (begins_diagonal(turn) && ends_diagonal(turn)) return robot.speed_diagonal;
+  return ends_diagonal(turn) ? std::min(robot.speed, robot.speed_diagonal) : robot.speed;
+}
 
 CurveLimits curve_limits(const Robot& robot) {
   return {robot.lateral_acceleration, robot.yaw_acceleration, robot.yaw_speed, robot.yaw_jerk, robot.profile};
@@ -77,7 +76,7 @@ std::string millimetres(double length) { return to_tenths(length) + " mm"; }
 
 FittedTurn turn_laid_out_for(double speed, Turn turn, const Robot& robot) {
   FittedTurn fitted{
-      shape_at(turn, speed, curve_limits(robot), robot.cell), std::min(speed, top_speed(turn, robot)), {}};
+      shape_at(turn, speed, curve_limits(robot), robot.cell), std::min(speed, turn_top_speed(turn, robot)), {}};
   TurnShape& shape = fitted.shape;
   const std::string at_speed = name_with_fit(turn, robot) + " at " + millimetres(speed) + "/s";
   if (const double lead = std::min(shape.lead_in, shape.lead_out); lead < 0.0) {
@@ -94,7 +93,7 @@ FittedTurn turn_laid_out_for(double speed, Turn turn, const Robot& robot) {
 FittedTurn fitted_turn(Turn turn, const Robot& robot) {
   if (turn == Turn::f180) return fitted_around_post(robot);
   if (const double speed = robot.layout(turn).given; speed > 0.0) return turn_laid_out_for(speed, turn, robot);
-  const int top_steps = static_cast<int>(top_speed(turn, robot) / speed_step);
+  const int top_steps = static_cast<int>(turn_top_speed(turn, robot) / speed_step);
   FittedTurn nearest;
   double best = -1.0;
   const auto fits = [&](int steps) {

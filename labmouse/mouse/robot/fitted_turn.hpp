@@ -25,6 +25,9 @@ FittedTurn fitted_turn(Turn turn, const Robot& robot);
 /// The turn on the path for a speed (mm/s), whatever the robot gives; not for a 180.
 FittedTurn turn_laid_out_for(double speed, Turn turn, const Robot& robot);
 
+/// The speed limit of the straights that a turn lies between, mm/s.
+double turn_top_speed(Turn turn, const Robot& robot);
+
 /// The limits of a robot's curves.
 CurveLimits curve_limits(const Robot& robot);
 

@@ -110,4 +110,11 @@ SearchModel search_model(const Robot& robot, const TurnShape& small_turn, double
   return model;
 }
 
+FittedTurn search_turn(const Robot& robot, const std::vector<DrivenTurn>& turns, const std::vector<TurnShape>& shapes) {
+  if (robot.profile == TurnProfile::free && !robot.fixed) return fitted_turn(Turn::s90, robot);
+  const auto small =
+      std::find_if(shapes.begin(), shapes.end(), [](const TurnShape& shape) { return shape.turn == Turn::s90; });
+  return {*small, turns[static_cast<std::size_t>(small - shapes.begin())].speed, {}};
+}
+
 }  // namespace labmouse

@@ -23,4 +23,7 @@ struct TurnDrive {
 /// without a limit of yaw jerk.
 std::optional<TurnDrive> turn_drive(const TurnShape& shape, double from, double to, double top, const Robot& robot);
 
+/// The largest speed, up to `top` mm/s, at which a path can both begin and end within the limits along it.
+double end_speed_of(const TurnShape& shape, double top, const Robot& robot);
+
 }  // namespace labmouse

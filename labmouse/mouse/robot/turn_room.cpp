@@ -58,16 +58,6 @@ std::vector<Wall> others(const std::vector<Wall>& open) {
   return walls;
 }
 
-/// The distance from a point to a wall between its posts, in cells.
-double distance(MazePoint point, Wall wall) {
-  const bool level = wall.side == Heading::north;
-  const MazePoint corner = {wall.cell.x + 1.0, wall.cell.y + 1.0};
-  const double along = level ? corner.x - point.x : corner.y - point.y;
-  const double off = level ? corner.y - point.y : corner.x - point.x;
-  const double past = std::max({0.0, -along, along - 1.0});
-  return std::sqrt(past * past + off * off);
-}
-
 }  // namespace
 
 TurnRoom room_of(Turn turn) {
@@ -83,6 +73,15 @@ MazePoint maze_point(const DriveNode& from, bool left, const PathPoint& point, d
   const HalfPoint start = half_point(from);
   return {start.x / 2.0 + (point.ahead * east - aside * north) / cell,
           start.y / 2.0 + (point.ahead * north + aside * east) / cell};
+}
+
+double distance(MazePoint point, Wall wall) {
+  const bool level = wall.side == Heading::north;
+  const MazePoint corner = {wall.cell.x + 1.0, wall.cell.y + 1.0};
+  const double along = level ? corner.x - point.x : corner.y - point.y;
+  const double off = level ? corner.y - point.y : corner.x - point.x;
+  const double past = std::max({0.0, -along, along - 1.0});
+  return std::sqrt(past * past + off * off);
 }
 
 double clearance_of(const TurnShape& shape, double cell) {

@@ -29,6 +29,9 @@ struct MazePoint {
 /// The position of a point of a turn that begins at that node: to the left, or mirrored to the right.
 MazePoint maze_point(const DriveNode& from, bool left, const PathPoint& point, double cell);
 
+/// The distance from a point to a wall between its posts, in cells.
+double distance(MazePoint point, Wall wall);
+
 /// Distance in mm between the path of a turn and the nearest post or wall that may stand, middle to middle.
 double clearance_of(const TurnShape& shape, double cell);
 

@@ -29,8 +29,22 @@ PathPoint on_curve(const TurnShape& shape, double distance) {
   return {point.ahead + (after.sine - before.sine) / peak, point.aside + (before.cosine - after.cosine) / peak, angle};
 }
 
-/// Where the curve ends, seen from its beginning; its two halves are mirror images.
+/// The part of a curve of free shape at a distance from where the curve begins, and the distance from its own
+/// beginning.
+struct PartAt {
+  const CurvePart& part;
+  double distance;
+};
+
+PartAt part_at(const TurnShape& shape, double distance) {
+  std::size_t i = 0;
+  while (i + 1 < shape.parts.size() && distance > shape.parts[i].length) distance -= shape.parts[i++].length;
+  return {shape.parts[i], std::min(distance, shape.parts[i].length)};
+}
+
+/// Where the curve ends, seen from its beginning. Unless its shape is free, its two halves are mirror images.
 PathPoint curve_end(const TurnShape& shape) {
+  if (!shape.parts.empty()) return shape.parts.back().at(shape.parts.back().length);
   const PathPoint middle = on_curve(shape, shape.length / 2.0);
   // The axis of the mirror is at half the angle; the second half is the first one, mirrored.
   const Direction end = end_direction(shape.turn);
@@ -47,16 +61,6 @@ void set_leads(TurnShape& shape, const PathPoint& curve) {
   if (symmetric) shape.lead_in = shape.lead_out;
 }
 
-/// Puts the curve between its nodes. Around a post both leads are half a cell.
-TurnShape placed(TurnShape shape, double cell) {
-  shape.end = end_of(shape.turn, cell);
-  if (shape.turn == Turn::f180)
-    shape.lead_in = shape.lead_out = cell / 2.0;
-  else
-    set_leads(shape, curve_end(shape));
-  return shape;
-}
-
 /// A curve eight times as long as each of its clothoids, not yet put between its nodes.
 TurnShape curve_of_eighths(Turn turn, double ramp) {
   TurnShape shape;
@@ -67,6 +71,47 @@ TurnShape curve_of_eighths(Turn turn, double ramp) {
 }
 
 }  // namespace
+
+TurnShape placed(TurnShape shape, double cell) {
+  shape.end = end_of(shape.turn, cell);
+  if (shape.turn == Turn::f180)
+    shape.lead_in = shape.lead_out = cell / 2.0;
+  else
+    set_leads(shape, curve_end(shape));
+  return shape;
+}
+
+/// By Gauss-Legendre quadrature with eight points, exact to rounding for parts that turn by up to half a circle.
+PathPoint CurvePart::at(double distance) const {
+  struct Sample {
+    double place, weight;
+  };
+  constexpr std::array<Sample, 4> samples = {{{0.1834346424956498, 0.3626837833783620},
+                                              {0.5255324099163290, 0.3137066458778873},
+                                              {0.7966664774136267, 0.2223810344533745},
+                                              {0.9602898564975363, 0.1012285362903763}}};
+  const auto angle_at = [&](double driven) {
+    return begin.angle + driven * (curvature + driven * (growth / 2.0 + driven * bend / 6.0));
+  };
+  PathPoint point{begin.ahead, begin.aside, angle_at(distance)};
+  const double reach = distance / 2.0;
+  for (const Sample& sample : samples)
+    for (const double side : {-1.0, 1.0}) {
+      const Direction direction = direction_of(angle_at(reach + side * sample.place * reach));
+      point.ahead += sample.weight * reach * direction.cosine;
+      point.aside += sample.weight * reach * direction.sine;
+    }
+  return point;
+}
+
+PathPoint join(std::vector<CurvePart>& parts) {
+  PathPoint end;
+  for (CurvePart& part : parts) {
+    part.begin = end;
+    end = part.at(part.length);
+  }
+  return end;
+}
 
 PathPoint end_of(Turn turn, double cell) {
   constexpr double half = way_of_eighths(1).x;  // square root of 1/2
@@ -87,6 +132,11 @@ PathPoint TurnShape::at(double distance) const {
   const Direction out = end_direction(turn);
   if (distance <= lead_in) return {distance, 0.0, 0.0};
   if (left <= lead_out) return {end.ahead - left * out.cosine, end.aside - left * out.sine, end.angle};
+  if (!parts.empty()) {
+    const auto [part, driven] = part_at(*this, distance - lead_in);
+    const PathPoint point = part.at(driven);
+    return {lead_in + point.ahead, point.aside, point.angle};
+  }
   if (distance - lead_in <= length / 2.0) {
     const PathPoint point = on_curve(*this, distance - lead_in);
     return {lead_in + point.ahead, point.aside, point.angle};
@@ -100,7 +150,22 @@ PathPoint TurnShape::at(double distance) const {
 
 double TurnShape::curvature_at(double distance) const {
   const double driven = distance - lead_in;
-  return driven <= 0.0 || driven >= length ? 0.0 : ramp.curvature_at(std::min({driven, length - driven, ramp.length}));
+  if (driven <= 0.0 || driven >= length) return 0.0;
+  if (!parts.empty()) {
+    const auto [part, within] = part_at(*this, driven);
+    return part.curvature_at(within);
+  }
+  return ramp.curvature_at(std::min({driven, length - driven, ramp.length}));
+}
+
+double TurnShape::growth_at(double driven) const {
+  if (!parts.empty()) {
+    const auto [part, within] = part_at(*this, driven);
+    return part.growth_at(within);
+  }
+  const double left = length - driven;
+  if (driven < ramp.length) return ramp.growth_at(driven);
+  return left < ramp.length ? -ramp.growth_at(left) : 0.0;
 }
 
 TurnShape shape_at(Turn turn, double speed, const CurveLimits& limits, double cell) {
@@ -142,6 +207,13 @@ TurnShape backwards(const TurnShape& shape) {
   const Direction out = end_direction(shape.turn);
   back.end = {shape.end.ahead * out.cosine + shape.end.aside * out.sine,
               shape.end.ahead * out.sine - shape.end.aside * out.cosine, shape.end.angle};
+  std::reverse(back.parts.begin(), back.parts.end());
+  for (CurvePart& part : back.parts) {
+    const double curvature = part.curvature_at(part.length), growth = part.growth_at(part.length);
+    part.curvature = curvature;
+    part.growth = -growth;
+  }
+  join(back.parts);
   return back;
 }
 

@@ -97,10 +97,12 @@ constexpr Rise cubic = {1.5, 6.0,
                         }};
 
 const Rise& rise_of(TurnProfile profile) {
-  constexpr static std::array rises = {trapezoid, sine, cubic};
+  constexpr static std::array rises = {trapezoid, sine, cubic, trapezoid};
   static_assert(rises.size() == turn_profile_names.size());
   return rises[static_cast<unsigned>(profile)];
 }
+
+bool is_trapezoid(TurnProfile profile) { return profile == TurnProfile::trapezoid || profile == TurnProfile::free; }
 
 /// Moves a point along the ramp between two distances within which the angle is one smooth function: Gauss-Legendre
 /// quadrature with eight points, exact to rounding for the angles of turns.
@@ -146,7 +148,7 @@ YawRamp trapezoid_of_half(double angle, const CurveLimits& limits) {
 }  // namespace
 
 YawRamp ramp_to(double yaw_rate, const CurveLimits& limits) {
-  if (limits.profile == TurnProfile::trapezoid) return trapezoid_to(yaw_rate, limits);
+  if (is_trapezoid(limits.profile)) return trapezoid_to(yaw_rate, limits);
   const Rise& rise = rise_of(limits.profile);
   double seconds = rise.acceleration * yaw_rate / limits.yaw_acceleration;
   if (limits.yaw_jerk > 0.0) seconds = std::max(seconds, std::sqrt(rise.jerk * yaw_rate / limits.yaw_jerk));
@@ -154,7 +156,7 @@ YawRamp ramp_to(double yaw_rate, const CurveLimits& limits) {
 }
 
 YawRamp ramp_of_half(double angle, const CurveLimits& limits) {
-  if (limits.profile == TurnProfile::trapezoid) return trapezoid_of_half(angle, limits);
+  if (is_trapezoid(limits.profile)) return trapezoid_of_half(angle, limits);
   const Rise& rise = rise_of(limits.profile);
   // rate * seconds = angle, with the time that the yaw acceleration needs, and with that of the yaw jerk
   double rate = std::sqrt(angle * limits.yaw_acceleration / rise.acceleration);

@@ -9,13 +9,31 @@
 
 namespace labmouse {
 
+/// A part of a curve of free shape. Its curvature is a polynomial of the distance from its beginning.
+struct CurvePart {
+  double length = 0.0;     ///< mm
+  double curvature = 0.0;  ///< rad/mm to the left where it begins
+  double growth = 0.0;     ///< rad/mm², of the curvature where it begins
+  double bend = 0.0;       ///< rad/mm³, of the growth; constant
+  PathPoint begin;         ///< as seen from the beginning of the curve
+
+  /// The curvature at a distance in mm from its beginning, rad/mm.
+  double curvature_at(double distance) const { return curvature + distance * (growth + distance * bend / 2.0); }
+  /// The growth of the curvature there, rad/mm².
+  double growth_at(double distance) const { return growth + distance * bend; }
+  /// A point of it at a distance in mm from its beginning, as seen from the beginning of the curve.
+  PathPoint at(double distance) const;
+};
+
 /// A turn to the left from its first node to its last: a straight lead-in, the curve, a straight lead-out.
 struct TurnShape {
   Turn turn = Turn::f45;
-  double lead_in = 0.0;    ///< mm
-  double lead_out = 0.0;   ///< mm
-  double length = 0.0;     ///< mm of the curve alone
-  RampPath ramp;           ///< the first part of the curve; the last is its mirror image
+  double lead_in = 0.0;   ///< mm
+  double lead_out = 0.0;  ///< mm
+  double length = 0.0;    ///< mm of the curve alone
+  RampPath ramp;          ///< the first part of the curve; the last is its mirror image
+  /// Of a curve of free shape its parts in order, which replace the ramps; its `ramp` has the largest curvature only.
+  std::vector<CurvePart> parts;
   PathPoint end;           ///< the last node, as seen from the first
   double clearance = 0.0;  ///< mm from the nearest post or wall that may stand there, middle to middle
 
@@ -29,7 +47,22 @@ struct TurnShape {
   /// @param distance mm from the first node.
   /// @return rad/mm to the left; 0 on the leads.
   double curvature_at(double distance) const;
+  /// The growth of the curvature at a point of the curve.
+  /// @param driven mm from the beginning of the curve, 0 to `length`.
+  /// @return rad/mm²
+  double growth_at(double driven) const;
 };
+
+/// Joins parts to one curve: sets where each of them begins.
+/// @return the end of the last one, as seen from the beginning of the first.
+PathPoint join(std::vector<CurvePart>& parts);
+
+/// Puts the curve of a shape between the nodes of its turn: sets `end` and both leads. Around a post both leads are
+/// half a cell.
+/// @param shape with its turn, its length, and its ramp or its parts.
+/// @param cell side of a cell, mm.
+/// @return a lead is below 0 if the curve needs more room than there is.
+TurnShape placed(TurnShape shape, double cell);
 
 /// The last node of a turn.
 /// @param turn to the left.

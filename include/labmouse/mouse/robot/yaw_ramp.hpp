@@ -9,13 +9,14 @@ namespace labmouse {
 
 /// How the yaw rate rises at the beginning of a turn; it falls in the same way. `trapezoid`: at a steady yaw
 /// acceleration, which itself rises and falls steadily where yaw jerk is limited. `sine`: as half a cosine wave.
-/// `cubic`: as the cubic polynomial that begins and ends without yaw acceleration.
-enum class TurnProfile : std::uint8_t { trapezoid, sine, cubic };
+/// `cubic`: as the cubic polynomial that begins and ends without yaw acceleration. `free`: each turn has the fastest
+/// path that was found, which may begin and end with a bend to the other side; every bend of it is a trapezoid.
+enum class TurnProfile : std::uint8_t { trapezoid, sine, cubic, free };
 
 /// The names of the profiles in robot files, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 3> turn_profile_names = {"trapezoid", "sine", "cubic"};
+inline constexpr std::array<std::string_view, 4> turn_profile_names = {"trapezoid", "sine", "cubic", "free"};
 /// The name of a profile in robot files.
-/// @param profile one of the three.
+/// @param profile one of the enumeration.
 /// @return in static memory.
 constexpr std::string_view name_of(TurnProfile profile) { return turn_profile_names[static_cast<unsigned>(profile)]; }
 
