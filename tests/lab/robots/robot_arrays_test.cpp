@@ -74,6 +74,27 @@ TEST(RobotArrays, SayWhichProfileTheirRampsHave) {
   }
 }
 
+/// The curvature of a free path, summed along it, turns by the angle of the turn.
+TEST(RobotArrays, HaveTheCurvatureOfFreePaths) {
+  Robot robot = find_robot("classic").robot;
+  robot.profile = TurnProfile::free;
+  std::istringstream lines(robot_arrays(robot, make_drive_model(robot), all_turn_names()[0]));
+  std::string name;
+  std::map<std::string, double> angles;
+  double place_before = 0.0, curvature_before = 0.0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string before = "static const float ";
+    if (line.starts_with(before)) name = line.substr(before.size(), line.find('[') - before.size()), place_before = 0.0;
+    double place = 0.0, curvature = 0.0;
+    if (std::sscanf(line.c_str(), " {%lff, %lff}", &place, &curvature) != 2) continue;
+    angles[name] += (place - place_before) * (curvature + curvature_before) / 2e3;
+    place_before = place, curvature_before = curvature;
+  }
+  for (const auto& [turn, eighth] : std::map<std::string, int>{{"TURN_45", 1}, {"TURN_90", 2}, {"TURN_180", 4}})
+    for (const char* speed : {"_curvature_0", "_curvature_1"})
+      EXPECT_NEAR(angles[turn + speed], eighth * 0.785398, 0.002) << turn << speed;
+}
+
 TEST(RobotArrays, DoNotEndTheirCommentWithTheNameOfARobot) {
   FoundRobot found = find_robot("classic");
   found.robot.name = "a */ int b; /*";
