@@ -40,6 +40,18 @@ inline const DriveModel& classic() {
   static const DriveModel model = well_known("classic");
   return model;
 }
+/// With turns of free shape, in which the speed changes.
+inline const DriveModel& free_classic() {
+  static const DriveModel model = [] {
+    Robot robot = well_known("classic").robot;
+    robot.profile = TurnProfile::free;
+    robot.grip = 10'000.0;
+    DriveModel made = make_drive_model(robot);
+    share_route_tables(made);
+    return made;
+  }();
+  return model;
+}
 inline const DriveModel& beginner() {
   static const DriveModel model = well_known("beginner");
   return model;

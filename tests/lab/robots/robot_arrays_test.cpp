@@ -85,8 +85,9 @@ TEST(RobotArrays, HaveTheCurvatureOfFreePaths) {
   for (std::string line; std::getline(lines, line);) {
     const std::string before = "static const float ";
     if (line.starts_with(before)) name = line.substr(before.size(), line.find('[') - before.size()), place_before = 0.0;
+    if (line == "};") name.clear();
     double place = 0.0, curvature = 0.0;
-    if (std::sscanf(line.c_str(), " {%lff, %lff}", &place, &curvature) != 2) continue;
+    if (name.empty() || std::sscanf(line.c_str(), " {%lff, %lff}", &place, &curvature) != 2) continue;
     angles[name] += (place - place_before) * (curvature + curvature_before) / 2e3;
     place_before = place, curvature_before = curvature;
   }

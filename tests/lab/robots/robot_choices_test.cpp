@@ -145,12 +145,13 @@ TEST(RobotChoices, AreTheProfileOfTurns) {
   for (std::size_t i = 0; i < turn_profile_names.size(); ++i) {
     const DriveModel model = model_of({"", fmt::format("profile = \"{}\"", turn_profile_names[i]), ""});
     EXPECT_EQ(model.robot.profile, static_cast<TurnProfile>(i));
+    if (model.robot.profile == TurnProfile::free) continue;  // whose paths have no ramp
     EXPECT_NEAR(hardest(model), 300.0, 1e-9) << turn_profile_names[i];
   }
   EXPECT_TRUE(read({"", "profile = \"sine\"\ngrip = 12000", ""}).robot);
   for (const std::string odd : {"\"Sine\"", "\"\"", "1", "true"})
     EXPECT_THAT(reasons(read({"", "profile = " + odd, ""})),
-                ElementsAre(Says("'curve.profile'", "\"trapezoid\", \"sine\" or \"cubic\"")))
+                ElementsAre(Says("'curve.profile'", "\"trapezoid\", \"sine\", \"cubic\" or \"free\"")))
         << odd;
 }
 
