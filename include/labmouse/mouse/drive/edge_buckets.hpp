@@ -38,8 +38,10 @@ class EdgeBuckets {
     shift_ = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(width))) - 1;
   }
   /// Whether an edge is queued.
+  /// @param edge its number, below that of all edges.
   bool contains(std::size_t edge) const { return before_[edge] != nowhere; }
   /// Inserts an edge, or moves it after its time has changed.
+  /// @param edge its number, below that of all edges.
   void put(std::size_t edge) {
     remove(edge);
     const unsigned bucket = bucket_of(edge);
@@ -53,6 +55,7 @@ class EdgeBuckets {
     first_[place] = static_cast<std::uint16_t>(edge);
   }
   /// Removes an edge, if it is queued.
+  /// @param edge its number, below that of all edges.
   void remove(std::size_t edge) {
     const std::uint16_t before = before_[edge];
     if (before == nowhere) return;

@@ -59,7 +59,12 @@ class SearchField {
   void fill(const WallSet& passages, const CellSet& known, const CellSet& targets, const SearchPlace* place = nullptr) {
     fill(drive_, passages, known, targets, place);
   }
-  /// The same with other times of the moves cell, turn and back, which from() and step() use, too, until the next fill.
+  /// The same with other times of moves, which from() and step() use, too, until the next fill.
+  /// @param moves the times of the moves cell, turn and back; the others are those of the constructor.
+  /// @param passages the open walls, all inside the size.
+  /// @param known cells whose walls are all known.
+  /// @param targets the cells to enter, all inside the size.
+  /// @param place as above.
   void fill(const SearchDrive& moves, const WallSet& passages, const CellSet& known, const CellSet& targets,
             const SearchPlace* place = nullptr);
   /// The same over all walls that are not closed, of which unseen ones cost more. from() and step() use these tolls,

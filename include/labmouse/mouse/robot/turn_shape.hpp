@@ -17,11 +17,14 @@ struct CurvePart {
   double bend = 0.0;       ///< rad/mm³, of the growth; constant
   PathPoint begin;         ///< as seen from the beginning of the curve
 
-  /// The curvature at a distance in mm from its beginning, rad/mm.
+  /// The curvature at a point of it, rad/mm.
+  /// @param distance mm from its beginning.
   double curvature_at(double distance) const { return curvature + distance * (growth + distance * bend / 2.0); }
   /// The growth of the curvature there, rad/mm².
+  /// @param distance mm from its beginning.
   double growth_at(double distance) const { return growth + distance * bend; }
-  /// A point of it at a distance in mm from its beginning, as seen from the beginning of the curve.
+  /// A point of it, as seen from the beginning of the curve.
+  /// @param distance mm from its beginning.
   PathPoint at(double distance) const;
 };
 
@@ -54,6 +57,7 @@ struct TurnShape {
 };
 
 /// Joins parts to one curve: sets where each of them begins.
+/// @param parts in order; all but `begin` is given.
 /// @return the end of the last one, as seen from the beginning of the first.
 PathPoint join(std::vector<CurvePart>& parts);
 
