@@ -141,8 +141,8 @@ std::vector<NamedMaze> examination_mazes(const SecretMazes& mazes, const std::st
   std::vector<NamedMaze> all;
   for (int number = 1; number <= mazes.count; ++number) {
     std::string name = fmt::format("examination {:03}", number);
-    Maze maze = secret_maze(mazes, secret, name);
-    all.push_back({std::move(name), std::move(maze)});
+    const Maze maze = secret_maze(mazes, secret, name);
+    all.push_back({std::move(name), maze});
   }
   return all;
 }

@@ -121,10 +121,11 @@ class Search {
 
   FittedTurn best() {
     try_form(form_);
-    for (double step = 1.0; step > 0.02; step /= 2.0)
+    constexpr int steps = 6;
+    for (int i = 0; i < steps; ++i)
       for (bool better = true; better;) {
         better = false;
-        for (const Form& next : neighbours(step)) better |= try_form(next);
+        for (const Form& next : neighbours(1.0 / (1 << i))) better |= try_form(next);
       }
     best_.shape.clearance = clearance_of(best_.shape, robot_.cell);
     return best_;
