@@ -1,9 +1,17 @@
 """Fixtures. The tested package and command are those of PYTHONPATH and PATH, which scripts/test-python sets."""
 
+import signal
 import subprocess
 
 import labmouse
 import pytest
+
+
+@pytest.fixture(autouse=True, scope="session")
+def interruptible():
+    """Lets Ctrl-C interrupt, also where a shell started the tests in the background and so lets them ignore it."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture

@@ -129,7 +129,7 @@ DriveTime SearchField::shortest_move() const {
 /// The shortest move, unless a strategy counts it as next to nothing.
 DriveTime SearchField::bucket_width() const {
   constexpr int buckets_a_cell = 16;
-  return std::max({shortest_move(), drive_.cell / buckets_a_cell, 1});
+  return std::max<DriveTime>({shortest_move(), drive_.cell / buckets_a_cell, 1});
 }
 
 void SearchField::begin(const CellSet& known, const CellSet& targets) {
