@@ -26,4 +26,10 @@ Gains gains_for(const Hardware& hardware, double cell) {
   return gains;
 }
 
+Gains gains_each_tick(const Hardware& hardware, double cell) {
+  Gains gains = gains_for(hardware, cell);
+  gains.seconds = tick_seconds;
+  return gains;
+}
+
 }  // namespace labmouse

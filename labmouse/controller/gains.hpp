@@ -33,5 +33,7 @@ struct Gains {
 
 /// The built-in gains for a robot's hardware and cells of `cell` mm.
 Gains gains_for(const Hardware& hardware, double cell);
+/// The same for loops that run at each tick, whatever the robot's own period is.
+Gains gains_each_tick(const Hardware& hardware, double cell);
 
 }  // namespace labmouse

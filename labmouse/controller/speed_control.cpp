@@ -1,15 +1,6 @@
 #include "labmouse/controller/speed_control.hpp"
 
 namespace labmouse {
-namespace {
-
-Gains gains_each_tick(const Hardware& hardware, double cell) {
-  Gains gains = gains_for(hardware, cell);
-  gains.seconds = tick_seconds;
-  return gains;
-}
-
-}  // namespace
 
 SpeedControl::SpeedControl(const Hardware& hardware, double cell)
     : hardware_(hardware), gains_(gains_each_tick(hardware, cell)), axes_(gains_, hardware.motors) {}

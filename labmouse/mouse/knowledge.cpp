@@ -64,10 +64,10 @@ bool Knowledge::agrees(Pose pose, int open_cells) const {
   if (open_cells < 0 || open_cells >= max_side || open_cells > sight_) return false;
   Cell cell = pose.cell;
   for (int passed = 0; passed < open_cells; ++passed) {
-    if (state(wall_at(cell, pose.heading)) == WallState::closed) return false;
+    if (!possible_.contains(wall_at(cell, pose.heading))) return false;
     cell = neighbour(cell, pose.heading);
   }
-  return open_cells == sight_ || state(wall_at(cell, pose.heading)) != WallState::open;
+  return open_cells == sight_ || !open_.contains(wall_at(cell, pose.heading));
 }
 
 void Knowledge::learn_corridor(Pose pose, int open_cells) {

@@ -9,6 +9,7 @@ from ._arguments import LARGEST_SEED, path, shown, whole
 from ._mice import AnyMouse, Given, Mice, given
 from ._native import Error
 from ._progress import result_of
+from ._results import Results
 from ._workers import for_mice
 from ._worlds import Mazes, Setting, mazes_of, world_with
 
@@ -16,24 +17,13 @@ if TYPE_CHECKING:
     import pandas
 
 
-class Verdicts:
+class Verdicts(Results[_native.HeldComparison]):
     """The results of a comparison; `compare` returns it."""
 
     def __init__(self, held: _native.HeldComparison, from_store: "int | None" = None) -> None:
-        self._held = held
-        self._from_store = held.from_store if from_store is None else from_store
+        super().__init__(held, from_store)
         #: The output of `labmouse compare --format json`.
         self.data: dict[str, Any] = json.loads(held.json())
-
-    @property
-    def complete(self) -> bool:
-        """Whether it came to its end: False if Ctrl-C stopped it."""
-        return self._held.complete
-
-    @property
-    def from_store(self) -> int:
-        """The number of contests that were taken from the store and not run."""
-        return self._from_store
 
     @property
     def verdict(self) -> str:

@@ -10,6 +10,7 @@ from ._arguments import LARGEST_SEED, runs_given, whole
 from ._arguments import path as _path
 from ._mice import Mice, given
 from ._progress import result_of
+from ._results import Results
 from ._workers import for_mice
 from ._worlds import Mazes, Setting, mazes_of, world_with
 
@@ -59,22 +60,8 @@ class Comparison(NamedTuple):
     """None in worlds in which failed contests have a score."""
 
 
-class Race:
+class Race(Results[_native.HeldRace]):
     """The results of a race; `race` returns it. A notebook shows its leaderboard."""
-
-    def __init__(self, held: _native.HeldRace, from_store: "int | None" = None) -> None:
-        self._held = held
-        self._from_store = held.from_store if from_store is None else from_store
-
-    @property
-    def complete(self) -> bool:
-        """Whether all contests were run: False if Ctrl-C stopped the race."""
-        return self._held.complete
-
-    @property
-    def from_store(self) -> int:
-        """The number of contests that were taken from the store and not run."""
-        return self._from_store
 
     @property
     def world(self) -> str:

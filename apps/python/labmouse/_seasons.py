@@ -4,29 +4,19 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from . import _native
+from ._results import Results
 
 if TYPE_CHECKING:
     import pandas
 
 
-class Season:
+class Season(Results[_native.HeldSeason]):
     """The results of a season; `cluster.league` returns it."""
 
     def __init__(self, held: _native.HeldSeason, from_store: int) -> None:
-        self._held = held
-        self._from_store = from_store
+        super().__init__(held, from_store)
         #: The content of `results.json` that `labmouse league publish` writes; empty while contests are missing.
         self.data: dict[str, Any] = json.loads(held.json()) if held.complete else {}
-
-    @property
-    def complete(self) -> bool:
-        """Whether all contests are done: False if Ctrl-C stopped it."""
-        return self._held.complete
-
-    @property
-    def from_store(self) -> int:
-        """The number of contests that were taken from the store and not run."""
-        return self._from_store
 
     @property
     def table(self) -> "pandas.DataFrame":

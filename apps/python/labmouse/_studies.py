@@ -9,6 +9,7 @@ from . import _native
 from ._arguments import LARGEST_SEED, path, runs_given, whole
 from ._mice import Mice, given
 from ._progress import result_of
+from ._results import Results
 from ._workers import for_mice
 from ._worlds import Mazes, Setting, mazes_of, world_with
 
@@ -16,24 +17,13 @@ if TYPE_CHECKING:
     import pandas
 
 
-class Study:
+class Study(Results[_native.HeldStudy]):
     """The results of a study; `study` returns it. A notebook shows its picture."""
 
     def __init__(self, held: _native.HeldStudy, from_store: "int | None" = None) -> None:
-        self._held = held
-        self._from_store = held.from_store if from_store is None else from_store
+        super().__init__(held, from_store)
         #: The output of `labmouse study --format json`.
         self.data: dict[str, Any] = json.loads(held.json())
-
-    @property
-    def complete(self) -> bool:
-        """Whether all folds were run: False if Ctrl-C stopped the study."""
-        return self._held.complete
-
-    @property
-    def from_store(self) -> int:
-        """The number of contests that were taken from the store and not run."""
-        return self._from_store
 
     @property
     def table(self) -> "pandas.DataFrame":

@@ -3,16 +3,6 @@
 #include "labmouse/hardware/sense.hpp"
 
 namespace labmouse {
-namespace {
-
-/// The gains of a loop that runs each tick, as follow() does.
-Gains gains_of(const Hardware& hardware, double cell) {
-  Gains gains = gains_for(hardware, cell);
-  gains.seconds = tick_seconds;
-  return gains;
-}
-
-}  // namespace
 
 OpenFloor::OpenFloor(const Hardware& hardware, double cell, double stronger)
     : hardware_(hardware),
@@ -20,7 +10,7 @@ OpenFloor::OpenFloor(const Hardware& hardware, double cell, double stronger)
       field_(maze_, cell),
       robot_sample_(hardware, no_errors, maze_.size(), 0),
       plant_(field_, hardware, robot_sample_, 0),
-      control_(gains_of(hardware, cell), hardware.motors) {
+      control_(gains_each_tick(hardware, cell), hardware.motors) {
   robot_sample_.motor = {1.0 - stronger / 2.0, 1.0 + stronger / 2.0};
   plant_.put({cell / 2.0, cell / 2.0}, 0.0);
   note();

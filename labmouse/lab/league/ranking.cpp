@@ -1,9 +1,12 @@
 #include "labmouse/lab/league/ranking.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 
 #include "labmouse/lab/numbers/maze_interval.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -65,6 +68,21 @@ Ranking rank_mice(const std::vector<MouseShares>& all) {
     ranking.mice[mouse].rank = static_cast<int>(best) + 1;
   }
   return ranking;
+}
+
+std::string groups_text(const Ranking& ranking) {
+  const std::vector<RankedMouse>& mice = ranking.mice;
+  std::string text;
+  for (std::size_t first = 0, end = 0; first < mice.size(); first = end) {
+    std::vector<std::string> others;
+    for (end = first + 1; end < mice.size() && mice[end].rank == mice[first].rank; ++end)
+      others.push_back(shown(mice[end].name));
+    if (others.empty()) continue;
+    text += fmt::format("Rank {}: {} cannot be told apart from {}.\n", mice[first].rank, shown(mice[first].name),
+                        fmt::join(others, ", "));
+    if (end - first == mice.size()) text += "All mice share one rank; more examination mazes may tell them apart.\n";
+  }
+  return text;
 }
 
 }  // namespace labmouse

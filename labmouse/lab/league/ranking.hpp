@@ -17,7 +17,9 @@ struct MouseShares {
 
 /// How ranks are given, as a sentence for readers.
 inline constexpr std::string_view ranking_rule =
-    "Mice are sorted by their mean share of the best possible score in the examination. The best mouse has rank 1. All "
+    "Mice are sorted by their mean share of the best possible score in the examination: the score of a mouse that "
+    "knows "
+    "the maze, divided by the mouse's; 0 for a contest that is not finished. The best mouse has rank 1. All "
     "mice below it share this rank, up to the first one that is significantly worse than it; the next rank begins "
     "there. "
     "Significant: sign-flip test of the paired differences at 5 %, with Bonferroni's correction over all comparisons "
@@ -46,5 +48,9 @@ struct Ranking {
 
 /// @param all of each mouse in the same mazes, at least one.
 Ranking rank_mice(const std::vector<MouseShares>& all);
+
+/// Which mice share a rank, a line for each such rank: "Rank 1: ariadne cannot be told apart from flood, certify."; and
+/// a line that more mazes are needed if all share it. Empty if each mouse has a rank of its own.
+std::string groups_text(const Ranking& ranking);
 
 }  // namespace labmouse

@@ -266,7 +266,7 @@ std::string table_of(const SeasonResults& results) {
                         percent(mouse.mean), interval_text(mouse.interval),
                         fmt::format("{}/{}", finished_of(results.races.examination.race, mouse),
                                     results.league.season.examination.count));
-  text += fmt::format("\n* built-in mouse\n{}\n", ranking_rule);
+  text += fmt::format("\n* built-in mouse\n{}{}\n", groups_text(results.ranking), ranking_rule);
   return text + promises_of(results);
 }
 
@@ -297,7 +297,8 @@ std::string index_page(const SeasonResults& results) {
       "'none'; form-action 'none'\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
       base64({reinterpret_cast<const char*>(hash.data()), hash.size()}), title, style, title);
-  html += "<h2>Ranking</h2>\n" + ranking_html(results) + lines_html(std::string(ranking_rule));
+  html += "<h2>Ranking</h2>\n" + ranking_html(results) +
+          lines_html(groups_text(results.ranking) + std::string(ranking_rule));
   html += "<p><a href=\"report.html\">All contests in the practice mazes, with replays</a>";
   if (results.revealed) html += " · <a href=\"examination.html\">those of the examination</a>";
   html +=

@@ -79,6 +79,8 @@ std::optional<Guess> guess_of(const fs::path& path) {
   const bool for_mms = has(text, "mazeWidth") || has(text, "moveForward");
   if (for_mms && name != "API.py" && name != "api.py")
     return Guess{"mms", interpreter, main ? 2 : 3, ending == ".py" && is_python_2(text)};
+  // By its name alone: broken as it is, it is what somebody wants to be raced or graded.
+  if (name == "robot.py") return Guess{"capstone", "", 4, is_python_2(text)};
   return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 
 #include "labmouse/functions/angles.hpp"
 #include "labmouse/functions/position.hpp"
+#include "labmouse/mouse/robot/path_integral.hpp"
 
 namespace labmouse {
 namespace {
@@ -81,26 +82,12 @@ TurnShape placed(TurnShape shape, double cell) {
   return shape;
 }
 
-/// By Gauss-Legendre quadrature with eight points, exact to rounding for parts that turn by up to half a circle.
 PathPoint CurvePart::at(double distance) const {
-  struct Sample {
-    double place, weight;
-  };
-  constexpr std::array<Sample, 4> samples = {{{0.1834346424956498, 0.3626837833783620},
-                                              {0.5255324099163290, 0.3137066458778873},
-                                              {0.7966664774136267, 0.2223810344533745},
-                                              {0.9602898564975363, 0.1012285362903763}}};
   const auto angle_at = [&](double driven) {
     return begin.angle + driven * (curvature + driven * (growth / 2.0 + driven * bend / 6.0));
   };
   PathPoint point{begin.ahead, begin.aside, angle_at(distance)};
-  const double reach = distance / 2.0;
-  for (const Sample& sample : samples)
-    for (const double side : {-1.0, 1.0}) {
-      const Direction direction = direction_of(angle_at(reach + side * sample.place * reach));
-      point.ahead += sample.weight * reach * direction.cosine;
-      point.aside += sample.weight * reach * direction.sine;
-    }
+  move_along(angle_at, 0.0, distance, point);
   return point;
 }
 

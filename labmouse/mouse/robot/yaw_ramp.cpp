@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "labmouse/functions/angles.hpp"
+#include "labmouse/mouse/robot/path_integral.hpp"
 
 namespace labmouse {
 namespace {
@@ -104,26 +105,6 @@ const Rise& rise_of(TurnProfile profile) {
 
 bool is_trapezoid(TurnProfile profile) { return profile == TurnProfile::trapezoid || profile == TurnProfile::free; }
 
-/// Moves a point along the ramp between two distances within which the angle is one smooth function: Gauss-Legendre
-/// quadrature with eight points, exact to rounding for the angles of turns.
-void integrate(const RampPath& ramp, double from, double to, PathPoint& point) {
-  struct Sample {
-    double place, weight;
-  };
-  constexpr std::array<Sample, 4> samples = {{{0.1834346424956498, 0.3626837833783620},
-                                              {0.5255324099163290, 0.3137066458778873},
-                                              {0.7966664774136267, 0.2223810344533745},
-                                              {0.9602898564975363, 0.1012285362903763}}};
-  const auto angle = rise_of(ramp.profile).angle;
-  const double middle = (from + to) / 2.0, reach = (to - from) / 2.0;
-  for (const Sample& sample : samples)
-    for (const double side : {-1.0, 1.0}) {
-      const Direction direction = direction_of(angle(ramp, middle + side * sample.place * reach));
-      point.ahead += sample.weight * reach * direction.cosine;
-      point.aside += sample.weight * reach * direction.sine;
-    }
-}
-
 YawRamp trapezoid_to(double yaw_rate, const CurveLimits& limits) {
   if (limits.yaw_jerk <= 0.0) return {yaw_rate, yaw_rate / limits.yaw_acceleration, 0.0};
   const double onset = limits.yaw_acceleration / limits.yaw_jerk;
@@ -176,7 +157,8 @@ PathPoint RampPath::at(double distance) const {
   double from = 0.0;
   for (const double part_end : {onset, length - onset, length}) {
     const double to = std::min(distance, part_end);
-    if (to > from) integrate(*this, from, to, point);
+    if (to > from)
+      move_along([&](double distance) { return rise_of(profile).angle(*this, distance); }, from, to, point);
     from = std::max(from, to);
   }
   return point;

@@ -1,11 +1,26 @@
 #include "labmouse/lab/league/ranking.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
+using testing::ElementsAre;
+
 constexpr int mazes = 20;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
 
 /// Shares about a mean: in every other maze they are `apart` above and below it.
 MouseShares mouse(const std::string& name, double mean, double apart) {
@@ -23,6 +38,7 @@ TEST(Ranking, GivesMiceThatCannotBeToldApartOneRank) {
     EXPECT_EQ(ranking.mice[i].name, expected[i].first);
     EXPECT_EQ(ranking.mice[i].rank, expected[i].second);
   }
+  EXPECT_THAT(lines_of(groups_text(ranking)), ElementsAre(Says("1", "best", "near"), Says("3", "far", "last")));
   EXPECT_EQ(ranking.mice[0].place, 1U);
   EXPECT_NEAR(ranking.mice[0].mean, 0.8, 1e-9);
   EXPECT_LT(ranking.mice[0].interval.low, 0.8);
@@ -60,6 +76,7 @@ TEST(Ranking, TellsNobodyApartInFewMazes) {
   const Ranking ranking = rank_mice({{"a", {1.0, 1.0}}, {"b", {0.0, 0.0}}});
   EXPECT_EQ(ranking.mice[1].rank, 1);
   EXPECT_EQ(ranking.pairs[0][1].verdict, TestVerdict::too_few);
+  EXPECT_EQ(lines_of(groups_text(ranking)).size(), 2U) << "no word of more mazes";
 }
 
 }  // namespace

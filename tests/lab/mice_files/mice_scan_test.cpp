@@ -51,6 +51,17 @@ TEST_F(MiceScan, NamesEachRobotAfterItsFolderInTheirOrder) {
   EXPECT_EQ(mice[2].name, "cleo");
 }
 
+TEST_F(MiceScan, KeepsARobotThatIsBroken) {
+  file("anna/robot.py", "import nothing\n");
+  file("ben/robot.py", "import API\nAPI.moveForward()\n");
+  file("ben/main.py", "import robot\nAPI.mazeWidth()\n");
+  const auto mice = found();
+  ASSERT_THAT(mice, SizeIs(2));
+  EXPECT_EQ(mice[0].kind, "capstone");
+  EXPECT_EQ(mice[0].file, "anna/robot.py");
+  EXPECT_EQ(mice[1].kind, "mms");
+}
+
 TEST_F(MiceScan, KnowsProgramsByWhatTheySay) {
   file("a/mouse.py", "print('labmouse 1', flush=True)\n");
   file("b/Main.py", "import API\nAPI.moveForward()\n");
