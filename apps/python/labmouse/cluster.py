@@ -99,6 +99,10 @@ class _Work:
     def keep(self, files: "dict[str, str]") -> None:
         """Keeps the files that came from a worker with its contests."""
 
+    def spent(self, running: Any, contests: int, seconds: float) -> _Spent:
+        """The times of the contests that a task has run in so many seconds, its overhead included."""
+        return {_ANY: (contests, seconds)}
+
     def begin(self, mazes: "list[Maze]", store: _Store, jobs: int = 0) -> "_Part":
         """Starts the contests that the store names."""
         workers = Workers([data for _, data, _, _ in self.own], jobs or processors()) if self.own else None
@@ -123,6 +127,11 @@ class _Race(_Work):
 
     def start(self, mice: Any, mazes: "list[Maze]", store: _Store, jobs: int) -> _Running:
         return _native.RunningRace(mice, mazes, self.world, self.runs, self.seed, jobs, "", False, store)
+
+    def spent(self, running: Any, contests: int, seconds: float) -> _Spent:
+        # Without the overhead, which does not grow with the number of contests.
+        spent: _Spent = running.spent()
+        return spent
 
 
 @dataclasses.dataclass(frozen=True)
@@ -172,6 +181,9 @@ class _Season(_Work):
         records = os.path.join(os.path.dirname(path), _RECORDS) if use == "send" else ""
         return _native.RunningSeason(self.folder, self.secret, _python(), self.sandbox, jobs, records, store)
 
+    def spent(self, running: Any, contests: int, seconds: float) -> _Spent:
+        return {_ANY: (contests, running.spent)}
+
     def keep(self, files: "dict[str, str]") -> None:
         for name, text in files.items():
             _native.write_file(os.path.join(self.folder, _RECORDS, name), text)
@@ -202,13 +214,7 @@ def _hold(work: _Work, mazes: "list[Maze]", picked: "list[_Contest]") -> _Held:
             while not running.wait(1.0):
                 pass
             running.result()
-        # The times of races and seasons exclude the overhead of the task, which does not grow with the number of contests.
-        # Studies and comparisons do not measure their contests, so their time is that of the whole task.
-        if isinstance(running, _native.RunningRace):
-            spent: _Spent = running.spent()
-        else:
-            seconds = running.spent if isinstance(running, _native.RunningSeason) else time.perf_counter() - begin
-            spent = {_ANY: (len(picked), seconds)}
+        spent = work.spent(running, len(picked), time.perf_counter() - begin)
         del running, part  # closes the store
         files = {file.name: file.read_text(encoding="utf-8") for file in Path(folder, _RECORDS).glob("*")}
         return Path(store).read_bytes(), files, spent
