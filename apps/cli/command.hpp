@@ -120,5 +120,7 @@ void add_page(Command& app, int& exit);
 void add_report(Command& app, int& exit);
 void add_store(Command& app, int& exit);
 void add_bench(Command& app, int& exit);
+void add_demo(Command& app, int& exit);
+void add_doctor(Command& app, int& exit);
 
 }  // namespace labmouse::cli

@@ -45,13 +45,9 @@ void set_memory_aside() {
 constexpr const char* start_page =
     R"(labmouse {}: a micromouse laboratory
 
-  labmouse race                                        race the built-in mice on the built-in mazes
-  labmouse race --mice flood,capstone:robot.py         race your capstone robot
-  labmouse race --mice flood 'mms:python3 mouse.py'    race your program for the simulator mms
-  labmouse run ariadne contest-05 --watch              watch one contest, step by step
-  labmouse run ariadne contest-05 --world physical     the same with a robot that slips and detects walls wrongly
-  labmouse show contest-05                             draw a maze
-  labmouse mice                                        list the built-in mice
+  labmouse demo                                  race four mice, and open the page with their replays
+  labmouse race --mice flood,capstone:robot.py   race your own mouse: here a capstone robot beside flood
+  labmouse doctor                                show what works on this machine, and how to get the rest
 
 All commands: labmouse --help. All options of a command: labmouse COMMAND --help.
 )";
@@ -98,6 +94,8 @@ int main(int argc, char** argv) {
   add_report(app, exit);
   add_store(app, exit);
   add_bench(app, exit);
+  add_demo(app, exit);
+  add_doctor(app, exit);
   try {
     return line.run(argc, argv) ? exit_good : exit;
   } catch (const UsageError& error) {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "command.hpp"
@@ -27,12 +28,11 @@ sys.exit(getattr(_commands, sys.argv[1])(sys.argv[2:])))python";
 
 /// Replaces this process by Python; returns only by throwing UsageError.
 [[noreturn]] void hand_over(const std::string& name, const std::vector<std::string>& words) {
-  const char* chosen = std::getenv("LABMOUSE_PYTHON");
-  const std::string python = chosen != nullptr ? chosen : "python3";
+  const std::string python = python_of_fits();
   std::vector<std::string> line = {python, "-c", fit_in_python, name};
   line.insert(line.end(), words.begin(), words.end());
   // Keeps modules in the current folder from replacing real ones.
-  const int failure = become_program(line, "PYTHONSAFEPATH", "1");
+  const int failure = become_program(std::move(line), {"PYTHONSAFEPATH=1"});
   throw UsageError(fmt::format("error: labmouse robot {} needs Python: {}: {}", name, python,
                                std::generic_category().message(failure)));
 }
@@ -47,6 +47,11 @@ void add(Command& robot, const std::string& name, const std::string& meaning, co
 }
 
 }  // namespace
+
+std::string python_of_fits() {
+  const char* chosen = std::getenv("LABMOUSE_PYTHON");
+  return chosen != nullptr ? chosen : "python3";
+}
 
 void add_robot_fit(Command& robot) {
   add(robot, "fit",

@@ -56,6 +56,12 @@ std::string python_version(const std::string& python, bool sandbox) {
   return place->second;
 }
 
+std::string labmouse_version_in(const std::string& python, const std::vector<std::string>& modules) {
+  std::string script = "import importlib.util, labmouse\n";
+  for (const std::string& module : modules) script += "assert importlib.util.find_spec('" + module + "')\n";
+  return first_line(python, script + "print(labmouse.__version__)", false);
+}
+
 std::string python_packages(const std::string& python, const std::vector<std::string>& environment, bool sandbox) {
   // The script must also run in Python 2.7.
   constexpr const char* script =

@@ -23,6 +23,10 @@ inline constexpr const char* usual_python = "python3";
 /// changes; in a sandbox if asked for, because it may be as untrusted as the robot.
 std::string python_version(const std::string& python, bool sandbox);
 
+/// The version of labmouse for Python; empty if this Python does not have it and all of these other modules. Runs
+/// without a sandbox.
+std::string labmouse_version_in(const std::string& python, const std::vector<std::string>& modules);
+
 /// A fingerprint of the packages installed for a Python, with their versions; empty if it does not run. Starts it each
 /// time; `environment` as in Launch.
 std::string python_packages(const std::string& python, const std::vector<std::string>& environment, bool sandbox);

@@ -76,6 +76,8 @@ const std::map<std::string, Words> usual = {
     {"store verify", {"s.db"}},
     {"store forget", {"s.db", "--seed", "7"}},
     {"bench", {"--memory", "--robot", "classic"}},
+    {"demo", {"--no-browser"}},
+    {"doctor", {}},
 };
 
 class EveryCommand : public test::AUser {

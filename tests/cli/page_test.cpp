@@ -1,5 +1,7 @@
 // labmouse page and labmouse report, with a page of one line, so that nothing depends on whether the real one was
 // built.
+#include <map>
+
 #include "tests/cli/user.hpp"
 
 namespace labmouse {
@@ -10,6 +12,7 @@ using test::corridor;
 using test::Ended;
 using test::Says;
 using test::SaysAt;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -50,6 +53,48 @@ TEST_F(AReader, GetsThePageThatWasNamed) {
   EXPECT_EQ(saved.code, 0);
   EXPECT_EQ(saved.out + saved.err, "");
   EXPECT_EQ(content("folder/copy.html"), small_page);
+}
+
+TEST_F(AReader, SeesADemoInTheBrowserThatIsNamed) {
+  const Ended demo = labmouse({"demo", "--page", "page.html"}, "BROWSER=echo");
+  EXPECT_EQ(demo.code, 0) << demo.err;
+  EXPECT_THAT(demo.out, EndsWith("\nlabmouse-demo.html\n"));
+  // The report has times by the clock, the records have none.
+  const auto records = [this](const std::string& name) {
+    const std::string page = content(name);
+    const auto begin = page.find("id=\"labmouse-records\"");
+    EXPECT_NE(begin, std::string::npos);
+    return page.substr(std::min(begin, page.size()));
+  };
+  EXPECT_THAT(content("labmouse-demo.html"), HasSubstr("id=\"labmouse-report\""));
+
+  file("mine.html", "not a page");
+  is_refused({"demo", "--page", "page.html", "-o", "mine.html"}, "mine.html");
+  EXPECT_EQ(labmouse({"demo", "--page", "page.html", "--no-browser", "-o", "2.html"}, "BROWSER=/none/such").code, 0);
+  EXPECT_TRUE(records("2.html") == records("labmouse-demo.html"));
+  EXPECT_EQ(content("mine.html"), "not a page");
+}
+
+TEST_F(AUser, LearnsWhatWorksOnThisMachine) {
+  const Ended broken = labmouse({"doctor", "--format", "json"}, "LABMOUSE_PYTHON=false");
+  EXPECT_EQ(broken.code, 0) << broken.err;
+  const auto json = nlohmann::json::parse(broken.out, nullptr, false);
+  ASSERT_TRUE(json.contains("parts")) << broken.out;
+  std::map<std::string, bool> there;
+  for (const auto& part : json["parts"]) {
+    there[part["name"]] = part["there"];
+    EXPECT_NE(part["needed_for"], "");
+    EXPECT_NE(part["how_to_get"], "");
+  }
+  for (const char* name : {"Python", "labmouse for Python", "labmouse.fit", "terminal"}) {
+    ASSERT_TRUE(there.contains(name)) << name;
+    EXPECT_FALSE(there[name]) << name;
+  }
+  EXPECT_EQ(there["page"], labmouse({"page", "-o", "-"}).code == 0);
+  file("python", "#!/bin/sh\necho 9.8.7\n");
+  std::filesystem::permissions(folder_ / "python", std::filesystem::perms::owner_all);
+  const Ended found = labmouse({"doctor"}, "LABMOUSE_PYTHON=./python");
+  EXPECT_THAT(found.out, HasSubstr("9.8.7"));
 }
 
 TEST_F(AReader, GetsAReportOfAFolder) {

@@ -14,6 +14,8 @@ std::string program_path(std::string_view, std::string_view) { return ""; }
 
 std::string python_version(const std::string&, bool) { return ""; }
 
+std::string labmouse_version_in(const std::string&, const std::vector<std::string>&) { return ""; }
+
 std::string python_packages(const std::string&, const std::vector<std::string>&, bool) { return ""; }
 
 MmsRun run_mms(const Launch&, const Maze&, const MmsOptions&,

@@ -54,7 +54,7 @@ std::vector<std::string> paths_like(const std::string&) { return {}; }
 
 int process_number() { return _getpid(); }
 
-int become_program(const std::vector<std::string>&, const std::string&, const std::string&) { return ENOSYS; }
+int become_program(std::vector<std::string>, std::vector<std::string>) { return ENOSYS; }
 
 Undisturbed::Undisturbed() = default;
 Undisturbed::~Undisturbed() = default;
@@ -116,12 +116,13 @@ std::vector<std::string> paths_like(const std::string& pattern) {
 
 int process_number() { return getpid(); }
 
-int become_program(const std::vector<std::string>& words, const std::string& variable, const std::string& value) {
+int become_program(std::vector<std::string> words, std::vector<std::string> environment) {
   std::vector<char*> line;
-  // execvp() does not write to them. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
-  for (const std::string& word : words) line.push_back(const_cast<char*>(word.c_str()));
+  for (std::string& word : words) line.push_back(word.data());
   line.push_back(nullptr);
-  if (setenv(variable.c_str(), value.c_str(), 1) == 0) execvp(line.front(), line.data());
+  for (std::string& variable : environment)
+    if (putenv(variable.data()) != 0) return errno;
+  execvp(line.front(), line.data());
   return errno;
 }
 

@@ -45,9 +45,10 @@ std::vector<std::string> paths_like(const std::string& pattern);
 /// The process id.
 int process_number();
 
-/// Replaces this process by another program: the first of `words`, found as a shell does, with one more environment
-/// variable. Returns only on failure, with an error number. It always fails on Windows.
-int become_program(const std::vector<std::string>& words, const std::string& variable, const std::string& value);
+/// Replaces this process by another program: the first of `words`, found as a shell does. `environment` has variables
+/// NAME=VALUE, added to the inherited environment. Returns only on failure, with an error number. It always fails on
+/// Windows.
+int become_program(std::vector<std::string> words, std::vector<std::string> environment);
 
 /// Blocks SIGINT, SIGTERM and SIGHUP in this thread while it lives.
 class Undisturbed {

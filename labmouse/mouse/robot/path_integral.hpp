@@ -4,16 +4,15 @@
 #include <array>
 
 #include "labmouse/functions/angles.hpp"
-#include "labmouse/mouse/robot/yaw_ramp.hpp"
 
 namespace labmouse {
 
 /// Moves a point along a path between two distances within which the angle is one smooth function. Gauss-Legendre
 /// quadrature with eight points: exact to rounding for up to half a circle.
 /// @param angle_at the direction of the path at a distance, in rad to the left.
-/// @param point its angle stays as it is.
-template <class AngleAt>
-void move_along(const AngleAt& angle_at, double from, double to, PathPoint& point) {
+/// @param point with members `ahead` and `aside`, in the unit of the distances.
+template <class AngleAt, class Point>
+void move_along(const AngleAt& angle_at, double from, double to, Point& point) {
   struct Sample {
     double place, weight;
   };
