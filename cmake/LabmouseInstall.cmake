@@ -35,4 +35,7 @@ if(TARGET labmouse)
   # Finds the libraries beside it, where they are shared.
   set_target_properties(labmouse PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   install(TARGETS labmouse)
+  if(TARGET labmouse-avr)
+    install(TARGETS labmouse-avr RUNTIME DESTINATION libexec)
+  endif()
 endif()

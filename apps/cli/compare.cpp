@@ -112,9 +112,10 @@ void add_compare(Command& app, int& exit) {
   options->command = command;
   command->group(groups::mice);
   command
-      ->add_option("mice", options->mice,
-                   "The first mouse, and those that are compared with it: [NAME=]mouse[:key=value]..., or "
-                   "[NAME=]capstone:FILE, program:COMMAND, controller:COMMAND, mms:COMMAND, mouse:parts=COMMAND")
+      ->add_option(
+          "mice", options->mice,
+          "The first mouse, and those that are compared with it: [NAME=]mouse[:key=value]..., or "
+          "[NAME=]capstone:FILE, program:COMMAND, controller:COMMAND, firmware:FILE, mms:COMMAND, mouse:parts=COMMAND")
       ->type_name("SPEC")
       ->expected(1, 1000);
   add_mice_files(*command, options->mice_files);

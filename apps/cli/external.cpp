@@ -38,12 +38,17 @@ SandboxUse sandbox_use(const std::string& word) {
 
 }  // namespace
 
-void add_python(Command& command, ExternalOptions& external_mice) {
+void add_runners(Command& command, ExternalOptions& external_mice) {
   command.group(groups::programs);
   command
       .add_option("--python", external_mice.python,
                   "Python interpreter for capstone robots; default: the python3 in PATH")
       ->type_name("INTERPRETER");
+  command
+      .add_option(
+          "--board", external_mice.board,
+          "Board of firmware: a file that says which pin is wired to what, or a built-in one; default: ukmarsbot")
+      ->type_name("BOARD");
 }
 
 void add_limits(Command& command, ExternalLimits& limits) {
@@ -87,7 +92,7 @@ void add_external_options(Command& command, ExternalOptions& external_mice) {
 }
 
 void add_program_options(Command& command, ExternalOptions& external_mice) {
-  add_python(command, external_mice);
+  add_runners(command, external_mice);
   add_external_options(command, external_mice);
   command
       .add_option("--label", external_mice.label,

@@ -12,8 +12,8 @@ void add_limits(Command& command, ExternalLimits& limits);
 /// Adds --directory, --sandbox, --keep-folder and the limits of programs, such as --start-limit, --memory and --cpu.
 void add_external_options(Command& command, ExternalOptions& external_mice);
 
-/// Adds --python.
-void add_python(Command& command, ExternalOptions& external_mice);
+/// Adds --python and --board, which say what runs a file.
+void add_runners(Command& command, ExternalOptions& external_mice);
 
 /// Adds all of these, and --label, for commands that run programs and may store their contests.
 void add_program_options(Command& command, ExternalOptions& external_mice);

@@ -184,7 +184,7 @@ void add_grade(Command& app, int& exit) {
   command->add_option("--page", options->page, "Use this page for --feedback instead of the built-in one")
       ->type_name("FILE")
       ->needs(feedback);
-  add_python(*command, options->external_mice);
+  add_runners(*command, options->external_mice);
   add_external_options(*command, options->external_mice);
   command->footer(
       "Example: labmouse grade --mice class.toml --tasks tasks.toml --feedback feedback\n"

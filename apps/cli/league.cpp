@@ -338,7 +338,7 @@ Command* add_with_folder(Command& command, LeagueOptions& options, const std::st
 }
 
 void add_programs(Command& command, LeagueOptions& options) {
-  add_python(command, options.external_mice);
+  add_runners(command, options.external_mice);
   command
       .add_option("--sandbox", options.sandbox,
                   "Run programs in a sandbox and refuse a system without one (on), or without a sandbox (off)")

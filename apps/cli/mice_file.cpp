@@ -252,7 +252,7 @@ void add_mice_file(Command& app, int& exit) {
   Command* check_command = command->add_subcommand(
       "check", "Run the commands of a mice file: each mouse twice in a small maze, and report what is wrong");
   check_command->add_option("file", options->file, "Mice file")->required()->type_name("FILE");
-  add_python(*check_command, options->external_mice);
+  add_runners(*check_command, options->external_mice);
   add_external_options(*check_command, options->external_mice);
   check_command->footer("Example: labmouse mice-file check class/mice.toml");
   check_command->callback([options, &exit] { exit = check(*options); });

@@ -265,7 +265,7 @@ void add_race(Command& app, int& exit) {
   command
       ->add_option("--mice", options->mice,
                    "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, program:COMMAND, "
-                   "controller:COMMAND, mms:COMMAND, mouse:parts=COMMAND (repeatable); default: all")
+                   "controller:COMMAND, firmware:FILE, mms:COMMAND, mouse:parts=COMMAND (repeatable); default: all")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();

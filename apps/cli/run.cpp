@@ -105,8 +105,8 @@ void add_run(Command& app, int& exit) {
   command
       ->add_option(
           "mouse", options->mouse,
-          "Mouse: name[:key=value]..., or in quotes capstone:FILE, program:COMMAND, mms:COMMAND, controller:COMMAND or "
-          "name:parts=COMMAND")
+          "Mouse: name[:key=value]..., or in quotes capstone:FILE, program:COMMAND, mms:COMMAND, controller:COMMAND, "
+          "firmware:FILE or name:parts=COMMAND")
       ->required()
       ->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
@@ -123,7 +123,7 @@ void add_run(Command& app, int& exit) {
   command->add_option("--record", options->record, "Save the record; with --explain, include the reasons")
       ->type_name("FILE");
   add_log(*command, options->log);
-  add_python(*command, options->external_mice);
+  add_runners(*command, options->external_mice);
   add_external_options(*command, options->external_mice);
   command->footer(
       "Example: labmouse run certify capstone-1 --watch --svg walk.svg\n"

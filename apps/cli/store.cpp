@@ -247,7 +247,7 @@ void add_store(Command& app, int& exit) {
       ->capture_default_str();
   verify_command->add_flag("--run-programs", options->run_programs,
                            "Also re-run external mice, by their commands in the store, in a sandbox");
-  add_python(*verify_command, options->verification.external_mice);
+  add_runners(*verify_command, options->verification.external_mice);
   add_external_options(*verify_command, options->verification.external_mice);
   verify_command->footer("Example: labmouse store verify results.db --share 0.1");
   verify_command->callback([options, &exit] { exit = verify(*options); });

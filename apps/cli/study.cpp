@@ -62,10 +62,11 @@ void add_study(Command& app, int& exit) {
   Command* command = app.add_subcommand("study", "Compare mice in pairs on mazes they have not learned from");
   command->group(groups::mice);
   command
-      ->add_option("--mice", options->mice,
-                   "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, program:COMMAND, "
-                   "controller:COMMAND, mms:COMMAND, mouse:parts=COMMAND (repeatable); the first is the one that "
-                   "others are compared with")
+      ->add_option(
+          "--mice", options->mice,
+          "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, program:COMMAND, "
+          "controller:COMMAND, firmware:FILE, mms:COMMAND, mouse:parts=COMMAND (repeatable); the first is the one that "
+          "others are compared with")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();

@@ -28,7 +28,8 @@ void add_installation(const std::string& prefix, std::vector<std::string>& hidde
     for (std::string& path : matches_of(prefix + std::string(place))) hidden.push_back(std::move(path));
 }
 
-/// The file that this code was loaded from: a program or a library.
+}  // namespace
+
 std::string file_of_this_code() {
   const auto here = reinterpret_cast<std::uintptr_t>(&file_of_this_code);
   std::ifstream maps("/proc/self/maps");
@@ -42,8 +43,6 @@ std::string file_of_this_code() {
   }
   return "";
 }
-
-}  // namespace
 
 std::vector<std::string> matches_of(const std::string& pattern) {
   glob_t found{};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -14,12 +15,14 @@
 #include "labmouse/external/external_controller.hpp"
 #include "labmouse/external/external_parts.hpp"
 #include "labmouse/external/external_strategy.hpp"
+#include "labmouse/external/firmware.hpp"
 #include "labmouse/external/mms/driven_mms.hpp"
 #include "labmouse/external/sandbox.hpp"
 #include "labmouse/external/surroundings.hpp"
 #include "labmouse/lab/mice/controller_lines.hpp"
 #include "labmouse/lab/mice/external_identity.hpp"
 #include "labmouse/lab/mice/maze_holders.hpp"
+#include "labmouse/lab/robots/builtin_boards.hpp"
 #include "labmouse/lab/text/former_names.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/driven_steps.hpp"
@@ -58,7 +61,7 @@ Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) 
     contestant.parts = [launch](const ControllerBriefing& briefing) {
       return std::make_unique<ExternalParts>(seeded(launch, briefing.seed), controller_lines(briefing));
     };
-  } else if (kind == "controller:") {
+  } else if (kind == "controller:" || kind == "firmware:") {
     contestant.kind = [launch](const ControllerBriefing& briefing) {
       return std::make_unique<ExternalController>(
           seeded(launch, briefing.seed), controller_lines(briefing),
@@ -161,6 +164,39 @@ External robot_of(const std::string& named, const ExternalOptions& options) {
   return {capstone_launch(fs::absolute(file, failure).string(), python, words), interpreter, error};
 }
 
+/// Reads the text after `firmware:`: an ELF file, then a board if it has one of its own.
+External firmware_of(const std::string& named, const ExternalOptions& options) {
+  std::error_code failure;
+  std::vector<std::string> words = {from_home(named)};
+  if (!fs::exists(words.front(), failure)) words = split_command(named);
+  const std::string file = words.empty() ? "" : from_home(words.front());
+  if (!fs::is_regular_file(file, failure))
+    return no_external(fmt::format("no such file '{}'; write firmware:FILE, with the ELF file that avr-gcc links",
+                                   words.size() > 1 ? file : from_home(named)));
+  words.erase(words.begin());
+  words.insert(words.end(), options.arguments.begin(), options.arguments.end());
+  if (words.size() > 1) return no_external("it has more than one board; write firmware:FILE or firmware:FILE BOARD");
+  std::string board = !words.empty() ? words.front() : options.board.empty() ? usual_board : options.board;
+  std::vector<std::string_view> built_in;
+  for (const BuiltinBoard& each : builtin_boards()) built_in.push_back(each.name);
+  if (std::find(built_in.begin(), built_in.end(), board) == built_in.end()) {
+    // The arguments of a mice file lie in its folder.
+    const fs::path beside = words.empty() || options.arguments.empty() ? "" : options.directory;
+    const std::string path = (beside / from_home(board)).string();
+    if (!fs::is_regular_file(path, failure))
+      return no_external(fmt::format("no board file '{}', and no built-in board of that name; there is {}", path,
+                                     fmt::join(built_in, ", ")));
+    board = fs::absolute(path, failure).string();
+  }
+  const std::string runner = firmware_runner();
+  if (runner.empty())
+    return no_external(
+        fmt::format("there is no {0}, which runs firmware; install libsimavr-dev and build labmouse "
+                    "again, or put {0} in PATH",
+                    firmware_runner_name));
+  return {firmware_launch(runner, fs::absolute(file, failure).string(), board), Interpreter{runner, ""}, ""};
+}
+
 External program_of_command(const std::string& command, const ExternalOptions& options) {
   External external;
   std::vector<std::string>& words = external.launch.words;
@@ -223,7 +259,9 @@ void read_external_spec(std::string_view given, const ExternalOptions& options, 
     result.error = fmt::format("mouse '{}': its SPEC contains unprintable characters", shown(spec));
     return;
   }
-  External external = kind == "capstone:" ? robot_of(rest, options) : program_of_command(rest, options);
+  External external = kind == "capstone:"   ? robot_of(rest, options)
+                      : kind == "firmware:" ? firmware_of(rest, options)
+                                            : program_of_command(rest, options);
   if (options.sandbox == SandboxUse::always && !why_no_sandbox().empty())
     external.error = fmt::format("this system has no sandboxes ({}); leave out --sandbox on", why_no_sandbox());
   if (!external.error.empty()) {

@@ -78,7 +78,8 @@ void read_external_of_mice_file(MiceFileEntry mouse, const std::string& folder, 
     result.error = fmt::format("it has no place for the value; write {{{}}} where the value belongs", value->name);
     return;
   }
-  const std::string what = mouse.kind == Kind::capstone ? beside(folder, mouse.what) : mouse.what;
+  const bool is_file = mouse.kind == Kind::capstone || mouse.kind == Kind::firmware;
+  const std::string what = is_file ? beside(folder, mouse.what) : mouse.what;
   read_external_spec(fmt::format("{}:{}", key_of(mouse.kind), what), options_of(mouse, folder, options), result);
 }
 

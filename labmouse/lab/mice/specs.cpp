@@ -310,14 +310,13 @@ std::string unknown_mouse(std::string_view name) {
         name);
   if (looks_like_a_program(name))
     return fmt::format(
-        "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'program:COMMAND', 'controller:COMMAND' "
-        "or "
-        "'mms:COMMAND', in quotes",
+        "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'program:COMMAND', 'controller:COMMAND', "
+        "'firmware:FILE' or 'mms:COMMAND', in quotes",
         name);
-  std::vector<std::string_view> names = {oracle_name, "capstone", "program", "controller", "mms"};
+  std::vector<std::string_view> names = {oracle_name, "capstone", "program", "controller", "firmware", "mms"};
   for (const BuiltinMouse* entry : all_mice()) names.push_back(entry->name);
   std::string near(nearest_name(name, names));
-  if (near == "capstone") near += ":FILE";
+  if (near == "capstone" || near == "firmware") near += ":FILE";
   if (near == "program" || near == "controller" || near == "mms") near += ":COMMAND";
   const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);
   return fmt::format("unknown mouse '{}'; {}`labmouse mice` lists all mice", name, hint);

@@ -17,11 +17,12 @@ namespace {
 
 using Kind = MiceFileEntry::Kind;
 
-constexpr std::array<Kind, 5> all_kinds = {Kind::mouse, Kind::capstone, Kind::external, Kind::controller, Kind::mms};
+constexpr std::array<Kind, 6> all_kinds = {Kind::mouse,      Kind::capstone, Kind::external,
+                                           Kind::controller, Kind::firmware, Kind::mms};
 constexpr std::array<std::string_view, 4> file_keys = {"mouse", "authors", "licence", "robot"};
-constexpr std::array<std::string_view, 13> mouse_keys = {"name", "mouse",     "capstone",    "program",   "controller",
-                                                         "mms",  "arguments", "environment", "directory", "interpreter",
-                                                         "runs", "limits",    "note"};
+constexpr std::array<std::string_view, 14> mouse_keys = {
+    "name",      "mouse",       "capstone",  "program",     "controller", "firmware", "mms",
+    "arguments", "environment", "directory", "interpreter", "runs",       "limits",   "note"};
 
 /// Reads the entries of a mice file, and collects its problems.
 class MiceFileReader {
@@ -59,8 +60,8 @@ class MiceFileReader {
     mouse.runs = fields_.whole(table, "runs", 1, 1'000'000);
     mouse.limits = read_limits(table, fields_);
     if (table.contains("mouse") && parts_place(mouse.what) == std::string::npos) refuse_for_ours(table);
-    if (mouse.kind == Kind::capstone)
-      refuse(table, "directory", "has no effect: a robot runs in the folder of its file");
+    if (mouse.kind == Kind::capstone || mouse.kind == Kind::firmware)
+      refuse(table, "directory", "has no effect: a robot or firmware runs in the folder of its file");
     return mouse;
   }
 
@@ -80,16 +81,19 @@ class MiceFileReader {
       const toml::node* node = table.get(key);
       if (node == nullptr) continue;
       if (++kinds == 2)
-        fields_.add(node->source().begin,
-                    fmt::format("a mouse is one of mouse, capstone, program, controller and mms; this is '{}' already",
-                                key_of(mouse.kind)));
+        fields_.add(
+            node->source().begin,
+            fmt::format(
+                "a mouse is one of mouse, capstone, program, controller, firmware and mms; this is '{}' already",
+                key_of(mouse.kind)));
       if (kinds > 1) continue;
       mouse.kind = kind;
       mouse.what = fields_.text(table, key);
     }
     if (kinds == 0)
       fields_.add(table.source().begin,
-                  "this mouse says neither mouse = \"SPEC\" nor capstone = \"FILE\" nor program, controller or mms = "
+                  "this mouse says neither mouse = \"SPEC\" nor capstone or firmware = \"FILE\" nor program, "
+                  "controller or mms = "
                   "\"COMMAND\"");
   }
 
@@ -131,7 +135,7 @@ class MiceFileReader {
 }  // namespace
 
 std::string_view key_of(MiceFileEntry::Kind kind) {
-  constexpr std::array<std::string_view, 5> keys = {"mouse", "capstone", "program", "controller", "mms"};
+  constexpr std::array<std::string_view, 6> keys = {"mouse", "capstone", "program", "controller", "firmware", "mms"};
   return keys[static_cast<std::size_t>(kind)];
 }
 

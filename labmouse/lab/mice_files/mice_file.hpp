@@ -13,11 +13,11 @@ namespace labmouse {
 
 /// One entry of a mice file, as written there.
 struct MiceFileEntry {
-  enum class Kind { mouse, capstone, external, controller, mms };
+  enum class Kind { mouse, capstone, external, controller, firmware, mms };
 
   std::string name;
   Kind kind = Kind::mouse;
-  std::string what;  ///< SPEC of a built-in mouse, file of a capstone robot, or command
+  std::string what;  ///< SPEC of a built-in mouse, file of a capstone robot or of firmware, or command
   std::vector<std::string> arguments;
   std::vector<std::string> environment;  ///< NAME=VALUE
   std::string directory, interpreter, note;

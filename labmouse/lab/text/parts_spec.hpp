@@ -14,8 +14,8 @@ inline constexpr std::string_view parts_key = ":parts=";
 /// Where `:parts=` stands in the first SPEC of a text; npos if it has no such parts. SPECs of other programs and of
 /// mice files, today's and former ones, take everything after their colon.
 constexpr std::size_t parts_place(std::string_view text) {
-  constexpr std::array<std::string_view, 8> others = {
-      "capstone:", "program:", "guest:", "mms:", "controller:", "pilot:", "mice-file:", "lineup:"};
+  constexpr std::array<std::string_view, 9> others = {
+      "capstone:", "program:", "guest:", "mms:", "controller:", "firmware:", "pilot:", "mice-file:", "lineup:"};
   const bool is_other =
       std::any_of(others.begin(), others.end(), [&](std::string_view other) { return text.starts_with(other); });
   return is_other ? std::string_view::npos : text.substr(0, text.find(',')).find(parts_key);

@@ -76,7 +76,7 @@ struct Contestant {
   std::string spec;
   /// Its note in a mice file, such as author or link.
   std::string note;
-  /// Set for capstone robots, and for others if a mice file names one.
+  /// Set for capstone robots and firmware, and for others if a mice file names one.
   std::optional<Interpreter> interpreter;
   /// The path of its mice file, or empty. A mice file may contain mice of several worlds; those that cannot race in a
   /// world are left out there.
@@ -164,6 +164,7 @@ struct InstalledPackages {
 /// How external mice are started.
 struct ExternalOptions {
   std::string python;     ///< for capstone robots; empty: python3 in PATH
+  std::string board;      ///< of firmware: a file or a built-in name; empty: the usual one
   std::string label;      ///< version label that replaces the hash of their files in stores of contests; empty: hash
   std::string directory;  ///< working directory of commands; empty: the current one
   bool owns_directory = true;  ///< whether `directory`, if set, is the mouse's own folder
