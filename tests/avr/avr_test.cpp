@@ -233,6 +233,64 @@ TEST_F(AFirmware, IsNamedByAMiceFile) {
   EXPECT_EQ(mouse.at("finished"), 1) << mouse;
 }
 
+/// A sketch of the templates as the firmware of a chip, compiled with the Arduino core.
+class ASketch : public AFirmware {
+ protected:
+  static constexpr const char* core = "/usr/share/arduino/hardware/arduino/avr";
+
+  void SetUp() override {
+    AFirmware::SetUp();
+    if (!std::filesystem::exists(core)) GTEST_SKIP() << "the Arduino core is not in " << core;
+    const std::string templates = LABMOUSE_SOURCE_DIR "/templates/firmware-host/";
+    const std::string command = "'" + templates + "build-avr' '" + templates + "wall_follower/wall_follower.ino' '" +
+                                (folder_ / "sketch.elf").string() + "'";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+  }
+};
+
+constexpr const char* small_maze =
+    "o---o---o---o---o\n|           |   |\no   o---o   o   o\n|   |       |   |\no   o---o---o   o\n|       |     G "
+    "|\no   o   o   o---o\n"
+    "| S |           |\no---o---o---o---o\n";
+
+TEST_F(ASketch, DrivesOnItsChipAsOnThisMachine) {
+  lay_out(60);
+  file("maze.txt", small_maze);
+  const auto race = AUser::race({"--mice", "chip=firmware:sketch.elf", "--mice",
+                                 "host=controller:" LABMOUSE_SKETCH_TEMPLATE, "--mazes", "maze.txt", "--robot",
+                                 "beginner", "--rules", "rules.toml", "--variation", "lab", "--runs", "1"});
+  std::map<std::string, double> scores;
+  for (const auto& mouse : race.at("groups").at(0).at("mice")) {
+    const auto& result = mouse.at("results").at(0);
+    ASSERT_EQ(mouse.at("finished"), 1) << result;
+    scores[mouse.at("name")] = result.at("score").at("value").get<double>() * 1e-6;
+    // It has followed the wall to the goal and back to the start.
+    EXPECT_EQ(result.at("done"), 1) << result;
+    EXPECT_EQ(result.at("carried"), 0) << result;
+  }
+  ASSERT_EQ(scores.size(), 2U);
+  EXPECT_GT(scores["chip"], 10);
+  EXPECT_NEAR(scores["host"] / scores["chip"], 1, 0.02);
+}
+
+TEST_F(ASketch, KeepsItsEepromThroughAReset) {
+  const std::string text = std::string(briefing) + questions(30, 0, 0) + "carried crash\n" + questions(30, 0, 0);
+  EXPECT_THAT(asked("sketch.elf", text).err, ContainsRegex("start 0[^s]*start 1"));
+}
+
+TEST_F(AUser, HasASketchThatIsResetOnThisMachine) {
+  file("questions.txt", std::string(briefing) + questions(30, 0, 0) + "carried crash\n" + questions(30, 0, 0) +
+                            "carried wish\n" + questions(3, 0, 0));
+  // Line by line, as labmouse asks: what is sent before a reset must not be lost with it.
+  const std::string command =
+      "cd '" + folder_.string() +
+      "' && mkfifo to from && { '" LABMOUSE_SKETCH_TEMPLATE
+      "' <to >from 2>errors.txt & } && exec 3>to 4<from && while read -r line; do echo \"$line\" >&3; case $line in "
+      "sense*|begin) read -r answer <&4;; esac; done <questions.txt && exec 3>&- && wait";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_THAT(content("errors.txt"), ContainsRegex("^start 0[^s]*start 1[^s]*start 2[^s]*$"));
+}
+
 TEST_F(AFirmware, HasAProblemOfItsBoardWithItsLine) {
   compiled("probe.c", "probe.elf");
   std::string board = content_of(LABMOUSE_SOURCE_DIR "/boards/ukmarsbot.toml");
