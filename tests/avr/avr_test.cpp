@@ -146,6 +146,29 @@ TEST_F(AFirmware, DrivesMotorsByPwmAndDirection) {
       << ended.out;
 }
 
+TEST_F(AFirmware, DrivesAMotorByTwoPwmPins) {
+  compiled("probe.c", "probe.elf");
+  file("board.toml",
+       "[left]\npwm = \"D9\"\nback_pwm = \"D10\"\na = \"D2\"\nb = \"D4\"\n[right]\npwm = \"D5\"\nback_pwm = \"D6\"\n"
+       "a = \"D3\"\nb = \"D5\"\n");
+  // 64 less 128 of 255; D5 is no output, and D6 is high in the end.
+  const Ended ended = asked("probe.elf board.toml", std::string(briefing) + questions(40, 0, 0));
+  EXPECT_THAT(ended.out, testing::StartsWith("labmouse pilot 1\ndrive -8224 0\n"));
+  EXPECT_THAT(ended.out, testing::EndsWith("drive 32767 -32767\n"));
+}
+
+TEST_F(AFirmware, SeesAHandBeforeASensor) {
+  compiled("probe.c", "probe.elf");
+  file("board.toml", content_of(LABMOUSE_SOURCE_DIR "/boards/ukmarsbot.toml") +
+                         "\n[[press]]\npin = \"A1\"\npressed = 4000\nat = 20\nhold = 20\n");
+  const Ended ended = asked("probe.elf board.toml", std::string(briefing) + questions(70, 0, 0));
+  std::string line, seen;
+  for (std::istringstream lines(ended.err); std::getline(lines, line);)
+    if (const auto report = last_report(line + "\n"); report.size() == 8)
+      seen += report[2] == 818 ? '1' : report[2] == 300 ? '0' : '?';
+  EXPECT_THAT(seen, ContainsRegex("^0+1+0+$"));
+}
+
 TEST_F(AFirmware, SaysWordsByItsSignals) {
   compiled("probe.c", "probe.elf");
   file("board.toml", content_of(LABMOUSE_SOURCE_DIR "/boards/ukmarsbot.toml") + "\n[signals]\nfast = \"D6\"\n");
