@@ -1,0 +1,1 @@
+#include "tiny_in_c.c"
