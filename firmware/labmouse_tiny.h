@@ -157,51 +157,50 @@ static inline enum labmouse_tiny_status labmouse_tiny_observe(struct labmouse_ti
   return LABMOUSE_TINY_OK;
 }
 
-/* The sides in the order in which they are tried, as quarter turns to the right: ahead, left, right, back. */
-static inline uint8_t labmouse_tiny_order(uint8_t i) { return i == 0 ? 0 : i == 1 ? 3 : (uint8_t)(i - 1); }
-
 /* The first side, counted from the heading in the order ahead, left, right, back, on which a shortest route leads from
  * the mouse to the cells `layer`; 4 if none does. A breadth-first search from these cells, in which all cells of a row
- * advance at once. It needs no distances: the search ends when a layer holds a neighbour of the mouse.
+ * advance at once. It needs no distances: it ends with the layer in which the mouse is. The mouse is in none of `layer`.
  * passages: the walls that can be passed, labmouse_tiny_open or labmouse_tiny_possible.
  * layer: is overwritten. */
 static inline uint8_t labmouse_tiny_flood(const struct labmouse_tiny *mouse, uint8_t passages, uint16_t *layer) {
   const uint16_t *const east = mouse->sets[passages], *const north = mouse->sets[passages + 1];
-  uint16_t reached[LABMOUSE_TINY_SIDE], neighbour[4];
-  uint8_t row[4], i, y, lowest = 0, highest = LABMOUSE_TINY_SIDE - 1;
-  for (i = 0; i < 4; ++i) {
-    const uint8_t side = (uint8_t)(mouse->heading + labmouse_tiny_order(i)) & 3u;
-    const struct labmouse_tiny_wall wall = labmouse_tiny_wall_at(mouse, side);
-    neighbour[i] = (wall.north ? north : east)[wall.row] & wall.bit;
-    row[i] = wall.row;
-    if (side == 1) neighbour[i] = (uint16_t)(neighbour[i] << 1);
-    if (side == 0 && neighbour[i]) ++row[i];
-  }
+  const uint16_t bit = (uint16_t)(1u << mouse->x);
+  uint16_t reached[LABMOUSE_TINY_SIDE];
+  uint8_t i, y, lowest = 0, highest = LABMOUSE_TINY_SIDE - 1;
   for (y = 0; y < LABMOUSE_TINY_SIDE; ++y) reached[y] = layer[y];
-  for (;;) {
-    uint16_t below = 0, here;
-    uint8_t begin = LABMOUSE_TINY_SIDE, end = 0;
-    for (i = 0; i < 4; ++i)
-      if (layer[row[i]] & neighbour[i]) return labmouse_tiny_order(i);
+  do {
     /* The next layer replaces the last one, row by row; `lowest` to `highest` are the rows that it can have. */
-    here = layer[lowest];
+    uint16_t below = 0, here = layer[lowest];
+    uint8_t begin = LABMOUSE_TINY_SIDE, end = 0;
     for (y = lowest; y <= highest; ++y) {
       const uint16_t above = y + 1 < LABMOUSE_TINY_SIDE ? layer[y + 1] : 0;
-      uint16_t next = (uint16_t)((here & east[y]) << 1) | (uint16_t)(here >> 1 & east[y]) | (above & north[y]);
-      if (y > 0) next |= below & north[y - 1];
-      next &= (uint16_t)~reached[y];
-      reached[y] |= next;
+      uint16_t next = 0;
+      if (here) next = (uint16_t)((here & east[y]) << 1) | (uint16_t)(here >> 1 & east[y]);
+      if (above) next |= above & north[y];
+      if (below) next |= below & north[y - 1];
+      if (next) next &= (uint16_t)~reached[y];
       layer[y] = next;
       below = here;
       here = above;
       if (!next) continue;
+      reached[y] |= next;
       if (begin == LABMOUSE_TINY_SIDE) begin = y;
       end = y;
     }
     if (begin == LABMOUSE_TINY_SIDE) return 4;
     lowest = (uint8_t)(begin - (begin > 0));
     highest = (uint8_t)(end + (end + 1 < LABMOUSE_TINY_SIDE));
+  } while (!(layer[mouse->y] & bit));
+  /* The mouse was reached last, so its neighbours in earlier layers are all in the one before. */
+  for (i = 0; i < 3; ++i) {
+    const uint8_t turn = i == 0 ? 0 : i == 1 ? 3 : 1, side = (uint8_t)(mouse->heading + turn) & 3u;
+    const struct labmouse_tiny_wall wall = labmouse_tiny_wall_at(mouse, side);
+    uint16_t next = (wall.north ? north : east)[wall.row] & wall.bit;
+    y = (uint8_t)(wall.row + (side == 0 && next));
+    if (side == 1) next = (uint16_t)(next << 1);
+    if (reached[y] & ~layer[y] & next) return turn;
   }
+  return 2;
 }
 
 /* Decides on the next move, which the mouse is taken to have made when the next reading comes. Allowed after
