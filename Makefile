@@ -6,6 +6,8 @@
 #   make page    builds build/page/labmouse.html, without the program; the next build of the program takes it in
 # The documentation:
 #   make docs    builds the site in build/docs; the live demo is in it if the page was built before
+# The libraries for chips:
+#   make firmware writes their archives to build/firmware
 # The Python package:
 #   make wheel   builds a wheel, and the sources to install from, in build/dist
 # And, when a mouse has changed:
@@ -13,7 +15,7 @@
 # And, before a release:
 #   make proof   the checks that take too long for .ci/run: docs/contributing/checks.md
 # One build tree, build/release, serves both: a race builds the program alone, so that it never waits for tests.
-.PHONY: race check page docs wheel reports proof
+.PHONY: race check page docs firmware wheel reports proof
 
 # Configured once: from then on the build does it by itself, where it has to.
 race:
@@ -44,6 +46,9 @@ docs:
 	@echo "building the documentation; this takes about a minute of processor time" >&2
 	@scripts/quietly scripts/docs
 	@echo "build/docs/index.html"
+
+firmware:
+	@scripts/firmware --archives
 
 wheel:
 	@scripts/install race

@@ -5,8 +5,8 @@ usage: run_examples.py PAGE.md PROGRAM
 
 In a block marked `console`, each line after `$ ` is a command, which lines after `> ` right below it continue, and the
 lines below it are what it prints. A line `...` stands for any lines; `...` at the end of a line for any rest of it, the
-blanks before it among them. All blocks of a page run in one new folder that has the project's `templates` and
-`include`, in order, by `sh`; `labmouse` is PROGRAM. A block marked with a language and a name, as in `python
+blanks before it among them. All blocks of a page run in one new folder that has the project's `templates`,
+`include` and `firmware`, in order, by `sh`; `labmouse` is PROGRAM. A block marked with a language and a name, as in `python
 robot.py`, is saved as a file of that name. Blocks marked otherwise are not run. A comment `<!-- needs: COMMAND -->` skips
 the page, with exit code 77, where that command fails. With LABMOUSE_UPDATE_EXAMPLES=1 in the environment, the page gets
 what its commands print today, with `...` where it had them: read the difference before you commit it.
@@ -93,7 +93,7 @@ def main():
         work = os.path.join(folder, "work")
         os.mkdir(work)
         # The pages name these as one sees them from the project's own folder.
-        for name in ("templates", "include"):
+        for name in ("templates", "include", "firmware"):
             project = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
             os.symlink(os.path.join(project, name), os.path.join(work, name))
         for need in re.findall(r"<!-- needs: (.*) -->", text):
