@@ -334,7 +334,7 @@ constinit const BuiltinMouse ariadne_mouse = {
     .source = ariadne_source,
     .parameters = ariadne::fast_parameters,
     .make = make_ariadne,
-    .drive = drive_ariadne,
+    .drive = factory_in_seconds(drive_ariadne),
 };
 
 constinit const BuiltinMouse ariadne_deep_mouse = {

@@ -90,9 +90,9 @@ constinit const BuiltinMouse certify_mouse = {
     .make = [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
       return std::make_unique<Certify>(briefing);
     },
-    .drive = [](const Briefing& briefing, const Settings&) -> std::unique_ptr<DrivingStrategy> {
+    .drive = factory_in_seconds([](const Briefing& briefing, const Settings&) -> std::unique_ptr<DrivingStrategy> {
       return std::make_unique<CertifyDriver>(briefing);
-    },
+    }),
 };
 
 }  // namespace labmouse

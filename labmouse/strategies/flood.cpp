@@ -92,7 +92,7 @@ constinit const BuiltinMouse flood_mouse = {
     .source = flood_source,
     .parameters = flood_parameters,
     .make = make_flood<false>,
-    .drive = drive_flood<false>,
+    .drive = factory_in_seconds(drive_flood<false>),
 };
 
 constinit const BuiltinMouse flood_return_mouse = {
@@ -102,7 +102,7 @@ constinit const BuiltinMouse flood_return_mouse = {
     .source = flood_source,
     .parameters = flood_parameters,
     .make = make_flood<true>,
-    .drive = drive_flood<true>,
+    .drive = factory_in_seconds(drive_flood<true>),
 };
 
 }  // namespace labmouse

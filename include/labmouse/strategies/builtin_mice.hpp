@@ -19,6 +19,17 @@ using MouseFactory = std::unique_ptr<Strategy> (*)(const Briefing& briefing, con
 /// Makes a mouse for a briefing in seconds. The settings must be those of its parameters, and outlive the mouse.
 using DriverFactory = std::unique_ptr<DrivingStrategy> (*)(const Briefing& briefing, const Settings& settings);
 
+/// The factory of a mouse in seconds, or null in programs for steps alone, such as firmware (LABMOUSE_STEPS_ALONE, for
+/// all sources): then the linker leaves out all that plans in seconds.
+/// @param factory of that mouse.
+constexpr DriverFactory factory_in_seconds([[maybe_unused]] DriverFactory factory) {
+#if defined(LABMOUSE_STEPS_ALONE)
+  return nullptr;
+#else
+  return factory;
+#endif
+}
+
 /// One built-in mouse: name, summary, method, source of the idea, parameters, and factories. Each strategy's file
 /// defines its own.
 struct BuiltinMouse {
