@@ -1,5 +1,9 @@
 // labmouse grade, with a class of students whose programs have the same names in folders of their own.
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <filesystem>
+#include <set>
 
 #include "tests/cli/robots_in_python.hpp"
 #include "tests/cli/user.hpp"
@@ -230,6 +234,58 @@ TEST_F(AGrader, WritesNothingOfHiddenMazesForStudents) {
   EXPECT_THAT(everything(), Not(HasSubstr("secret")));
   EXPECT_THAT(block_of(content("feedback/Anna.html"), "labmouse-report").at("mazes").dump(), HasSubstr("hidden 1"));
   EXPECT_EQ(block_of(content("feedback/Anna.html"), "labmouse-records").at("records").size(), 3U);
+}
+
+// They would tell students something of hidden mazes, in which they may be graded again.
+TEST_F(AGrader, WritesNoScoresOfHiddenMazesForStudents) {
+  add("Anna", follower());
+  const std::string hidden = "points = 1\nhidden = 2\nside = 6\nkind = 'depth-first'\nat_most = { ratio = 0.5 }\n";
+  const std::string of_hidden =
+      "seed = 5\n[[task]]\nname = 'each'\nper_maze = true\n" + hidden + "[[task]]\nname = 'mean'\n" + hidden;
+  const auto texts = [&] {
+    const Ended ended = grade({"--junit", "junit.xml", "--gradescope", "gradescope", "--feedback", "feedback", "--page",
+                               "page.html", "--format", "json"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("is above 0.5"));
+    const std::string page = content("feedback/Anna.html");
+    return std::vector<std::string>{
+        content("junit.xml"), content("gradescope/Anna/results.json"),
+        page.substr(page.find("<details"), page.find("</details>") - page.find("<details"))};
+  };
+  file("course/tasks.toml", of_hidden);
+  for (const std::string& text : texts()) {
+    EXPECT_THAT(text, HasSubstr("2 of 2"));
+    EXPECT_THAT(text, Not(HasSubstr("ratio")));
+    EXPECT_THAT(text, Not(HasSubstr("above")));
+    EXPECT_THAT(text, Not(testing::ContainsRegex("[0-9]\\.[0-9][0-9][0-9]"))) << "a score";
+  }
+  file("course/tasks.toml", "show_hidden = true\n" + of_hidden);
+  for (const std::string& text : texts()) EXPECT_THAT(text, HasSubstr("is above 0.5"));
+}
+
+TEST_F(AGrader, WritesNothingWhenStoppedWhilePlanning) {
+  add("Anna", follower());
+  file("course/tasks.toml", std::string(tasks).substr(std::string(tasks).find('\n') + 1));
+  const std::string pipe = (folder_ / "seed").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto files = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_))
+      if (entry.is_regular_file() && !entry.path().filename().string().starts_with('.'))
+        names.insert(entry.path().string());
+    return names;
+  };
+  const auto before = files();
+  const Program program(folder_, {"grade", "--mice", "course/class.toml", "--tasks", "course/tasks.toml", "--seed-file",
+                                  "seed", "--junit", "grades/junit.xml", "--gradescope", "grades/gradescope",
+                                  "--feedback", "grades/feedback", "--page", "page.html"});
+  // Once the pipe has a reader, the program waits for the end of the seed.
+  int end = -1;
+  ASSERT_TRUE(patiently([&] { return (end = open(pipe.c_str(), O_WRONLY | O_NONBLOCK)) >= 0; }));
+  program.interrupt();
+  EXPECT_EQ(program.wait().code, -SIGINT);
+  close(end);
+  EXPECT_EQ(files(), before);
 }
 
 TEST_F(AGrader, WritesResultsForGradescope) {

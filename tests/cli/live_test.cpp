@@ -21,6 +21,7 @@ namespace {
 
 using test::AUser;
 using test::Ended;
+using test::patiently;
 using test::Program;
 using test::Says;
 using ::testing::AllOf;
@@ -114,12 +115,6 @@ std::string troubled_stream() {
     if (i % 10 == 8) stream[stream.size() - 6] ^= 1;
   }
   return stream + with_checksum("start state=end");
-}
-
-bool patiently(const std::function<bool()>& done) {
-  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!done() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
-  return done();
 }
 
 /// A robot on a serial line: this side of a pseudo-terminal.

@@ -1,8 +1,4 @@
 // What ends the program early.
-#include <chrono>
-#include <functional>
-#include <thread>
-
 #include "tests/cli/user.hpp"
 
 namespace labmouse {
@@ -10,13 +6,8 @@ namespace {
 
 using test::corridor;
 using test::Ended;
+using test::patiently;
 using test::Program;
-
-bool patiently(const std::function<bool()>& done) {
-  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!done() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
-  return done();
-}
 
 class AnImpatientUser : public test::AUser, public testing::WithParamInterface<int> {
  protected:

@@ -39,7 +39,7 @@ std::string points_table(const Grades& grades, const StudentGrade& student) {
   html += row("th", {"task", "points", "of", "lost because"});
   for (std::size_t task = 0; task < grades.tasks.size(); ++task)
     html += row("td", {xml_escaped(grades.tasks[task].name), points_text(student.tasks[task].points),
-                       points_text(grades.tasks[task].points), xml_escaped(student.tasks[task].lost)});
+                       points_text(grades.tasks[task].points), xml_escaped(for_student(student.tasks[task]).lost)});
   return html + "</table>\n";
 }
 
@@ -60,7 +60,7 @@ std::string points_html(const Grades& grades, const StudentGrade& student, bool 
   for (std::size_t task = 0; task < grades.tasks.size(); ++task)
     if (!student.tasks[task].contests.empty())
       html += fmt::format("<h2>{}</h2>\n", xml_escaped(grades.tasks[task].name)) +
-              contests_table(student.tasks[task], xml_escaped(grades.unit));
+              contests_table(for_student(student.tasks[task]), xml_escaped(grades.unit));
   if (has_replays) html += "<p>Below are the replays of these contests, step by step.</p>\n";
   return html + "</details>\n";
 }

@@ -33,7 +33,7 @@ std::string junit_of(const Grades& grades) {
   for (const StudentGrade& student : grades.students) {
     JUnitSuite& suite = suites.emplace_back(student.name);
     for (std::size_t task = 0; task < grades.tasks.size(); ++task) {
-      const TaskGrade& grade = student.tasks[task];
+      const TaskGrade grade = for_student(student.tasks[task]);
       if (grade.lost.empty())
         suite.pass(grades.tasks[task].name);
       else
@@ -54,7 +54,7 @@ std::string gradescope_of(const Grades& grades, const StudentGrade& student) {
   }
   json["tests"] = Json::array();
   for (std::size_t task = 0; task < grades.tasks.size(); ++task) {
-    const TaskGrade& grade = student.tasks[task];
+    const TaskGrade grade = for_student(student.tasks[task]);
     json["tests"].push_back({{"name", shown(grades.tasks[task].name)},
                              {"score", grade.points},
                              {"max_score", grades.tasks[task].points},

@@ -16,6 +16,8 @@ namespace {
 /// A mean such as 1.3 may be off by the rounding of its sum.
 constexpr double rounding = 1e-9;
 
+constexpr std::string_view not_run_outcome = "not run";
+
 /// One contest of a student in a maze of the task; `held` is null where it was not run.
 struct Judged {
   std::size_t maze = 0;
@@ -72,12 +74,13 @@ class Judge {
     const GradedMaze& maze = plan_.mazes[contest.maze];
     GradedContest one;
     one.maze = maze.maze.name;
+    one.hidden = maze.hidden && !plan_.file.show_hidden;
     one.best = student_.race->facts[contest.maze].bound;
-    one.outcome = contest.held != nullptr ? contest.held->outcome : "not run";
+    one.outcome = contest.held != nullptr ? contest.held->outcome : std::string(not_run_outcome);
     if (contest.held == nullptr) return one;
     one.run = contest.held->run;
     one.score = contest.held->score;
-    if (is_broken(*contest.held) && (!maze.hidden || plan_.file.show_hidden)) one.output = output_of(*contest.held);
+    if (is_broken(*contest.held) && !one.hidden) one.output = output_of(*contest.held);
     return one;
   }
 
@@ -197,6 +200,24 @@ std::string points_text(double points) {
   std::string text = fmt::format("{:.2f}", points);
   text.erase(text.find_last_not_of('0') + 1);
   return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+}
+
+TaskGrade for_student(TaskGrade grade) {
+  std::size_t lost = 0;
+  bool hides = false;
+  for (GradedContest& contest : grade.contests) {
+    lost += contest.lost.empty() ? 0 : 1;
+    if (!contest.hidden) continue;
+    hides = true;
+    // Why a contest was not run says nothing of its maze, while other reasons have figures.
+    if (!contest.lost.empty() && contest.outcome != not_run_outcome)
+      contest.lost = contest.score ? "not fulfilled" : contest.outcome;
+    contest.score.reset();
+    contest.best.reset();
+  }
+  if (hides && !grade.lost.empty())
+    grade.lost = fmt::format("not fulfilled in {} of {}", lost, counted(grade.contests.size(), "contest", "contests"));
+  return grade;
 }
 
 Grades grades_of(const GradingPlan& plan, const ClassContests& contests) {

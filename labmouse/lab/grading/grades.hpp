@@ -20,6 +20,7 @@ struct GradedContest {
   /// Why the program failed: the message of labmouse, then the last lines of its standard error. Empty in hidden
   /// mazes, because a program can print the maze, and if the output of the student has the same lines.
   std::vector<std::string> output;
+  bool hidden = false;  ///< whether the student must not see the maze, nor what was scored in it
 };
 
 struct TaskGrade {
@@ -52,6 +53,10 @@ struct Grades {
 
 /// The grades of a class whose contests are all done.
 Grades grades_of(const GradingPlan& plan, const ClassContests& contests);
+
+/// The grade as students may see it: of hidden mazes only how contests ended and whether they fulfil the task. Scores
+/// in them would tell something of these mazes to whoever may hand in again.
+TaskGrade for_student(TaskGrade grade);
 
 /// Points as they are shown: "8.5".
 std::string points_text(double points);
