@@ -13,6 +13,7 @@
 #include "external.hpp"
 #include "labmouse/external/sandbox.hpp"
 #include "labmouse/functions/sha256.hpp"
+#include "labmouse/lab/league/frozen_files.hpp"
 #include "labmouse/lab/league/season_site.hpp"
 #include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/reports/race_page.hpp"
@@ -127,8 +128,9 @@ int init(LeagueOptions& options) {
     throw UsageError("error: --title must be printable and not empty");
   if (const std::string reason = refuse(season.examination); !reason.empty()) throw UsageError("error: " + reason);
   if (const std::string reason = refuse_for_league(*entry.world); !reason.empty()) throw UsageError("error: " + reason);
-  const std::string season_file = path_in(options, season_file_name), secret_file = path_in(options, secret_file_name);
-  for (const std::string& path : {season_file, secret_file})
+  const std::string season_file = path_in(options, season_file_name), secret_file = path_in(options, secret_file_name),
+                    frozen_file = path_in(options, frozen_file_name);
+  for (const std::string& path : {season_file, secret_file, frozen_file})
     if (std::error_code unknown; fs::exists(path, unknown))
       throw UsageError(
           fmt::format("{}: error: is there already; a season is not changed, so choose another folder", path));
@@ -147,12 +149,16 @@ int init(LeagueOptions& options) {
   // The store and the records will have mazes of the examination.
   std::error_code ignored;
   fs::permissions(options.folder, fs::perms::owner_all, ignored);
-  save(season_file, season_text(season));
+  const std::string text = season_text(season);
+  const FrozenFiles frozen = frozen_files(options.folder, season, text);
+  if (!frozen.error.empty()) throw UsageError(frozen.error);
+  save(frozen_file, frozen.list);
+  save(season_file, text);
   print(
       fmt::format("wrote {}: {}, {} of practice and {} of the examination\n"
-                  "Publish the hash of the seed now: {}\nKeep {} to yourself until the season ends.\n",
+                  "Publish the hash of the season now: {}\nKeep {} to yourself until the season ends.\n",
                   season_file, season.world.entry->name, counted(practice, "maze", "mazes"), season.examination.count,
-                  season.seed_hash, secret_file));
+                  sha256_text(frozen.list), secret_file));
   return exit_good;
 }
 

@@ -158,6 +158,45 @@ TEST_F(AnOrganiser, GoesOnWhereARunStopped) {
   EXPECT_EQ(stored(), contests + 14);
 }
 
+TEST_F(AnOrganiser, FreezesWhatDecidesTheRanking) {
+  file("mine.toml", content_of(LABMOUSE_SOURCE_DIR "/robots/half.toml"));
+  file("seed.txt", secret);
+  const Ended made = labmouse({"league", "init", "spring", "--world", "seconds", "--robot", "mine.toml", "--practice",
+                               "contest-01", "--examination", "1", "--seed-file", "seed.txt"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  const std::vector<std::string> run = {"league", "run", "spring", "--sandbox", "off"};
+  ASSERT_EQ(labmouse(run).code, 0);
+  for (const char* name : {"season.toml", "robot.toml", "practice/contest-01.txt", "season.sha256"}) {
+    const std::string path = std::string("spring/") + name, good = content(path);
+    file(path, good + "\n");
+    is_refused(run, path);
+    if (std::string(name) != "season.toml" && std::string(name) != "season.sha256") {
+      fs::remove(folder_ / path);
+      is_refused(run, path);
+    }
+    file(path, good);
+  }
+  file("spring/practice/more.txt", content("spring/practice/contest-01.txt"));
+  is_refused(run, "spring/practice/more.txt");
+  fs::remove(folder_ / "spring/practice/more.txt");
+  file("spring/practice/.hidden", "x");
+  const auto publish = [&] {
+    return labmouse({"league", "publish", "spring", "-o", "site", "--page", "page.html", "--sandbox", "off"}).code;
+  };
+  ASSERT_EQ(publish(), 0);
+  const std::string hash = results("site").at("season").at("season_sha256");
+  EXPECT_EQ(hash.size(), 64);
+  EXPECT_THAT(made.out, HasSubstr(hash));
+  EXPECT_THAT(content("site/index.html"), HasSubstr(hash));
+  // A season of an earlier labmouse has no such list.
+  fs::remove(folder_ / "spring/season.sha256");
+  const Ended old = labmouse(run);
+  EXPECT_EQ(old.code, 0);
+  EXPECT_THAT(old.err, HasSubstr("season.sha256"));
+  ASSERT_EQ(publish(), 0);
+  EXPECT_FALSE(results("site").at("season").contains("season_sha256"));
+}
+
 TEST_F(AnOrganiser, KeepsTheSeedUntilTheSeasonEnds) {
   ASSERT_EQ(init("spring").code, 0);
   EXPECT_EQ(fs::status(folder_ / "spring/secret-seed.txt").permissions(),
@@ -173,7 +212,14 @@ TEST_F(AnOrganiser, KeepsTheSeedUntilTheSeasonEnds) {
     EXPECT_THAT(content("site/" + std::string(name)),
                 HasSubstr("4dbd06d504a78d6cc101c396bba918d7b339f6512e8403bfbb0a3cb3d88b8396"));
   }
+  for (const auto& mouse : results("site").at("mice")) {
+    EXPECT_FALSE(mouse.contains("examination"));
+    EXPECT_EQ(mouse.at("practice").size(), 2);
+  }
+  EXPECT_THAT(content("site/results.json"), Not(HasSubstr("examination 0")));
+  EXPECT_THAT(content("site/report.html"), Not(HasSubstr("examination 0")));
   ASSERT_EQ(publish({"--reveal"}), 0);
+  EXPECT_EQ(results("site").at("mice")[0].at("examination").size(), 12);
   EXPECT_TRUE(fs::exists(folder_ / "site/examination.html"));
   EXPECT_EQ(results("site").at("season").at("examination_seed"), secret);
   file("spring/secret-seed.txt", "another secret seed\n");

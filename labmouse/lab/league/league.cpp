@@ -7,6 +7,7 @@
 
 #include "labmouse/external/sandbox.hpp"
 #include "labmouse/functions/sha256.hpp"
+#include "labmouse/lab/league/frozen_files.hpp"
 #include "labmouse/lab/mazes/secret_mazes.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/system/file_names.hpp"
@@ -54,6 +55,25 @@ void load_earlier(League& league) {
   league.earlier = std::move(previous.seasons);
 }
 
+/// Compares the frozen files with the list of them.
+void check_frozen(League& league, const std::string& season_file) {
+  const std::string path = fmt::format("{}/{}", league.folder, frozen_file_name);
+  std::error_code unknown;
+  if (fs::symlink_status(path, unknown).type() == fs::file_type::not_found) {
+    league.remarks.push_back(shown(fmt::format("{} is missing: nothing shows whether the season has changed.", path)));
+    return;
+  }
+  const FileContent written = read_found_file(path);
+  const FrozenFiles now = frozen_files(league.folder, league.season, season_file);
+  if (!written.error.empty())
+    league.errors.push_back(shown(fmt::format("{}: error: {}", path, written.error)));
+  else if (!now.error.empty())
+    league.errors.push_back(now.error);
+  else
+    league.errors = frozen_changes(league.folder, written.content, now.list);
+  league.hash = sha256_text(written.content);
+}
+
 void load_practice(League& league) {
   const std::string folder = fmt::format("{}/{}", league.folder, practice_folder_name);
   MazeCollection found = load_mazes(std::vector{folder});
@@ -87,8 +107,8 @@ SecretSeed seed_in(const std::string& path, const FileContent& file) {
 
 std::vector<std::string> League::hidden() const {
   std::vector<std::string> paths;
-  for (const char* name :
-       {season_file_name, secret_file_name, store_file_name, practice_folder_name, records_folder_name})
+  for (const char* name : {season_file_name, frozen_file_name, secret_file_name, store_file_name, practice_folder_name,
+                           records_folder_name})
     paths.push_back(fmt::format("{}/{}", folder, name));
   paths.insert(paths.end(), other_files.begin(), other_files.end());
   return paths;
@@ -194,6 +214,8 @@ League load_league(const std::string& folder, const ExternalOptions& options, st
   if (!league.season.version.empty() && league.season.version != version())
     league.remarks.push_back(shown(fmt::format(
         "The season was made by labmouse {}, and this is {}: results may differ.", league.season.version, version())));
+  check_frozen(league, file.content);
+  if (!league.errors.empty()) return league;
   WorldResult made = make_world(league.season.world, folder);
   league.world = std::move(made.world);
   league.remarks.insert(league.remarks.end(), made.remarks.begin(), made.remarks.end());

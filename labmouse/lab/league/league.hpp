@@ -14,15 +14,6 @@
 
 namespace labmouse {
 
-// What lies in the folder of a league.
-inline constexpr const char* season_file_name = "season.toml";
-inline constexpr const char* secret_file_name = "secret-seed.txt";
-inline constexpr const char* previous_file_name = "previous-season.json";
-inline constexpr const char* store_file_name = "results.db";
-inline constexpr const char* practice_folder_name = "practice";
-inline constexpr const char* entries_folder_name = "entries";
-inline constexpr const char* records_folder_name = "records";
-
 /// The published results, beside the pages.
 inline constexpr const char* results_name = "results.json";
 
@@ -43,6 +34,7 @@ struct LeagueEntryResult {
 struct League {
   std::string folder;
   Season season;
+  std::string hash;  ///< SHA-256 of the list of frozen files; empty for a season of a labmouse that wrote none
   std::shared_ptr<const World> world;
   std::vector<EarlierSeason> earlier;        ///< the oldest first
   std::vector<NamedMaze> practice;           ///< by name, which is that of the file without its ending

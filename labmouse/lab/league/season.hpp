@@ -11,6 +11,16 @@
 
 namespace labmouse {
 
+// What lies in the folder of a league.
+inline constexpr const char* season_file_name = "season.toml";
+inline constexpr const char* frozen_file_name = "season.sha256";
+inline constexpr const char* secret_file_name = "secret-seed.txt";
+inline constexpr const char* previous_file_name = "previous-season.json";
+inline constexpr const char* store_file_name = "results.db";
+inline constexpr const char* practice_folder_name = "practice";
+inline constexpr const char* entries_folder_name = "entries";
+inline constexpr const char* records_folder_name = "records";
+
 /// A season file, as written.
 struct Season {
   std::string title;

@@ -75,7 +75,7 @@ Json mouse_json(const SeasonResults& results, const RankedMouse& mouse) {
   } else {
     json["builtin"] = true;
   }
-  json["examination"] = contests_of(examination, mouse.place);
+  if (results.revealed) json["examination"] = contests_of(examination, mouse.place);
   json["practice"] = contests_of(results.races.practice.race, mouse.place);
   return json;
 }
@@ -99,6 +99,7 @@ Json season_json(const SeasonResults& results) {
                {"examination_kind", season.examination.kind},
                {"examination_side", season.examination.side},
                {"examination_seed_sha256", season.seed_hash}};
+  if (!results.league.hash.empty()) json["season_sha256"] = results.league.hash;
   if (results.revealed) json["examination_seed"] = *results.revealed;
   json["practice"] = Json::array();
   for (const NamedMaze& maze : results.league.practice) json["practice"].push_back(maze.name);
@@ -232,6 +233,12 @@ std::string season_html(const SeasonResults& results) {
       static_cast<double>(limits.decision.count()) / thousand, static_cast<double>(limits.silence.count()) / thousand,
       static_cast<double>(limits.contest.count()) / thousand, limits.memory >> 20U, limits.written >> 20U,
       limits.processes, limits.processor_seconds, season.seed_hash);
+  if (!league.hash.empty())
+    text += fmt::format(
+        "Hash of the season, fixed before it: {}. It is the SHA-256 of the file {}, which has the hash of each file "
+        "that "
+        "decides the ranking besides the entries.\n",
+        league.hash, frozen_file_name);
   text += results.revealed ? fmt::format(
                                  "The seed: {}\nWith it in a file, `labmouse league publish` makes these files "
                                  "again from the folder of the season.\n",
