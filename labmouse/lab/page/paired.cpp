@@ -43,6 +43,11 @@ Paired read_paired(PageRequest& request) {
   order.test.better_by = request.number("better_by", least_better_by, most_better_by);
   order.test.alpha = request.number("alpha", 0.0001, 0.5);
   order.test.beta = request.number("beta", 0.0001, 0.5);
+  if (request.has("test")) {
+    const std::string test = request.text("test");
+    if (test != "bets" && test != "gsprt") request.reject("'test' is neither bets nor gsprt");
+    order.test.method = test == "gsprt" ? SequentialMethod::gsprt : SequentialMethod::bets;
+  }
   if (!request.error().empty()) return paired;
   suit_defaults(entry, mazes);
   order.race.world = entry.world;

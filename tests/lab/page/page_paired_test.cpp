@@ -53,6 +53,9 @@ TEST(PagePaired, HasTheComparisonsOfTheLibraryInEveryWorld) {
     order.mazes.generator = &prim_generator;
     order.mazes.order = {{5, 5}, 3, 100};
     const bool in_steps = order.race.world->traits().name == "steps";
+    // Each of the two tests once.
+    given["test"] = in_steps ? "gsprt" : "bets";
+    order.test.method = in_steps ? SequentialMethod::gsprt : SequentialMethod::bets;
     const char* mice = in_steps ? "random,random-move,certify" : "flood-return,flood";
     order.test.better_by = given["better_by"] = in_steps ? 0.02 : 0.2;
     const json held = json::parse(json_of(hold_comparison(test::mice(mice), order)));
@@ -81,6 +84,7 @@ TEST(PagePaired, RefusesWhatIsNoComparison) {
   };
   EXPECT_THAT(refused("verdict", {"flood"}, {{"alpha", 0.1}}), Says("two mice"));
   EXPECT_THAT(refused("verdict", {"flood", "certify"}, {{"better_by", 0}}), Says("better_by"));
+  EXPECT_THAT(refused("verdict", {"flood", "certify"}, {{"test", "t"}}), Says("'test'", "gsprt"));
   EXPECT_THAT(refused("paired_shares", {"flood", "certify"}, {{"begin", 5}}), Says("'begin'"));
   EXPECT_THAT(refused("paired_shares", {"flood", "certify"}, {{"generator", "x"}}), Says("generator 'x'"));
   EXPECT_THAT(refused("paired_shares", {"flood", "certify"}, {{"mazes", json::array()}}), Says("maze"));

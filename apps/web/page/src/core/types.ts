@@ -677,6 +677,8 @@ export interface ComparisonOrder {
   better_by: number;
   alpha: number;
   beta: number;
+  /** bets or gsprt; default: bets. */
+  test?: string;
   world?: string;
   mazes?: MazeData[];
   generator?: string;

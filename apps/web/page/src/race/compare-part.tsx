@@ -4,9 +4,9 @@ import type { About, ComparedMouse, Comparison, WorldInPage } from '../core/type
 import type { EarlyPage } from '../page/page';
 import { createWorldChoice, WorldFields } from '../choice/world-choice';
 import { createMazePicks, createPicks, PickList } from '../choice/picks';
-import { compareMice, type ComparisonRequest } from '../results/comparing';
+import { compareMice, testOf, usualTest, type ComparisonRequest, type TestFields } from '../results/comparing';
 import { mazesOf } from '../results/holding';
-import { Button, NumberInput, numberOf, Select } from '../ui/controls';
+import { Button, NumberInput, Select } from '../ui/controls';
 import { Field } from '../ui/field';
 import { counted, number, signed } from '../ui/format';
 import { firstGeneration, Generator, orderOf } from '../ui/generator';
@@ -14,9 +14,6 @@ import { Scrolling, Table } from '../ui/table';
 import { createRunning } from './running';
 
 export type ComparePanel = ReturnType<typeof createComparePanel>;
-
-/** At most so many mazes, and the chances of a wrong verdict: as on the command line. */
-const usual = { most: 5000, alpha: 0.05, beta: 0.05 };
 
 const candidatesOf = ({ mice }: About, world: WorldInPage, first: string) =>
   mice
@@ -26,7 +23,7 @@ const candidatesOf = ({ mice }: About, world: WorldInPage, first: string) =>
 /** What is compared, where, and how finely. */
 export function createComparePanel(page: EarlyPage, about: About, draw: () => void) {
   const world = createWorldChoice(about, enter);
-  const fields = { first: 'flood', mazes: 'generated', betterBy: '0.02', generation: firstGeneration('contest') };
+  const fields = { first: 'flood', mazes: 'generated', generation: firstGeneration('contest'), ...usualTest };
   const candidates = createPicks('Candidates', candidatesOf(about, about.worlds[0], fields.first));
   const mazes = createMazePicks('Mazes', about, page.mazes, false);
   const running = createRunning<Comparison>(page, 'paired_shares', draw);
@@ -39,11 +36,11 @@ export function createComparePanel(page: EarlyPage, about: About, draw: () => vo
   }
   async function request(): Promise<ComparisonRequest> {
     const { world: where, settings } = world.chosen();
-    const { generation, betterBy, first } = fields;
+    const { generation, first } = fields;
     const chosen = fields.mazes === 'generated' ? null : await mazesOf(page.core, mazes.chosenMazes());
     return {
       ...{ ...settings, world: where.name, mice: [first, ...candidates.chosen()] },
-      ...{ ...usual, better_by: numberOf(betterBy), ...orderOf(generation), ...(chosen && { mazes: chosen }) },
+      ...{ ...testOf(fields), ...orderOf(generation), ...(chosen && { mazes: chosen }) },
     };
   }
   return {
@@ -95,6 +92,53 @@ function Verdicts({ comparison }: { comparison: Comparison }) {
   );
 }
 
+interface TestInputProps {
+  label: string;
+  help: string;
+  value: string;
+  change(text: string): void;
+  limits: { min: number; max: number; step: number | 'any' };
+}
+
+const TestInput = ({ label, help, limits, ...more }: TestInputProps) => (
+  <Field label={label} help={help}>
+    <NumberInput {...{ inputMode: 'decimal', required: true }} {...limits} {...more} />
+  </Field>
+);
+
+const risk = { min: 0.0001, max: 0.5, step: 'any' } as const;
+
+/** How the test decides: the options of `labmouse compare`. */
+function TestForm({ fields, change }: { fields: TestFields; change(changes: Partial<TestFields>): void }) {
+  const { alpha, beta, most, test } = fields;
+  return (
+    <div class="field-row">
+      <TestInput
+        {...{ label: 'Alpha', help: 'largest probability of a verdict without a difference' }}
+        {...{ limits: risk, value: alpha, change: (alpha) => change({ alpha }) }}
+      />
+      <TestInput
+        {...{ label: 'Beta', help: 'largest probability of overlooking a difference that matters' }}
+        {...{ limits: risk, value: beta, change: (beta) => change({ beta }) }}
+      />
+      <TestInput
+        {...{ label: 'Most mazes', help: 'then it ends undecided' }}
+        {...{ limits: { min: 1, max: 20000, step: 1 }, value: most, change: (most) => change({ most }) }}
+      />
+      <Field label="Test">
+        <Select
+          options={[
+            ['bets', 'bets: keeps alpha and beta whatever the scores'],
+            ['gsprt', 'GSPRT: fewer mazes, keeps them approximately'],
+          ]}
+          value={test}
+          choose={(test) => change({ test })}
+        />
+      </Field>
+    </div>
+  );
+}
+
 function Form({ panel }: { panel: ComparePanel }) {
   const { about, world, candidates, mazes, fields, running, change, start } = panel;
   const { isBusy, shown } = running.state;
@@ -117,6 +161,7 @@ function Form({ panel }: { panel: ComparePanel }) {
           />
         </Field>
       </div>
+      <TestForm {...{ fields, change }} />
       <PickList picks={candidates} />
       <Field label="Mazes">
         <Select
@@ -157,7 +202,6 @@ export function ComparePart({ panel }: { panel: ComparePanel | null }) {
         <summary>Compare mice until it is decided which is better</summary>
         <p class="note">
           All mice race in the same mazes, until the test decides. It compares the shares of the best possible score.
-          The probability of a wrong verdict is at most 5 %.
         </p>
         {isOpen && <Form panel={panel} />}
       </details>

@@ -5,6 +5,28 @@ import type { Comparison, ComparisonOrder, Fields, Shares } from '../core/types'
 /** What is compared, by the mice in it: the first one is compared with all others. */
 export type ComparisonRequest = ComparisonOrder & Fields;
 
+/** How the test decides, as typed: the options of `labmouse compare`. */
+export interface TestFields {
+  betterBy: string;
+  alpha: string;
+  beta: string;
+  /** Mazes. */
+  most: string;
+  test: string;
+}
+
+/** As on the command line. */
+export const usualTest: TestFields = { betterBy: '0.02', alpha: '0.05', beta: '0.05', most: '5000', test: 'bets' };
+
+/** The same as the core takes it. */
+export const testOf = ({ betterBy, alpha, beta, most, test }: TestFields) => ({
+  better_by: Number(betterBy),
+  alpha: Number(alpha),
+  beta: Number(beta),
+  most: Number(most),
+  test,
+});
+
 /** The answer of a call; null where it was stopped. */
 const unlessStopped = <Answer>(answer: Promise<Answer>): Promise<Answer | null> =>
   answer.catch((error) => {

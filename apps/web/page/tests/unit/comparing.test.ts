@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { Stopped, type Core } from '../../src/core/client';
 import type { Comparison, Fields, Shares } from '../../src/core/types';
-import { compareMice } from '../../src/results/comparing';
+import { compareMice, testOf, usualTest } from '../../src/results/comparing';
 
 const request = { mice: ['a', 'b', 'c'], seed: 1, most: 6, better_by: 0.1, alpha: 0.05, beta: 0.05 };
 
@@ -68,4 +68,10 @@ it('keeps what is known when it is stopped', async () => {
     ),
   ).toBeNull();
   expect(none).toEqual([]);
+});
+
+it('asks for the test that is chosen', () => {
+  expect(testOf(usualTest)).toEqual({ better_by: 0.02, alpha: 0.05, beta: 0.05, most: 5000, test: 'bets' });
+  const chosen = { betterBy: '0.1', alpha: '0.01', beta: '0.2', most: '300', test: 'gsprt' };
+  expect(testOf(chosen)).toEqual({ better_by: 0.1, alpha: 0.01, beta: 0.2, most: 300, test: 'gsprt' });
 });
