@@ -10,12 +10,14 @@
 #   make firmware writes their archives to build/firmware
 # The Python package:
 #   make wheel   builds a wheel, and the sources to install from, in build/dist
+# Debian packages:
+#   make deb     builds labmouse, labmouse-page and liblabmouse-dev in build/deb
 # And, when a mouse has changed:
 #   make reports runs every system of the five reports and writes docs/research/reports.md
 # And, before a release:
 #   make proof   the checks that take too long for .ci/run: docs/contributing/checks.md
 # One build tree, build/release, serves both: a race builds the program alone, so that it never waits for tests.
-.PHONY: race check page docs firmware wheel reports proof
+.PHONY: race check page docs firmware wheel deb reports proof
 
 # Configured once: from then on the build does it by itself, where it has to.
 race:
@@ -55,6 +57,12 @@ wheel:
 	@scripts/install python
 	@scripts/page --if-installed
 	@scripts/wheel --sdist
+
+deb:
+	@scripts/install race
+	@test -e build/page/labmouse.html || $(MAKE) --no-print-directory page
+	@echo "building the packages; this takes about 8 minutes of processor time" >&2
+	@scripts/deb
 
 reports:
 	@scripts/install race
