@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 #include <simavr/avr_adc.h>
+#include <simavr/avr_eeprom.h>
 #include <simavr/avr_extint.h>
 #include <simavr/avr_ioport.h>
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
-#include <simavr/sim_elf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "labmouse/lab/system/files.hpp"
+#include "program_file.hpp"
 
 namespace labmouse::avr {
 namespace {
@@ -108,10 +109,11 @@ void note(avr_t* avr, int level, const char* format, std::va_list /*arguments*/)
   if (avr == nullptr || level != LOG_ERROR || fault_of_running == nullptr || !fault_of_running->reason.empty()) return;
   const std::string_view text = format;
   const auto says = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
-  const char* const reason = says("Opcode")          ? "illegal instruction"
-                             : says("write address") ? "write to an address that is no memory"
-                             : says("read address")  ? "read from an address that is no memory"
-                                                     : nullptr;
+  const char* const reason = avr->pc >= avr->flashend ? "jump out of the flash memory"
+                             : says("Opcode")         ? "illegal instruction"
+                             : says("write address")  ? "write to an address that is no memory"
+                             : says("read address")   ? "read from an address that is no memory"
+                                                      : nullptr;
   if (reason == nullptr) return;
   *fault_of_running = {reason, avr->pc};
   avr->state = cpu_Crashed;
@@ -128,49 +130,30 @@ void print_byte(avr_irq_t* /*irq*/, std::uint32_t byte, void* /*unused*/) {
   std::fputc(static_cast<int>(byte & 0xFFU), stderr);
 }
 
-/// Why a file is no program for this chip; empty if it may be one.
-std::string no_program(const std::string& path) {
-  const FileContent file = read_found_file(path, most_bytes);
-  if (!file.error.empty()) return file.error;
-  constexpr std::size_t header = 52, machine_at = 18;
-  constexpr char avr_machine = 83;
-  if (file.content.size() < header || !file.content.starts_with("\x7F"
-                                                                "ELF\x01\x01"))
-    return "is no ELF file; give it the file that avr-gcc links, before avr-objcopy";
-  if (file.content[machine_at] != avr_machine) return "is an ELF file of another processor; compile it with avr-gcc";
-  return "";
-}
-
 }  // namespace
 
 class Chip::State {
  public:
   State(const std::string& path, const Board& board) : board_(board) {
-    fault_ = no_program(path);
+    const FileContent file = read_found_file(path, most_bytes);
+    fault_ = file.error;
     if (!fault_.empty()) return;
     avr_global_logger_set(note);
-    if (elf_read_firmware(path.c_str(), &firmware_) != 0 || firmware_.flashsize == 0) {
-      fault_ = "has no program that simavr can load";
-      return;
-    }
     avr_ = avr_make_mcu_by_name(board.chip.c_str());
     if (avr_ == nullptr) {
       fault_ = fmt::format("needs a chip that simavr does not have: {}", board.chip);
       return;
     }
     avr_init(avr_);
-    if (firmware_.flashbase + std::size_t{firmware_.flashsize} > std::size_t{avr_->flashend} + 1 ||
-        firmware_.eesize > std::size_t{avr_->e2end} + 1) {
-      fault_ = fmt::format("is too large: {} bytes of {} of flash memory", firmware_.flashsize, avr_->flashend + 1);
-      return;
-    }
-    avr_load_firmware(avr_, &firmware_);
+    program_ = read_program(file.content, std::size_t{avr_->flashend} + 1, std::size_t{avr_->e2end} + 1);
+    fault_ = program_.error;
+    if (!fault_.empty()) return;
+    load();
     avr_->frequency = static_cast<std::uint32_t>(board.frequency);
     avr_->vcc = avr_->avcc = avr_->aref = static_cast<std::uint32_t>(board.supply);
     avr_->gdb_port = 0;
     avr_->run_cycle_limit = 1000;
     avr_->sleep = do_not_wait;
-    fill_unused_flash();
     connect();
     begin();
   }
@@ -220,14 +203,18 @@ class Chip::State {
     int step = 1;
   };
 
-  /// Jumps to where the program has no code are found there: no instruction has this word.
-  void fill_unused_flash() {
+  void load() {
+    avr_loadcode(avr_, program_.flash.data(), static_cast<std::uint32_t>(program_.flash.size()), 0);
+    avr_->codeend = static_cast<std::uint32_t>(program_.flash.size());
+    // Jumps to where the program has no code are found there: no instruction has this word.
     constexpr std::uint8_t low = 0x01, high = 0x00;
-    for (std::size_t at = (firmware_.flashbase + firmware_.flashsize + 1U) & ~std::size_t{1}; at + 1 <= avr_->flashend;
-         at += 2) {
+    for (std::size_t at = (program_.flash.size() + 1U) & ~std::size_t{1}; at + 1 <= avr_->flashend; at += 2) {
       avr_->flash[at] = low;
       avr_->flash[at + 1] = high;
     }
+    if (program_.eeprom.empty()) return;
+    avr_eeprom_desc_t eeprom = {program_.eeprom.data(), 0, static_cast<std::uint32_t>(program_.eeprom.size())};
+    avr_ioctl(avr_, AVR_IOCTL_EEPROM_SET, &eeprom);
   }
 
   void connect() {
@@ -269,7 +256,7 @@ class Chip::State {
       const int state = avr_run(avr_);
       if (!fault.reason.empty()) break;
       if (state == cpu_Done) fault = {"sleeps for ever, because interrupts are off,", avr_->pc - sleep_bytes};
-      if (state == cpu_Crashed || state == cpu_Stopped) fault = {"jump out of the program", avr_->pc};
+      if (state == cpu_Crashed || state == cpu_Stopped) fault = {"the chip has stopped", avr_->pc};
     }
     fault_of_running = nullptr;
     if (!reached) avr_cycle_timer_cancel(avr_, stop_there, &reached);
@@ -279,14 +266,11 @@ class Chip::State {
 
   /// The function of the program in which that address lies, for people.
   std::string function_at(std::uint32_t address) const {
-    const avr_symbol_t* found = nullptr;
-    if (address >= firmware_.flashbase + firmware_.flashsize) return ", which has no code";
-    for (std::uint32_t i = 0; i < firmware_.symbolcount; ++i) {
-      const avr_symbol_t* symbol = firmware_.symbol[i];
-      if (symbol->addr <= address && symbol->symbol[0] != '_' && (found == nullptr || symbol->addr > found->addr))
-        found = symbol;
-    }
-    return found == nullptr ? "" : fmt::format(" in {}", static_cast<const char*>(found->symbol));
+    if (address >= program_.flash.size()) return ", which has no code";
+    const Symbol* found = nullptr;
+    for (const Symbol& symbol : program_.symbols)
+      if (symbol.address <= address && (found == nullptr || symbol.address > found->address)) found = &symbol;
+    return found == nullptr ? "" : fmt::format(" in {}", found->name);
   }
 
   std::vector<Edge> edges_of(const Readings& readings) const {
@@ -392,7 +376,7 @@ class Chip::State {
   }
 
   const Board board_;
-  elf_firmware_t firmware_{};
+  ProgramFile program_;
   avr_t* avr_ = nullptr;
   Readings readings_;
   std::string fault_;

@@ -241,6 +241,7 @@ TEST_P(AFault, IsAForfeitWithTheProgramCounter) {
 INSTANTIATE_TEST_SUITE_P(All, AFault,
                          testing::Values(Fault{"ILLEGAL", "illegal instruction at 0x0[0-9a-f]* in illegal_here"},
                                          Fault{"JUMP", "illegal instruction at 0x6000, which has no code"},
+                                         Fault{"FAR", "jump .* at 0xe000, which has no code"},
                                          Fault{"SLEEP", "sleeps .* at 0x0[0-9a-f]* in "},
                                          Fault{"WRITE", "write .* at 0x0[0-9a-f]* in "}),
                          [](const auto& tested) { return std::string(tested.param.kind); });
@@ -364,6 +365,20 @@ TEST_F(AFirmware, MustBeAProgramForAvr) {
     EXPECT_EQ(ended.code, 1);
     EXPECT_EQ(ended.out, "");
     EXPECT_THAT(ended.err, HasSubstr("ELF"));
+  }
+  // Nor does a part of one do harm.
+  const std::string whole = content(compiled("probe.c", "probe.elf"));
+  for (std::size_t size = 0; size < whole.size(); size += whole.size() / 40) {
+    file("part.elf", whole.substr(0, size));
+    const int code = asked("part.elf", briefing).code;
+    EXPECT_TRUE(code == 0 || code == 1) << size << ": " << code;
+  }
+  for (std::size_t at = 16; at < 180; ++at) {
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 0xA5);
+    file("changed.elf", changed);
+    const int code = asked("changed.elf", std::string(briefing) + questions(3, 1, 1)).code;
+    EXPECT_TRUE(code == 0 || code == 1) << at << ": " << code;
   }
   is_refused({"run", "firmware:none.elf", "corridor.txt", "--world", "physical", "--robot", "kerise"}, "none.elf");
   is_refused(

@@ -13,6 +13,7 @@
 #define JUMP 2
 #define SLEEP 3
 #define WRITE 4
+#define FAR 5
 #ifndef FAULT
 #define FAULT 0
 #endif
@@ -102,6 +103,8 @@ static void fail(void) {
   __asm__ volatile(".global illegal_here\nillegal_here: .word 0x0001");
 #elif FAULT == JUMP
   ((void (*)(void))0x3000)();
+#elif FAULT == FAR
+  ((void (*)(void))0x7000)();
 #elif FAULT == SLEEP
   cli();
   sleep_mode();

@@ -1,12 +1,14 @@
 /* Firmware for tests: writes what its pins read to the serial port, every two milliseconds: the sensor at A0 dark and lit,
    those at A1 and A2 lit, the battery, the button, and what both encoders have counted. It drives its motors in three
    ways, one after the other. */
+#include <avr/eeprom.h>
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <stdint.h>
 #include <util/delay.h>
 
 static volatile int16_t counts[2];
+static uint8_t letter_of_start EEMEM = 'B';
 
 static void count(uint8_t wheel, uint8_t a, uint8_t b) {
   static uint8_t last_a[2], last_b[2];
@@ -62,7 +64,7 @@ int main(void) {
   ADCSRA = _BV(ADEN) | _BV(ADPS2);
   UBRR0 = 0; /* a million bits in a second */
   UCSR0B = _BV(TXEN0);
-  put('B');
+  put((char)eeprom_read_byte(&letter_of_start));
   put('\n');
   /* The left motor ahead, the right one backwards; phase correct, 8 bits. */
   PORTD |= _BV(PD7);
