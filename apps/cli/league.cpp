@@ -40,7 +40,7 @@ struct LeagueOptions {
   std::string sandbox = "on";
   int jobs = 0;
   Shard shard;
-  bool replace = false, no_check = false, reveal = false;
+  bool replace = false, no_check = false, reveal = false, templates = false;
 };
 
 std::string path_in(const LeagueOptions& options, std::string_view name) {
@@ -128,6 +128,10 @@ int init(LeagueOptions& options) {
     throw UsageError("error: --title must be printable and not empty");
   if (const std::string reason = refuse(season.examination); !reason.empty()) throw UsageError("error: " + reason);
   if (const std::string reason = refuse_for_league(*entry.world); !reason.empty()) throw UsageError("error: " + reason);
+  if (options.templates && !entry.world->traits().rules_in_steps)
+    throw UsageError(
+        fmt::format("error: the templates of --templates cannot race in the world {}; leave the option out",
+                    entry.world->traits().name));
   const std::string season_file = path_in(options, season_file_name), secret_file = path_in(options, secret_file_name),
                     frozen_file = path_in(options, frozen_file_name);
   for (const std::string& path : {season_file, secret_file, frozen_file})
@@ -144,6 +148,9 @@ int init(LeagueOptions& options) {
     throw UsageError("error: " + reason);
   freeze_settings(options, season.world);
   const std::size_t practice = freeze_practice(options, mazes.mazes);
+  if (options.templates)
+    for (const EntryFile& file : template_entries())
+      save(path_in(options, fmt::format("{}/{}", entries_folder_name, file.path)), file.content);
   if (!previous.content.empty()) save(path_in(options, previous_file_name), previous.content);
   save_for_owner(secret_file, secret_text(secret));
   // The store and the records will have mazes of the examination.
@@ -391,6 +398,8 @@ void add_init(Command& league, std::shared_ptr<LeagueOptions> options, int& exit
       ->add_option("--after", options->after,
                    "The season before, whose ranks the pages show: the folder of its pages, published with --reveal")
       ->type_name("DIR");
+  command->add_flag("--templates", options->templates,
+                    "Enter the templates of robots that come with labmouse, besides the built-in mice");
   command->group(groups::world);
   options->contests.world.add_to(*command);
   add_limits(*command, options->external_mice.limits);

@@ -227,6 +227,19 @@ TEST_F(AnOrganiser, KeepsTheSeedUntilTheSeasonEnds) {
   EXPECT_EQ(publish({"--seed-file", "seed.txt"}), 0);
 }
 
+TEST_F(AnOrganiser, BeginsWithTheTemplates) {
+  ASSERT_EQ(init("spring", {"--templates"}).code, 0);
+  const Ended ended =
+      labmouse({"league", "publish", "spring", "-o", "site", "--page", "page.html", "--reveal", "--sandbox", "off"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  for (const char* name : {"flood_fill", "flood_and_return", "wall_follower"}) {
+    const auto mouse = of(results("site"), std::string("template_") + name);
+    EXPECT_GT(mouse.at("share_of_best"), 0.0) << name;
+    EXPECT_EQ(mouse.at("licence"), "MIT");
+  }
+  is_refused({"league", "init", "summer", "--templates", "--world", "seconds"}, "--templates");
+}
+
 // The season does not change with the file that its robot came from.
 TEST_F(AnOrganiser, KeepsTheRobotOfTheSeason) {
   file("mine.toml", content_of(LABMOUSE_SOURCE_DIR "/robots/half.toml"));

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "labmouse/functions/sha256.hpp"
+#include "labmouse/lab/league/builtin_templates.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -173,6 +174,21 @@ FolderHash hash_of_folder(const std::string& folder) {
   if (error) return {"", failed(folder, "cannot be read: " + error.message())};
   std::sort(lines.begin(), lines.end());
   return {sha256_text(fmt::format("{}", fmt::join(lines, ""))), ""};
+}
+
+std::vector<EntryFile> template_entries() {
+  std::vector<EntryFile> files;
+  for (const BuiltinTemplate& robot : builtin_templates()) {
+    if (robot.name == "empty") continue;
+    const std::string folder = fmt::format("template_{}", robot.name);
+    files.push_back(
+        {fmt::format("{}/{}", folder, manifest_name),
+         fmt::format("# A template that comes with labmouse.\nauthors = [\"The labmouse authors\"]\nlicence = "
+                     "\"MIT\"\n\n[[mouse]]\nname = \"{}\"\ncapstone = \"robot.py\"\n",
+                     folder)});
+    files.push_back({fmt::format("{}/robot.py", folder), std::string(robot.text)});
+  }
+  return files;
 }
 
 std::string copy_entry(const std::string& from, const std::string& to) { return Copying().copy(from, to); }

@@ -37,6 +37,16 @@ EntryManifestResult read_manifest(std::string_view text);
 /// @return the error, as a line for the user; empty on success. After an error the new folder may have some files.
 std::string copy_entry(const std::string& from, const std::string& to);
 
+/// A file of an entry.
+struct EntryFile {
+  std::string path;  ///< in the folder of all entries
+  std::string content;
+};
+
+/// The files of entries that are made of the built-in templates of robots, without the one that only shows how to
+/// begin.
+std::vector<EntryFile> template_entries();
+
 /// A hash, or the error as a line for the user.
 struct FolderHash {
   std::string hash;
