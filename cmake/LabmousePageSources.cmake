@@ -2,7 +2,7 @@
 set(LABMOUSE_PAGE_SOURCES)
 foreach(name IN ITEMS
     failure_rates/failure_file failure_rates/failure_odds failure_rates/failure_tally
-    bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound
+    bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound live/live_line live/live_map live/live_plan live/live_reader
     mazes/maze_files mazes/maze_link mice/contestant mice/mice_json mice/mouse_names mice/prior_file mice/prior_learning mice/specs
     numbers/maze_interval numbers/sign_flips numbers/statistics numbers/student numbers/verdict numbers/wealth_process numbers/wilson pictures/drive_path pictures/path_data pictures/drive_picture pictures/trace_path pictures/mms_picture pictures/picture_layers
     races/never_started races/race races/race_paths races/value races/value_json races/world_setting records/drive_json records/drive_notation

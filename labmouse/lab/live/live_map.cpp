@@ -22,6 +22,8 @@ std::string wall_of(const WallReading& reading) {
 
 const char* state_of(bool closed) { return closed ? "closed" : "open"; }
 
+Found kind_of_wrong(const WallReading& reading) { return reading.closed ? Found::false_wall : Found::missed_wall; }
+
 /// Whether one cannot come from the one cell to the other within a move.
 bool are_apart(Cell one, Cell other) { return std::abs(one.x - other.x) + std::abs(one.y - other.y) > 1; }
 
@@ -116,9 +118,13 @@ void LiveMap::add_wall(const WallReading& reading, std::vector<LiveFinding>& fin
     finding.before.reset();
   }
   known->second.newest = reading;
-  if (!truth_ || !(is_new || changes) || truth_->is_open(reading.cell, reading.side) != reading.closed) return;
-  finding.kind = reading.closed ? Found::false_wall : Found::missed_wall;
+  if (!(is_new || changes) || !is_wrong(reading)) return;
+  finding.kind = kind_of_wrong(reading);
   findings.push_back(finding);
+}
+
+bool LiveMap::is_wrong(const WallReading& reading) const {
+  return truth_ && truth_->is_open(reading.cell, reading.side) == reading.closed;
 }
 
 PartialMap LiveMap::map() const {
@@ -142,6 +148,17 @@ std::vector<LiveFinding> LiveMap::contradictions() const {
                      .cell = readings.newest.cell,
                      .now = readings.newest,
                      .before = readings.contradicting});
+  return all;
+}
+
+std::vector<LiveFinding> LiveMap::wrong_walls() const {
+  std::vector<LiveFinding> all;
+  for (const auto& [wall, readings] : walls_)
+    if (is_wrong(readings.newest))
+      all.push_back({.kind = kind_of_wrong(readings.newest),
+                     .line = readings.newest.line,
+                     .cell = readings.newest.cell,
+                     .now = readings.newest});
   return all;
 }
 

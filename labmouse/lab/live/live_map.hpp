@@ -69,6 +69,8 @@ class LiveMap {
   PartialMap map() const;
   /// The readings of walls that were seen in both states: the newest of each, and the newest that contradicts it.
   std::vector<LiveFinding> contradictions() const;
+  /// The walls whose newest reading differs from the known maze; none without one.
+  std::vector<LiveFinding> wrong_walls() const;
 
   /// Where the robot is; nothing before the first line with a cell, and after a restart.
   const std::optional<Pose>& pose() const { return pose_; }
@@ -94,6 +96,7 @@ class LiveMap {
   void add_cell(const LiveLine& line, const SeenCell& seen, std::vector<LiveFinding>& findings);
   void add_drawing(const PartialMap& drawing, std::int64_t line, std::vector<LiveFinding>& findings);
   void add_wall(const WallReading& reading, std::vector<LiveFinding>& findings);
+  bool is_wrong(const WallReading& reading) const;
 
   Size size_;
   std::optional<Maze> truth_;

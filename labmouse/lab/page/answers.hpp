@@ -52,5 +52,8 @@ PageReply answer_picture(const ReadJson& request, std::string_view bytes);
 PageReply answer_external_begin(const ReadJson& request, std::string_view bytes);
 PageReply answer_external_hear(const ReadJson& request, std::string_view bytes);
 PageReply answer_external_end(const ReadJson& request, std::string_view bytes);
+PageReply answer_live_begin(const ReadJson& request, std::string_view bytes);
+PageReply answer_live_feed(const ReadJson& request, std::string_view bytes);
+PageReply answer_live_end(const ReadJson& request, std::string_view bytes);
 
 }  // namespace labmouse

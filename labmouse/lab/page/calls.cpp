@@ -43,6 +43,9 @@ constexpr std::array calls = {
     Call{"program_begin", answer_external_begin},
     Call{"program_hear", answer_external_hear},
     Call{"program_end", answer_external_end},
+    Call{"live_begin", answer_live_begin},
+    Call{"live_feed", answer_live_feed},
+    Call{"live_end", answer_live_end},
 };
 
 constexpr auto call_names = [] {

@@ -101,6 +101,15 @@ std::vector<CallShape> call_shapes() {
        object({field("contest", number)}),
        object({field("play", named("Play")), field("record", text), field("packed", named("PackedRecord")),
                field("started", flag), field("microseconds", number)})},
+      {"live_begin",
+       "Begins to read a real robot, in a maze that is known (`maze`) or of that size. With `robot`, its name, it is "
+       "given as for `robot`, and the routes of the map are planned.",
+       object({maybe("maze", named("MazeData")), maybe("width", number), maybe("height", number), maybe("robot", text),
+               maybe("built_in", text), maybe("values", map(named("RobotValue")))}),
+       named("LiveState"), CallBytes::optional},
+      {"live_feed", "The next bytes of the robot, in any pieces.", object({field("stream", number)}),
+       named("LiveState"), CallBytes::some},
+      {"live_end", "", object({field("stream", number)}), object({})},
   };
 }
 

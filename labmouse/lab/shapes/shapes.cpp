@@ -8,7 +8,7 @@ const std::vector<Declaration>& all_shapes() {
   static const std::vector<Declaration> all = [] {
     std::vector<Declaration> list;
     for (const auto& some : {maze_shapes(), about_shapes(), play_shapes(), drive_shapes(), robot_shapes(),
-                             race_shapes(), external_shapes()})
+                             race_shapes(), external_shapes(), live_shapes()})
       list.insert(list.end(), some.begin(), some.end());
     return list;
   }();

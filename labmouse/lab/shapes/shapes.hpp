@@ -26,6 +26,7 @@ std::vector<Declaration> drive_shapes();
 std::vector<Declaration> robot_shapes();
 std::vector<Declaration> race_shapes();
 std::vector<Declaration> external_shapes();
+std::vector<Declaration> live_shapes();
 std::vector<CallShape> call_shapes();
 
 /// All named shapes.

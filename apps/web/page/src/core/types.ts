@@ -803,6 +803,52 @@ export type ProgramEnd = {
   what: string;
 };
 
+/** What a user should know of a line. `side` is of a wall, seen from `cell`. */
+export interface LiveFinding {
+  kind: 'restart' | 'outside' | 'open_border' | 'contradiction' | 'false_wall' | 'missed_wall';
+  line: number;
+  cell: Cell | null;
+  side: HeadingName | null;
+  /** The line of `labmouse live`. */
+  words: string;
+}
+
+/** What a real robot has sent so far. */
+export interface LiveState {
+  stream: number;
+  /** The map; walls that it has not seen are open. */
+  maze: MazeData;
+  /** The unseen walls of each cell: 1 north, 2 east. */
+  unseen: number[];
+  /** The map as `labmouse live --save` writes it. */
+  drawing: string;
+  pose: { cell: Cell; heading: HeadingName } | null;
+  /** The route that the robot plans: its cell, then where it turns. */
+  route: Cell[];
+  /** The newest value of each field. */
+  fields: Record<string, string>;
+  /** Of the lines that this call read. */
+  values: {
+    line: number;
+    /** mm/s */
+    v: number | null;
+    /** mV */
+    batt: number | null;
+  }[];
+  /** Of the lines that this call read. */
+  findings: LiveFinding[];
+  contradictions: LiveFinding[];
+  /** False and missed walls of the map. */
+  wrong: LiveFinding[];
+  /** What `labmouse live --robot` prints; empty without a robot. */
+  advice: string;
+  /** The line for the robot; empty if no route is known. */
+  plan: string;
+  lines: number;
+  noise: number;
+  restarts: number;
+}
+
 /** Every function of the core: what it is asked and what it answers. `bytes` goes beside the request. */
 export interface Calls {
   about: {
@@ -986,6 +1032,32 @@ export interface Calls {
       started: boolean;
       microseconds: number;
     };
+  };
+  /**
+   * Begins to read a real robot, in a maze that is known (`maze`) or of that size. With `robot`, its name, it is
+   * given as for `robot`, and the routes of the map are planned.
+   */
+  live_begin: {
+    request: {
+      maze?: MazeData;
+      width?: number;
+      height?: number;
+      robot?: string;
+      built_in?: string;
+      values?: Record<string, RobotValue>;
+    };
+    bytes?: Uint8Array;
+    answer: LiveState;
+  };
+  /** The next bytes of the robot, in any pieces. */
+  live_feed: {
+    request: { stream: number };
+    bytes: Uint8Array;
+    answer: LiveState;
+  };
+  live_end: {
+    request: { stream: number };
+    answer: Record<string, never>;
   };
 }
 
