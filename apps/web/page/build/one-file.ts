@@ -13,6 +13,8 @@ function policy(script: string, style: string, others: string[]): string {
     `script-src ${[script, ...others].map(hash).join(' ')} 'wasm-unsafe-eval'`,
     `style-src ${hash(style)}`,
     `worker-src blob:`,
+    // The lines of a real robot, from a program on this computer.
+    `connect-src ws://127.0.0.1:*`,
     `img-src blob: data:`,
     `base-uri 'none'`,
     `form-action 'none'`,

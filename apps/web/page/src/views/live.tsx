@@ -4,6 +4,7 @@ import { drivingWorld, driveOf } from '../link/contest';
 import { mazeAt, placeOf } from '../link/mazes';
 import { BenchRoom, createBench, type Bench, type Order } from '../live/bench';
 import { createEveryone, EveryoneCard } from '../live/everyone';
+import { createRobotPart, RobotCard } from '../live/robot-card';
 import { createMazeChoice, MazeCard } from '../choice/maze-choice';
 import { createWorldChoice, WorldFields } from '../choice/world-choice';
 import { createMouseChoice, MouseCard, ParametersCard } from '../choice/mouse-choice';
@@ -160,6 +161,7 @@ function createParts(page: Page) {
       <div class="desk-main">
         <BenchRoom bench={bench} />
         <EveryoneCard everyone={everyone} pick={pick} />
+        <RobotCard part={robot} maze={forms.state.maze} />
       </div>
     </div>
   ));
@@ -171,6 +173,7 @@ function createParts(page: Page) {
     if (message) showComplaint(element);
   });
   const everyone = createEveryone(page, order, draw);
+  const robot = createRobotPart(page, draw);
   /** What the table of all mice says is of another contest. */
   function another() {
     everyone.clear();

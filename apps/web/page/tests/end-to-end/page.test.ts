@@ -12,6 +12,7 @@ test('its policy lets no script in that is not its own, and nothing out', async 
   const page = await open('#draw');
   const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content');
   expect(policy).toContain("default-src 'none'");
+  expect(policy!.match(/connect-src [^;]*/)![0]).toBe('connect-src ws://127.0.0.1:*');
   const blocked = await page.evaluate(async () => {
     const directives: string[] = [];
     const next = () =>
