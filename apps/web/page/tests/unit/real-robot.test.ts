@@ -114,6 +114,9 @@ describe('what is kept', () => {
     expect(curve.points().length).toBeLessThanOrEqual(1000);
     expect(curve.points().length).toBeGreaterThan(499);
     expect(curve.points()[0].line).toBe(1);
+    // The whole time, evenly.
+    const gaps = curve.points().flatMap(({ line }, i, all) => (i > 0 ? [line - all[i - 1].line] : []));
+    expect(new Set(gaps).size).toBe(1);
     expect(curve.points().at(-1)!.line).toBeGreaterThan(715_000);
   });
   it('are the first lines, without a gap', () => {
@@ -200,6 +203,20 @@ describe('a real robot', () => {
       { maze: empty.maze, robot: 'classic', built_in: 'classic' },
       { width: 2, height: 2 },
     ]);
+  });
+  it('loses nothing that comes while the core works', async () => {
+    vi.stubGlobal('WebSocket', FakeSocket);
+    const { page, saved } = counting();
+    const robot = createRealRobot(page, () => undefined);
+    await robot.connect({ ...wanted, source: 'socket', address: 'ws://127.0.0.1:1/' });
+    const sent = Array.from({ length: 500 }, (_, i) => `line ${i}\n`);
+    for (const data of sent) FakeSocket.all.at(-1)!.onmessage?.({ data });
+    await robot.settled();
+    expect(robot.state).toMatchObject({ isOpen: true, now: { lines: 500 } });
+    robot.save();
+    expect(saved).toEqual([sent.join('')]);
+    robot.disconnect();
+    expect(robot.state.isOpen).toBe(false);
   });
   it('says why it cannot be reached', async () => {
     const robot = createRealRobot(counting().page, () => undefined);
