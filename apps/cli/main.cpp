@@ -46,7 +46,7 @@ constexpr const char* start_page =
     R"(labmouse {}: a micromouse laboratory
 
   labmouse demo                                  race four mice, and open the page with their replays
-  labmouse race --mice flood,capstone:robot.py   race your own mouse: here a capstone robot beside flood
+  labmouse race --mice flood,capstone:robot.py   race your own mouse; a program for mms is 'mms:COMMAND'
   labmouse doctor                                show what works on this machine, and how to get the rest
 
 All commands: labmouse --help. All options of a command: labmouse COMMAND --help.
