@@ -172,7 +172,7 @@ PageReply answer_live_feed(const ReadJson& json, std::string_view bytes) {
   std::vector<LiveFinding> findings;
   Json values = Json::array();
   for (const LiveLine& line : stream->reader.feed(bytes)) {
-    for (LiveFinding& finding : stream->map.add(line)) findings.push_back(std::move(finding));
+    for (const LiveFinding& finding : stream->map.add(line)) findings.push_back(finding);
     Json speed = field_number(line, "v"), battery = field_number(line, "batt");
     if (!(speed.is_null() && battery.is_null()))
       values.push_back({{"line", line.number}, {"v", std::move(speed)}, {"batt", std::move(battery)}});
