@@ -14,7 +14,7 @@ namespace labmouse {
 namespace {
 
 using With = RobotKey::With;
-using Kind = RobotKey::Kind;
+using KeyKind = RobotKey::Kind;
 
 constexpr bool needed = true, optional = false, of_diagonals = true;
 
@@ -27,20 +27,20 @@ constexpr std::string_view turn_meaning = "the whole turn, from node to node; fa
 
 /// A key with the design speed of a turn's path.
 constexpr RobotKey layout(std::string_view name, bool diagonal) {
-  return {name, layout_meaning, "mm/s", 10.0, 20'000.0, With::curves, optional, Kind::number_or_false, diagonal};
+  return {name, layout_meaning, "mm/s", 10.0, 20'000.0, With::curves, optional, KeyKind::number_or_false, diagonal};
 }
 /// A key with the time of a turn.
 constexpr RobotKey turn(std::string_view name, bool diagonal) {
-  return {name, turn_meaning, "ms", 1.0, 10'000.0, With::turns, needed, Kind::number_or_false, diagonal};
+  return {name, turn_meaning, "ms", 1.0, 10'000.0, With::turns, needed, KeyKind::number_or_false, diagonal};
 }
 constexpr RobotKey diagonal(std::string_view name, std::string_view meaning, std::string_view unit, double low,
                             double high) {
-  return {name, meaning, unit, low, high, With::always, optional, Kind::number, of_diagonals};
+  return {name, meaning, unit, low, high, With::always, optional, KeyKind::number, of_diagonals};
 }
 
 /// A key with a text, one of some.
 constexpr RobotKey choice(std::string_view name, std::string_view meaning, std::span<const std::string_view> choices) {
-  RobotKey key{name, meaning, "", 0.0, 0.0, With::curves, optional, Kind::choice};
+  RobotKey key{name, meaning, "", 0.0, 0.0, With::curves, optional, KeyKind::choice};
   key.choices = choices;
   return key;
 }
@@ -55,9 +55,9 @@ constexpr std::array limit_keys = {
     RobotKey{"run_up", "how far behind the middle of the start cell a run begins, less than half a cell; default 0",
              "mm", 0.0, 500.0, With::curves, optional},
     RobotKey{"sight", "how far its sensors see walls in each direction; default 1", "cells", 1.0, 32.0, With::always,
-             optional, Kind::whole},
+             optional, KeyKind::whole},
     RobotKey{"diagonals", "whether it drives diagonals; default true", "", 0.0, 1.0, With::always, optional,
-             Kind::yes_or_no},
+             KeyKind::yes_or_no},
     choice("stop",
            "where a run may end: slow enough to stop in the last open cell straight behind the goal (\"goal\"), or "
            "at any speed (\"beyond\"); default \"goal\"",
@@ -93,14 +93,14 @@ constexpr std::array limit_keys = {
              "driven at one speed each. Not together with a yaw jerk",
              "mm/s²", 100.0, 200'000.0, With::curves, optional},
     RobotKey{"curve.speeds", "of each turn at most; default 6", "speeds", 1.0, most_speeds, With::curves, optional,
-             Kind::whole},
+             KeyKind::whole},
     layout("layout.45", of_diagonals),
     layout("layout.90", false),
     layout("layout.135", of_diagonals),
     RobotKey{"layout.180",
              "the straight before and after this turn; default: half a cell, or what the wall ahead allows. false for "
              "a turn that is not driven",
-             "mm", 0.1, 500.0, With::curves, optional, Kind::number_or_false},
+             "mm", 0.1, 500.0, With::curves, optional, KeyKind::number_or_false},
     layout("layout.V90", of_diagonals),
     RobotKey{
         "layout.S90",
@@ -211,10 +211,11 @@ std::string in_quotes(std::span<const std::string_view> choices) {
 }  // namespace
 
 std::string range_of(const RobotKey& key) {
-  if (key.kind == Kind::yes_or_no) return "true or false";
-  if (key.kind == Kind::choice) return in_quotes(key.choices);
-  return fmt::format("{}{:.10g} to {:.10g}{}{}{}", key.kind == Kind::whole ? "a whole number, " : "", key.low, key.high,
-                     key.unit.empty() ? "" : " ", key.unit, key.kind == Kind::number_or_false ? ", or false" : "");
+  if (key.kind == KeyKind::yes_or_no) return "true or false";
+  if (key.kind == KeyKind::choice) return in_quotes(key.choices);
+  return fmt::format("{}{:.10g} to {:.10g}{}{}{}", key.kind == KeyKind::whole ? "a whole number, " : "", key.low,
+                     key.high, key.unit.empty() ? "" : " ", key.unit,
+                     key.kind == KeyKind::number_or_false ? ", or false" : "");
 }
 
 namespace {
