@@ -213,7 +213,7 @@ test('an edited robot is there again when the page is opened again, beside what 
   await page.goto(`${page.url().split('#')[0]}#live`);
   await page.reload();
   await live.getByLabel('World').selectOption('seconds');
-  await expect.poll(() => live.getByLabel('Robot').locator('option').allTextContents()).toContain('kept-one, my robot');
+  await expect.poll(() => live.getByRole('combobox', { name: 'Robot', exact: true }).locator('option').allTextContents()).toContain('kept-one, my robot');
   await page.getByRole('link', { name: 'Robot' }).click();
   await view(page).getByRole('button', { name: 'Undo all changes' }).click();
   await expect.poll(() => keptInBrowser(page, 'robot')).toBe('null');
@@ -229,7 +229,7 @@ test('a file is opened by dropping it, and drives in Live under its name', async
   await view(page).getByRole('button', { name: 'Drive it in Live' }).click();
   const live = page.getByRole('region', { name: 'Live' });
   await live.getByLabel('World').selectOption('seconds');
-  await live.getByLabel('Robot').selectOption({ label: 'tank, my robot' });
+  await live.getByRole('combobox', { name: 'Robot', exact: true }).selectOption({ label: 'tank, my robot' });
   await expect.poll(() => live.locator('.verdict').textContent()).toMatch(/score [\d.]+ s/);
   await expect.poll(() => page.url()).toContain('robot=tank%0A');
   const score = await live.locator('.verdict').textContent();

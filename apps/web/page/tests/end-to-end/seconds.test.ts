@@ -193,7 +193,7 @@ test('a mouse drives in Live, with a robot and rules, and the address says so', 
   await expect.poll(() => outcome.textContent()).toContain('score');
   await live.getByLabel('World').selectOption('seconds');
   await expect.poll(() => outcome.textContent()).toMatch(/finished, score [\d.]+ s, best possible [\d.]+ s$/);
-  await live.getByLabel('Robot').selectOption('half');
+  await live.getByRole('combobox', { name: 'Robot', exact: true }).selectOption('half');
   await live.getByLabel('Rules').selectOption('thirtieth');
   await page.getByRole('region', { name: 'Mouse' }).getByLabel('Name').selectOption('certify');
   await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/mouse=certify.*&robot=half&rules=thirtieth$/);
