@@ -60,12 +60,26 @@ bool same_variable(std::string_view one, std::string_view other) {
   return one.substr(0, one.find('=')) == other.substr(0, other.find('='));
 }
 
+/// Whether a mouse inherits the variable. In a sandbox these are only variables that say how and where programs run,
+/// because any other may hold a secret, such as the seed of hidden mazes or a password. Elsewhere the mouse can find
+/// them anyway; in `_` a shell leaves the path of labmouse, and what is named after labmouse may name mazes.
+bool is_inherited(std::string_view variable, bool sandbox) {
+  constexpr std::array<std::string_view, 14> names = {
+      "HOME",  "JAVA_HOME", "LANG",   "LANGUAGE", "LD_LIBRARY_PATH", "LOGNAME", "NODE_PATH", "PATH",
+      "SHELL", "TERM",      "TMPDIR", "TZ",       "VIRTUAL_ENV",     "USER"};
+  constexpr std::array<std::string_view, 4> beginnings = {"LC_", "NVM_", "PYENV_", "PYTHON"};
+  const std::string_view name = variable.substr(0, variable.find('='));
+  if (!sandbox) return name != "_" && !name.starts_with("LABMOUSE_");
+  return std::find(names.begin(), names.end(), name) != names.end() || name.ends_with("_NUM_THREADS") ||
+         std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view beginning) { return name.starts_with(beginning); });
+}
+
 /// The inherited environment with the launch's variables, for exec; points into both.
 std::vector<char*> environment_of(const Launch& launch) {
   std::vector<char*> variables;
   for (char** variable = environ; *variable != nullptr; ++variable)
-    // In `_` a shell leaves the path of labmouse; what is named after labmouse is for its users and may name mazes.
-    if (!std::string_view(*variable).starts_with("_=") && !std::string_view(*variable).starts_with("LABMOUSE_") &&
+    if (is_inherited(*variable, launch.sandbox) &&
         std::none_of(launch.environment.begin(), launch.environment.end(),
                      [&](const std::string& own) { return same_variable(own, *variable); }))
       variables.push_back(*variable);
