@@ -213,7 +213,9 @@ test('an edited robot is there again when the page is opened again, beside what 
   await page.goto(`${page.url().split('#')[0]}#live`);
   await page.reload();
   await live.getByLabel('World').selectOption('seconds');
-  await expect.poll(() => live.getByRole('combobox', { name: 'Robot', exact: true }).locator('option').allTextContents()).toContain('kept-one, my robot');
+  await expect
+    .poll(() => live.getByRole('combobox', { name: 'Robot', exact: true }).locator('option').allTextContents())
+    .toContain('kept-one, my robot');
   await page.getByRole('link', { name: 'Robot' }).click();
   await view(page).getByRole('button', { name: 'Undo all changes' }).click();
   await expect.poll(() => keptInBrowser(page, 'robot')).toBe('null');
