@@ -34,7 +34,7 @@ Entry entry_of(const CompareOptions& options) {
     throw UsageError("error: mice are missing; name the first one, and those to compare with it");
   Entry entry = options.contests.world.enter_one(find_contestants(with_mice_files(options.mice, options.mice_files),
                                                                   options.contests.world, options.external_mice));
-  if (entry.mice.size() < 2) throw UsageError("error: there is nothing to compare; name two mice or more");
+  if (entry.mice.size() < 2) throw UsageError("error: there is nothing to compare; name two mice or more that differ");
   return entry;
 }
 

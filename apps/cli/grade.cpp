@@ -11,6 +11,7 @@
 #include "labmouse/lab/grading/feedback_page.hpp"
 #include "labmouse/lab/grading/grade_files.hpp"
 #include "labmouse/lab/grading/grade_table.hpp"
+#include "labmouse/lab/mazes/secret_mazes.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -40,7 +41,10 @@ std::string content_of(const std::string& path) {
 
 std::string secret_seed(const std::string& path) {
   std::string seed = secret_in(content_of(path));
-  if (seed.empty()) throw UsageError(fmt::format("{}: error: has no seed; write a secret text into it", path));
+  if (seed.size() < shortest_secret)
+    throw UsageError(fmt::format(
+        "{}: error: the seed has fewer than {} characters, so that it could be guessed; write a longer text", path,
+        shortest_secret));
   return seed;
 }
 

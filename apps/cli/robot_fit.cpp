@@ -50,7 +50,7 @@ void add(Command& robot, const std::string& name, const std::string& meaning, co
 
 std::string python_of_fits() {
   const char* chosen = std::getenv("LABMOUSE_PYTHON");
-  return chosen != nullptr ? chosen : "python3";
+  return chosen != nullptr && *chosen != '\0' ? chosen : "python3";
 }
 
 void add_robot_fit(Command& robot) {

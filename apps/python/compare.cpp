@@ -62,7 +62,7 @@ class RunningComparison {
     order.race.store = store_.emplace(store).shown();
     order.race.files = {std::get<0>(store)};
     std::vector<Contestant>& all = field.entry.mice;
-    if (all.size() < 2) throw UserError("there is nothing to compare; name two mice or more");
+    if (all.size() < 2) throw UserError("there is nothing to compare; name two mice or more that differ");
     const auto first =
         std::find_if(all.begin(), all.end(), [&](const Contestant& mouse) { return mouse.name == name; });
     std::rotate(all.begin(), first, first + 1);

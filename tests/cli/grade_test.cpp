@@ -194,7 +194,7 @@ TEST_F(AGrader, GetsHiddenMazesByTheSecretSeedAlone) {
     return grades({"--seed-file", "seed.txt"}).at("students");
   };
   const auto with_secret = graded("quite secret words");
-  EXPECT_NE(graded("other words"), with_secret);
+  EXPECT_NE(graded("other secret words"), with_secret);
   file("course/tasks.toml", tasks);
   EXPECT_EQ(grades().at("students"), with_secret);
   EXPECT_EQ(grade({"--seed-file", "seed.txt"}).code, 2);

@@ -176,6 +176,12 @@ TEST_F(AnOrganiser, FreezesWhatDecidesTheRanking) {
     }
     file(path, good);
   }
+  const std::string list = content("spring/season.sha256");
+  for (const std::string& damaged : {std::string(), list.substr(0, 70), std::string("rubbish\n")}) {
+    file("spring/season.sha256", damaged);
+    is_refused(run, "spring/season.sha256");
+  }
+  file("spring/season.sha256", list);
   file("spring/practice/more.txt", content("spring/practice/contest-01.txt"));
   is_refused(run, "spring/practice/more.txt");
   fs::remove(folder_ / "spring/practice/more.txt");

@@ -20,6 +20,12 @@ using Hashes = std::map<std::string, std::string, std::less<>>;  ///< by path in
 constexpr std::size_t hash_digits = 64;
 constexpr std::string_view separator = "  ";
 
+std::string list_of(const Hashes& hashes) {
+  std::string text;
+  for (const auto& [name, hash] : hashes) text += fmt::format("{}{}{}\n", hash, separator, name);
+  return text;
+}
+
 /// Hashes files of a folder; after the first error it does nothing.
 class Freezing {
  public:
@@ -51,11 +57,7 @@ class Freezing {
       error_ = shown(fmt::format("{}: error: cannot be read: {}", folder.string(), error.message()));
   }
 
-  FrozenFiles list() const {
-    std::string text;
-    for (const auto& [name, hash] : hashes_) text += fmt::format("{}{}{}\n", hash, separator, name);
-    return error_.empty() ? FrozenFiles{std::move(text), ""} : FrozenFiles{"", error_};
-  }
+  FrozenFiles list() const { return error_.empty() ? FrozenFiles{list_of(hashes_), ""} : FrozenFiles{"", error_}; }
 
  private:
   std::string folder_, error_;
@@ -95,6 +97,10 @@ std::vector<std::string> frozen_changes(const std::string& folder, std::string_v
     changes.push_back(shown(fmt::format("{}/{}: error: {}", folder, name, reason)));
   };
   const Hashes before = hashes_in(written), after = hashes_in(now);
+  if (before.empty() || list_of(before) != written) {
+    add(frozen_file_name, "is not as `labmouse league init` wrote it; restore it");
+    return changes;
+  }
   for (const auto& [name, hash] : before) {
     const auto found = after.find(name);
     if (found == after.end())
@@ -107,7 +113,6 @@ std::vector<std::string> frozen_changes(const std::string& folder, std::string_v
   for (const auto& [name, hash] : after)
     if (before.find(name) == before.end())
       add(name, "was added, and a season is frozen; remove it, or make another season with `labmouse league init`");
-  if (changes.empty()) add(frozen_file_name, "is not as `labmouse league init` wrote it; restore it");
   return changes;
 }
 

@@ -26,7 +26,7 @@ Paired read_paired(PageRequest& request) {
   Paired paired;
   Entry entry = read_page_world(request);
   paired.mice = read_mice(request, entry.world.get());
-  if (paired.mice.size() < 2) request.reject("there is nothing to compare; name two mice or more");
+  if (paired.mice.size() < 2) request.reject("there is nothing to compare; name two mice or more that differ");
   CompareOrder& order = paired.order;
   std::vector<NamedMaze> mazes;
   if (request.has("mazes")) {
