@@ -199,6 +199,11 @@ TEST_F(AGrader, GetsHiddenMazesByTheSecretSeedAlone) {
   EXPECT_EQ(grades().at("students"), with_secret);
   EXPECT_EQ(grade({"--seed-file", "seed.txt"}).code, 2);
   file("course/tasks.toml", tasks_of.substr(tasks_of.find('\n') + 1));
+  for (const char* guessed : {"", "wet chalk\n"}) {
+    file("seed.txt", guessed);
+    is_refused({"grade", "--mice", "course/class.toml", "--tasks", "course/tasks.toml", "--seed-file", "seed.txt"},
+               "seed.txt");
+  }
   is_refused({"grade", "--mice", "course/class.toml", "--tasks", "course/tasks.toml"},
              "course/tasks.toml:7:1: error: ", "seed");
 }

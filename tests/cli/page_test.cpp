@@ -3,6 +3,7 @@
 #include <map>
 
 #include "tests/cli/user.hpp"
+#include "tests/lab/reports/unpacking.hpp"
 
 namespace labmouse {
 namespace {
@@ -60,18 +61,15 @@ TEST_F(AReader, SeesADemoInTheBrowserThatIsNamed) {
   EXPECT_EQ(demo.code, 0) << demo.err;
   EXPECT_THAT(demo.out, EndsWith("\nlabmouse-demo.html\n"));
   // The report has times by the clock, the records have none.
-  const auto records = [this](const std::string& name) {
-    const std::string page = content(name);
-    const auto begin = page.find("id=\"labmouse-records\"");
-    EXPECT_NE(begin, std::string::npos);
-    return page.substr(std::min(begin, page.size()));
-  };
-  EXPECT_THAT(content("labmouse-demo.html"), HasSubstr("id=\"labmouse-report\""));
+  const auto records = test::block_of(content("labmouse-demo.html"), "labmouse-records").at("records");
+  const auto results = test::block_of(content("labmouse-demo.html"), "labmouse-report");
+  EXPECT_EQ(records.size(), 4 * 43);
+  EXPECT_FALSE(results.is_null());
 
   file("mine.html", "not a page");
   is_refused({"demo", "--page", "page.html", "-o", "mine.html"}, "mine.html");
   EXPECT_EQ(labmouse({"demo", "--page", "page.html", "--no-browser", "-o", "2.html"}, "BROWSER=/none/such").code, 0);
-  EXPECT_TRUE(records("2.html") == records("labmouse-demo.html"));
+  EXPECT_TRUE(test::block_of(content("2.html"), "labmouse-records").at("records") == records);
   EXPECT_EQ(content("mine.html"), "not a page");
 }
 
