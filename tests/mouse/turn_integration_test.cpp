@@ -21,7 +21,7 @@ using test::Course;
 using test::courses;
 using test::drives;
 using test::endless;
-using test::fine_step;
+using test::fine;
 using test::largest_speed;
 using test::Layout;
 using test::leads_of;
@@ -81,12 +81,12 @@ TEST_P(TurnsInSteps, KeepEveryLimit) {
     for (std::size_t i = 1; i < layout.moments.size(); ++i) {
       const Moment &last = layout.moments[i - 1], &now = layout.moments[i];
       const double time = now.seconds - last.seconds;
-      if (time < fine_step / 100.0) continue;
+      if (time < fine.step / 100.0) continue;
       const double before = std::exchange(acceleration, (now.rate - last.rate) / time);
       ASSERT_LE(now.rate * layout.speed, robot().lateral_acceleration * slack);
       ASSERT_LE(now.rate, yaw_speed * slack);
       ASSERT_LE(std::abs(acceleration), robot().yaw_acceleration * slack);
-      ASSERT_LE(std::abs(acceleration - before), yaw_jerk * fine_step * slack + noise);
+      ASSERT_LE(std::abs(acceleration - before), yaw_jerk * fine.step * slack + noise);
     }
   });
 }

@@ -68,10 +68,17 @@ struct Phase {
   double seconds = 0.0;
 };
 
+/// How finely a curve is driven.
+struct Fineness {
+  double step;  ///< about as many seconds
+  int phases;   ///< in which a smooth curve rises
+};
+/// Enough to choose a speed by; and to compare with.
+inline constexpr Fineness coarse{1e-3, 200}, fine{1e-4, 1600};
+
 /// Up to a yaw rate as fast as allowed, with a yaw acceleration that is half a sine wave or a parabola, in short
 /// phases.
-inline std::vector<Phase> smooth_rise_to(double rate, const Robot& robot) {
-  constexpr int count = 1600;
+inline std::vector<Phase> smooth_rise_to(double rate, const Robot& robot, int count) {
   const bool sine = robot.profile == TurnProfile::sine;
   std::vector<double> shares;  // of the largest yaw acceleration
   for (int i = 0; i <= count; ++i) {
@@ -85,14 +92,14 @@ inline std::vector<Phase> smooth_rise_to(double rate, const Robot& robot) {
   if (robot.yaw_jerk > 0.0) seconds = std::max(seconds, std::sqrt(steepest * rate / (mean * robot.yaw_jerk)));
   const double most = rate / (mean * seconds), time = seconds / count;
   std::vector<Phase> phases;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i)
     phases.push_back({most * shares[i], most * (shares[i + 1] - shares[i]) / time, time});
   return phases;
 }
 
 /// Up to a yaw rate as fast as allowed.
-inline std::vector<Phase> rise_to(double rate, const Robot& robot) {
-  if (robot.profile != TurnProfile::trapezoid) return smooth_rise_to(rate, robot);
+inline std::vector<Phase> rise_to(double rate, const Robot& robot, int phases) {
+  if (robot.profile != TurnProfile::trapezoid) return smooth_rise_to(rate, robot, phases);
   if (robot.yaw_jerk <= 0.0) return {{robot.yaw_acceleration, 0.0, rate / robot.yaw_acceleration}};
   const double most = std::min(robot.yaw_acceleration, std::sqrt(rate * robot.yaw_jerk));
   const double change = most / robot.yaw_jerk;
@@ -106,15 +113,15 @@ inline double seconds_of(const std::vector<Phase>& phases) {
 }
 
 /// The tightest curve at a speed. While the yaw rate rises and falls, its mean is half of its largest value.
-inline std::vector<Phase> curve(double angle, double speed, const Robot& robot) {
+inline std::vector<Phase> curve(double angle, double speed, const Robot& robot, int count) {
   double rate = robot.lateral_acceleration / speed;
   if (robot.yaw_speed > 0.0) rate = std::min(rate, robot.yaw_speed);
-  const auto turned = [&](double peak) { return peak * seconds_of(rise_to(peak, robot)); };
+  const auto turned = [&](double peak) { return peak * seconds_of(rise_to(peak, robot, count)); };
   if (turned(rate) > angle) {
     double low = 0.0;
     for (int i = 0; i < 60; ++i) (turned((low + rate) / 2.0) > angle ? rate : low) = (low + rate) / 2.0;
   }
-  std::vector<Phase> phases = rise_to(rate, robot);
+  std::vector<Phase> phases = rise_to(rate, robot, count);
   const std::vector<Phase> rise = phases;
   phases.push_back({0.0, 0.0, std::max(0.0, angle - turned(rate)) / rate});
   for (auto it = rise.rbegin(); it != rise.rend(); ++it)
@@ -165,9 +172,9 @@ struct Layout {
   double length() const { return speed * seconds_of(phases); }
 };
 
-inline Layout laid_out(const Course& course, double speed, const Robot& robot, double step) {
-  Layout layout{speed, curve(course.angle(), speed, robot), {}, 0.0, 0.0};
-  layout.moments = driven(layout.phases, course.heading, speed, step);
+inline Layout laid_out(const Course& course, double speed, const Robot& robot, Fineness fineness) {
+  Layout layout{speed, curve(course.angle(), speed, robot, fineness.phases), {}, 0.0, 0.0};
+  layout.moments = driven(layout.phases, course.heading, speed, fineness.step);
   const Point rest = robot.cell * (course.last - course.first) - layout.moments.back().place;
   const Point in = towards(course.heading), out = towards(course.last_heading);
   if (std::abs(cross(in, out)) < 1e-9) return layout;  // around a post: whatever stands before and after it
@@ -235,11 +242,8 @@ inline double top_speed(const Course& course, const Robot& robot) {
                   course.to_diagonal() ? robot.speed_diagonal : robot.speed);
 }
 
-inline constexpr double coarse_step = 1e-3, fine_step = 1e-4;
-
-/// Of coarse steps, enough to choose a speed by.
 inline bool fits(const Course& course, double speed, const Robot& robot) {
-  const Layout layout = laid_out(course, speed, robot, coarse_step);
+  const Layout layout = laid_out(course, speed, robot, coarse);
   return layout.before >= 0.0 && layout.after >= 0.0 && clearance_of(course, layout, robot.cell) >= robot.clearance;
 }
 
@@ -248,7 +252,7 @@ inline double speed_around_post(const Course& course, const Robot& robot) {
   double low = 0.0, high = 20'000.0;
   for (int i = 0; i < 60; ++i) {
     const double speed = (low + high) / 2.0;
-    const bool wide = -laid_out(course, speed, robot, coarse_step).moments.back().place.x > robot.cell;
+    const bool wide = -laid_out(course, speed, robot, fine).moments.back().place.x > robot.cell;
     (wide ? high : low) = speed;
   }
   return low;
@@ -277,7 +281,7 @@ inline double lead_around_post(const Layout& layout, const Robot& robot) {
 }
 
 inline Layout layout_of(const Course& course, const Robot& robot) {
-  Layout layout = laid_out(course, layout_speed(course, robot), robot, fine_step);
+  Layout layout = laid_out(course, layout_speed(course, robot), robot, fine);
   if (course.turn == Turn::f180) layout.before = layout.after = lead_around_post(layout, robot);
   return layout;
 }
