@@ -150,7 +150,10 @@ TEST(PartsSpec, KeysOfContestsNameBothAndTheProgramsFiles) {
 }
 
 TEST(PartsSpec, StandsInMiceFilesWithTheKeysOfPrograms) {
-  const fs::path file = fs::temp_directory_path() / ("labmouse-parts-" + std::to_string(getpid()) + ".toml");
+  // A folder of its own: the identity of a mouse is that of the files beside it, too.
+  const fs::path folder = fs::temp_directory_path() / ("labmouse-parts-file-" + std::to_string(getpid()));
+  const fs::path file = folder / "mice.toml";
+  fs::create_directories(folder);
   const auto read = [&](const std::string& text) {
     std::ofstream(file) << text;
     return read_specs("mice-file:" + file.string());
@@ -170,7 +173,7 @@ TEST(PartsSpec, StandsInMiceFilesWithTheKeysOfPrograms) {
   ASSERT_THAT(own.contestants, SizeIs(1)) << own.error;
   EXPECT_TRUE(own.contestants[0].parts);
   EXPECT_NE(read("[[mouse]]\nname = \"mine\"\nmouse = \"flood-return\"\narguments = [\"-c\"]\n").error, "");
-  fs::remove(file);
+  fs::remove_all(folder);
 }
 
 #if defined(LABMOUSE_PART_PROGRAM) && defined(LABMOUSE_BAD_PROGRAM)
