@@ -4,6 +4,7 @@
 
 #include "labmouse/lab/races/world_entry.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 
 namespace labmouse {
@@ -25,7 +26,7 @@ Json table_json(const WorldEntry& entry) {
   const WorldFields& fields = *world->traits().fields;
   Json json = {{"unit", world->traits().unit},
                {"failure_score", world->traits().failure_score ? Json(*world->traits().failure_score) : Json(nullptr)},
-               {"bound", fields.bound},
+               {"bound", bound_place_json(*world)},
                {"bound_meaning", fields.bound_meaning},
                {"columns", Json::array()}};
   for (const Column& column : fields.columns)

@@ -33,7 +33,9 @@ std::vector<Declaration> race_shapes() {
        object({field("unit", text, "Of scores and their differences."),
                field("failure_score", or_null(number),
                      "What a contest without a score counts in means; null where it has no place there."),
-               field("bound", text, "The field of a maze with its best possible score."), field("bound_meaning", text),
+               field("bound", object({field("key", text), field("unit", number)}),
+                     "The field of a maze with its best possible score, and what it is multiplied by."),
+               field("bound_meaning", text),
                field("columns", list(named("ShownColumn"))),
                maybe("score", object({field("key", text), field("inner", text), field("unit", number)}),
                      "Where it is not the field `score` of a contest: the field inside of which field, and what it is "

@@ -64,6 +64,7 @@ void describe_world(const Race& race, Json& json) {
   const ScorePlace place = world.traits().score_place;
   json["unit"] = world.traits().unit;
   json["score"] = {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}};
+  json["bound"] = bound_place_json(world);
   json["failure_score"] = world.traits().failure_score ? Json(*world.traits().failure_score) : Json(nullptr);
   json["limit_score"] = world.traits().limit_score;
   json["columns"] = Json::array();
@@ -129,6 +130,10 @@ Json skipped_json(const std::vector<SkippedFile>& skipped) {
 }
 
 }  // namespace
+
+Json bound_place_json(const World& world) {
+  return {{"key", world.traits().fields->bound}, {"unit", world.traits().score_place.unit}};
+}
 
 void write_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped, const TextSink& sink) {
   Json json;

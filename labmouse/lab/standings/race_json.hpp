@@ -20,6 +20,9 @@ std::string json_of(std::span<const Race> races, const std::vector<SkippedFile>&
 std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped);
 Json race_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped);
 
+/// Where the best possible score of a maze is in the JSON of a race: `key`, and `unit` to multiply it by.
+Json bound_place_json(const World& world);
+
 /// The text of a JSON file. Names come from the file system; bytes that are not UTF-8 are replaced.
 std::string text_of(const Json& json);
 

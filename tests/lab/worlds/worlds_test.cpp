@@ -135,6 +135,29 @@ TEST_P(AWorld, HasResultsOfAMouseThatDoNotDependOnTheOthers) {
   EXPECT_THAT(digest(held), HasSubstr(digest(hold_race({held.mice[1]}, mazes(), order()))));
 }
 
+/// A program that knows no world by its name finds scores and best possible scores where the JSON says.
+TEST_P(AWorld, SaysInJsonWhereItsScoresAndBoundsAre) {
+  const Race held = race();
+  const Json group = part_of(json_of(held, {}));
+  const Json &score = group.at("score"), &bound = group.at("bound");
+  std::vector<std::size_t> next(held.mice.size());
+  int scores = 0;
+  for (const ContestResult& contest : held.results) {
+    const std::size_t index = next[contest.mouse]++;
+    if (!contest.score) continue;
+    const auto mouse = std::ranges::find(group.at("mice"), Json(held.mice[contest.mouse].name),
+                                         [](const Json& one) { return one.at("name"); });
+    const Json& result = mouse->at("results").at(index);
+    const Json& whole = result.at(score.at("key").get<std::string>());
+    const Json& value = score.at("inner") == "" ? whole : whole.at(score.at("inner").get<std::string>());
+    EXPECT_NEAR(value.get<double>() * score.at("unit").get<double>(), *contest.score, 1e-9);
+    const Json& best = group.at("mazes").at(contest.maze).at(bound.at("key").get<std::string>());
+    EXPECT_NEAR(best.get<double>() * bound.at("unit").get<double>(), held.facts[contest.maze].bound.value(), 1e-9);
+    ++scores;
+  }
+  EXPECT_GT(scores, 0);
+}
+
 TEST_P(AWorld, HasStandingsBestFirst) {
   const Race held = race();
   const std::vector<Standing> standings = standings_of(held);

@@ -633,8 +633,8 @@ export interface ShownWorld {
   unit: string;
   /** What a contest without a score counts in means; null where it has no place there. */
   failure_score: number | null;
-  /** The field of a maze with its best possible score. */
-  bound: string;
+  /** The field of a maze with its best possible score, and what it is multiplied by. */
+  bound: { key: string; unit: number };
   bound_meaning: string;
   columns: ShownColumn[];
   /**

@@ -92,7 +92,9 @@ function robotOf({ robot }: RaceGroup): string {
 export function worldOf(group: RaceGroup, among: RaceGroup[] = []): RacedWorld {
   const table = (tables as ShownWorlds).find(({ names }) => names.includes(group.world))?.table;
   const said = table ?? (group as Partial<ShownWorld>);
-  const { bound = 'bound', failure_score } = said;
+  const { failure_score } = said;
+  // Files of earlier versions do not have its place.
+  const bound: Partial<ShownWorld['bound']> = said.bound ?? {};
   // The rules of a race can have a unit of their own.
   const unit = text(group.unit) ?? said.unit ?? 'points';
   const {
@@ -118,7 +120,7 @@ export function worldOf(group: RaceGroup, among: RaceGroup[] = []): RacedWorld {
     bestMeaning: table?.bound_meaning ?? 'best possible score',
     mean: columnOf(mean),
     columns: [ratio, ...(own ?? namedColumns(group))],
-    bound: (maze) => scaled(maze[bound], table ? factor : 1) ?? scaled(maze.bound_us, 1e-6),
+    bound: (maze) => scaled(maze[bound.key ?? 'bound'], bound.unit ?? 1) ?? scaled(maze.bound_us, 1e-6),
     score: (result) => scaled(field === '' ? result[key] : inner(result[key], field), factor),
     again: table?.plays ? (core, contest) => core.call('contest', { ...contest, ...conditionsOf(group) }) : undefined,
   };
