@@ -35,8 +35,7 @@ std::vector<Declaration> race_shapes() {
                      "What a contest without a score counts in means; null where it has no place there."),
                field("bound", object({field("key", text), field("unit", number)}),
                      "The field of a maze with its best possible score, and what it is multiplied by."),
-               field("bound_meaning", text),
-               field("columns", list(named("ShownColumn"))),
+               field("bound_meaning", text), field("columns", list(named("ShownColumn"))),
                maybe("score", object({field("key", text), field("inner", text), field("unit", number)}),
                      "Where it is not the field `score` of a contest: the field inside of which field, and what it is "
                      "multiplied by."),
