@@ -61,7 +61,7 @@ Part page_part() {
   const std::size_t size = embedded_page().size();
   return {"page", size > 0, size > 0 ? fmt::format("inside, {} KiB", size / 1024) : "not inside",
           "`labmouse demo`, `labmouse page`, `labmouse report`",
-          "run `make page`, then `make` again, in the source folder"};
+          "run `make page`, then `make race`, in the source folder"};
 }
 
 Part terminal_part() {
