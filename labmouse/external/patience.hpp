@@ -75,8 +75,6 @@ class Patience {
 
   /// Whether it exceeded the processor time; to be checked after an answer, too.
   bool is_overworked(ExternalProcess& process);
-  /// Processor time at the last measurement.
-  std::chrono::nanoseconds worked() const { return worked_; }
   /// False if a timeout came without a decision whether the mouse was slow.
   bool is_judged() const;
 

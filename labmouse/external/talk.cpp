@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "labmouse/external/quoted_line.hpp"
 
 namespace labmouse {
 namespace {
@@ -65,8 +64,8 @@ std::optional<std::string_view> ExternalTalk::hear(std::chrono::milliseconds sil
     const auto line = process_.lines().next();
     if (patience.is_overworked(process_)) {
       give_up(ForfeitReason::late,
-              fmt::format("it worked for {} of processor time{}; the limit is {} ({})", seconds_text(patience.worked()),
-                          line ? " for its answer " + quoted_line(*line) : " and had not answered", seconds_text(work),
+              // Neither the time nor the answer, which may or may not be there: the same contest has the same words.
+              fmt::format("it used more than {} of processor time for one answer ({})", seconds_text(work),
                           greeted_ ? "--decision-limit" : "--contest-limit"));
       return std::nullopt;
     }

@@ -81,8 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"daemon at the start", ForfeitReason::invalid_answer, {"'rubbish'"}},
                     Misbehaviour{"give up", ForfeitReason::gave_up, {"`forfeit`"}},
                     Misbehaviour{"hang", ForfeitReason::hung, {"0.8 s", "--silence-limit"}},
-                    Misbehaviour{"late", ForfeitReason::late, {"processor time", "0.4 s"}},
-                    Misbehaviour{"work", ForfeitReason::late, {"not answered", "0.4 s", "--decision-limit"}},
+                    Misbehaviour{"late", ForfeitReason::late, {"processor time", "0.4 s", "--decision-limit"}},
+                    Misbehaviour{"work", ForfeitReason::late, {"processor time", "0.4 s", "--decision-limit"}},
                     Misbehaviour{"die", ForfeitReason::ended_early, {"exit code 3\none\ntwo\nthree: no way out"}},
                     Misbehaviour{"end", ForfeitReason::ended_early, {"exit code 0"}},
                     Misbehaviour{"crash", ForfeitReason::ended_early, {"signal 11 ", "\nabout to crash"}},
@@ -117,6 +117,16 @@ TEST(ExternalStrategy, KeepsWhatItWroteToItsErrorsInAnyContest) {
   const RunRecord record = contest(test::bad_program("write notes"), 2);
   EXPECT_EQ(record.outcome, Outcome::out_of_steps);
   EXPECT_EQ(record.last_words, "a note\na note\n");
+}
+
+/// Results that have these words are the same each time.
+TEST(ExternalStrategy, HasTheSameWordsHoweverMuchItIsTooSlow) {
+  const auto words_of = [](const char* how) {
+    Launch launch = test::bad_program(how);
+    launch.limits.silence = 20s;
+    return contest(launch).last_words;
+  };
+  EXPECT_EQ(words_of("late"), words_of("work"));
 }
 
 TEST(ExternalStrategy, KeepsOnlyTheLastErrors) {

@@ -142,7 +142,8 @@ class Hosting {
   std::string said_nothing() {
     const bool begun = host_.lines() > 0;
     if (patience_.is_overworked(external_))
-      return fmt::format("worked for {} of processor time without a line ({})", seconds_text(patience_.worked()),
+      return fmt::format("used more than {} of processor time without a line ({})",
+                         seconds_text(begun ? launch_.limits.decision : launch_.limits.start),
                          begun ? "--decision-limit" : "--start-limit");
     if (begun)
       return fmt::format("wrote no line for {} (--silence-limit){}", seconds_text(launch_.limits.silence), hint());
