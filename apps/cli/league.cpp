@@ -140,6 +140,7 @@ int init(LeagueOptions& options) {
           fmt::format("{}: error: is there already; a season is not changed, so choose another folder", path));
   const PreviousSeason previous = previous_of(options);
   const MazeCollection mazes = find_mazes_of(entry, options.contests);
+  season.is_frozen = true;
   season.world.settings = entry.settings;
   const std::string secret = options.seed_file.empty() ? drawn_seed() : valid(read_secret_seed(options.seed_file));
   season.seed_hash = sha256_text(secret);

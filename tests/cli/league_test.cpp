@@ -194,8 +194,12 @@ TEST_F(AnOrganiser, FreezesWhatDecidesTheRanking) {
   EXPECT_EQ(hash.size(), 64);
   EXPECT_THAT(made.out, HasSubstr(hash));
   EXPECT_THAT(content("site/index.html"), HasSubstr(hash));
-  // A season of an earlier labmouse has no such list.
   fs::remove(folder_ / "spring/season.sha256");
+  is_refused(run, "spring/season.sha256");
+  // A season of an earlier labmouse has no such list, and does not say that it is frozen.
+  std::string season = content("spring/season.toml");
+  season.erase(season.find("frozen = true\n"), std::string("frozen = true\n").size());
+  file("spring/season.toml", season);
   const Ended old = labmouse(run);
   EXPECT_EQ(old.code, 0);
   EXPECT_THAT(old.err, HasSubstr("season.sha256"));
@@ -418,6 +422,12 @@ TEST_F(AnOrganiser, RefusesWhatIsNoEntry) {
   is_refused({"league", "add", "spring", "ariadne", "--sandbox", "off"}, "ariadne");
   entry("outside", "program = \"python3 ../spy/robot.py\"");
   is_refused({"league", "add", "spring", "outside", "--sandbox", "off"}, "outside/entry.toml:3:1");
+  for (const char* name : {"../x", ".x", "/x", "a/../b"}) {
+    entry("named", "mouse = \"flood\"");
+    file("named/entry.toml", std::string("authors = [\"Ada\"]\nlicence = \"MIT\"\n[[mouse]]\nname = \"") + name +
+                                 "\"\nmouse = \"flood\"\n");
+    is_refused({"league", "add", "spring", "named", "--sandbox", "off"}, "named/entry.toml:3:1");
+  }
   entry("linked", "capstone = \"robot.py\"", crashing);
   fs::create_symlink("/etc/passwd", folder_ / "linked/link");
   is_refused({"league", "add", "spring", "linked", "--sandbox", "off"}, "linked/link");

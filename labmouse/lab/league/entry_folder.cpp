@@ -129,6 +129,8 @@ std::vector<Problem> problems_of(const MiceFileResult& file) {
   };
   if (file.mice.size() > 1) add("an entry is one mouse; remove the others");
   if (mouse.name.size() > longest_name) add(fmt::format("the name is longer than {} bytes", longest_name));
+  if (mouse.name.starts_with('.') || mouse.name.starts_with('/') || mouse.name.find("..") != std::string::npos)
+    add("the name looks like a path; choose one without '..', and without a dot or slash at its beginning");
   if (file.authors.empty() || std::any_of(file.authors.begin(), file.authors.end(), is_bad))
     add("authors are missing; add authors = [\"...\"] at the top");
   if (is_bad(file.licence)) add("the licence is missing; add licence = \"MIT\" at the top");

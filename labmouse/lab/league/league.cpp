@@ -59,7 +59,7 @@ void load_earlier(League& league) {
 void check_frozen(League& league, const std::string& season_file) {
   const std::string path = fmt::format("{}/{}", league.folder, frozen_file_name);
   std::error_code unknown;
-  if (fs::symlink_status(path, unknown).type() == fs::file_type::not_found) {
+  if (fs::symlink_status(path, unknown).type() == fs::file_type::not_found && !league.season.is_frozen) {
     league.remarks.push_back(shown(fmt::format("{} is missing: nothing shows whether the season has changed.", path)));
     return;
   }

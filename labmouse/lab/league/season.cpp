@@ -12,7 +12,7 @@ namespace labmouse {
 namespace {
 
 constexpr auto season_keys = std::to_array<std::string_view>(
-    {"title", "labmouse", "world", "settings", "limits", "examination", "examination_seed_sha256"});
+    {"title", "labmouse", "frozen", "world", "settings", "limits", "examination", "examination_seed_sha256"});
 constexpr auto examination_keys = std::to_array<std::string_view>({"count", "kind", "side"});
 constexpr int mib_bits = 20;
 
@@ -72,6 +72,7 @@ SeasonResult read_season(std::string_view text) {
   season.title = fields.text(toml.table, "title");
   if (season.title.empty()) season.title = "labmouse league";
   season.version = fields.text(toml.table, "labmouse");
+  season.is_frozen = toml.table.contains("frozen") && fields.flag(toml.table, "frozen");
   season.world = read_world(toml.table, fields);
   season.examination = read_examination(toml.table, fields);
   season.seed_hash = read_hash(toml.table, fields);
@@ -85,6 +86,7 @@ std::string season_text(const Season& season) {
       fmt::format("# A season of labmouse league. It stays as it is until the season ends.\ntitle = {}\n",
                   quoted_toml(season.title));
   if (!season.version.empty()) text += fmt::format("labmouse = {}\n", quoted_toml(season.version));
+  if (season.is_frozen) text += "frozen = true\n";
   text +=
       fmt::format("world = {}\n# SHA-256 of the secret seed of the examination mazes\nexamination_seed_sha256 = {}\n",
                   quoted_toml(season.world.entry->name), quoted_toml(season.seed_hash));

@@ -24,7 +24,8 @@ inline constexpr const char* records_folder_name = "records";
 /// A season file, as written.
 struct Season {
   std::string title;
-  std::string version;  ///< of labmouse, which wrote the file
+  std::string version;     ///< of labmouse, which wrote the file
+  bool is_frozen = false;  ///< whether it has a list of the frozen files; seasons of earlier versions have none
   NamedWorld world;
   SecretMazes examination = {.count = 20};
   std::string seed_hash;  ///< SHA-256 of the secret seed, as 64 hexadecimal digits

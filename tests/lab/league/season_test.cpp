@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 Season some_season() {
   Season season;
   season.title = R"(The "first" season)";
+  season.is_frozen = true;
   season.version = "1.2.3";
   season.world = {find_world("physical"), {{"robot", "classic"}, {"noise", "0.5"}}};
   season.examination = {7, "prim", 12};
