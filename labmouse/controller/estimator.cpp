@@ -11,6 +11,8 @@ namespace {
 /// Errors of gyro and slip are constant during a turn. To model them as noise per tick, their variance is scaled by the
 /// duration of a turn, s.
 constexpr double turn_seconds = 0.15;
+/// The slope of the floor is the same for so much of a turn, mm: at low speed that is longer than `turn_seconds`.
+constexpr double turn_length = 60.0;
 /// Share of the gyro's scale error that remains after calibration, and relative error of the slip.
 constexpr double gyro_rest = 0.2, slip_rest = 0.3;
 /// Relative error of an angle that only the wheels measure: they roll on the edges of their tyres, assumed.
@@ -136,13 +138,14 @@ void Estimator::estimate_slip(double pulled, double turn, double seconds) {
   felt_slip_ += pulled / speed_ * seconds - turn;
   const double slope = gravity * hardware_.variation.floor_tilt;
   slip_variance_ +=
-      (square(hardware_.noise.acceleration) * seconds + (offset_variance_ + square(slope)) * turn_seconds) * seconds /
-      square(speed_);
-  // The error of the nominal model is the same during a turn. The more it disagrees, the less it counts: tyres that
-  // slide follow no model.
-  const double off = nominal_slip_ - felt_slip_;
+      (square(hardware_.noise.acceleration) * seconds +
+       (offset_variance_ + square(slope)) * std::max(turn_seconds, turn_length / speed_)) *
+      seconds / square(speed_);
+  // The error of the nominal model is the same during a turn. The more it disagrees, beyond the error of what is felt,
+  // the less it counts: tyres that slide follow no model.
+  const double off = nominal_slip_ - felt_slip_, unexplained = std::max(0.0, square(off) - slip_variance_);
   const double gain =
-      slip_variance_ / (slip_variance_ + (nominal_variance + square(off)) * std::max(1.0, turn_seconds / seconds));
+      slip_variance_ / (slip_variance_ + (nominal_variance + unexplained) * std::max(1.0, turn_seconds / seconds));
   felt_slip_ += gain * off;
   slip_variance_ *= 1.0 - gain;
   felt_slip_ = std::clamp(felt_slip_, -most_slip, most_slip);
