@@ -28,7 +28,7 @@ constexpr std::array festina_parameters = {
         "Strategy that explores; by-rules takes ariadne where the time in the maze counts, and certify elsewhere.",
         ParameterScope::seconds),
     number_with_errors("search", "1", 0.2, 1.0, "Speed of the first search run, as a share of the usual speed."),
-    number_with_errors("slower", "1", 0.3, 1.0,
+    number_with_errors("slower", "0.9", 0.3, 1.0,
                        "Factor on the speed of search runs after each crash in a search run (no unit)."),
     number_with_errors("run", "0", 0.0, 1.0,
                        "Speed of the first speed run, as a share of the usual speed; 0 chooses it by the rules."),
@@ -199,12 +199,13 @@ std::unique_ptr<DrivingStrategy> drive_festina(const Briefing& briefing, const S
 
 constinit const BuiltinMouse festina_mouse = {
     .name = "festina",
-    .summary = "a log-odds map, faster speed runs from try to try",
+    .summary = "a log-odds map, slower search runs after crashes, faster speed runs from try to try",
     .method =
         "The parameter `strategy` chooses the strategy that explores: ariadne where the time in the maze counts, "
         "certify where it does not. festina itself decides two things, the map and the pace. A log-odds map weighs "
-        "contradicting readings; if no route is left, the mouse looks again. All search runs have the usual "
-        "pace: a slower one after a crash finished no more contests. Speed runs begin at 0.75 of the usual pace if the rules give a bonus to an untouched mouse, at 0.9 if runs are "
+        "contradicting readings; if no route is left, the mouse looks again. The search run begins at the usual pace "
+        "and becomes slower after each crash in a search run, because a mouse whose tyres slipped slips again. Speed "
+        "runs begin at 0.75 of the usual pace if the rules give a bonus to an untouched mouse, at 0.9 if runs are "
         "few, and otherwise at the usual pace. After a crash, the next speed run is slower by a factor. After a slow "
         "run that finished, the next one is faster. Once there are both, the next run takes the middle of the two, as "
         "long as that is more than a twentieth faster than the last success. If no speed run finished, the last run "

@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"pilot hang", ForfeitReason::hung, {"0.8 s", "--silence-limit"}},
                     Misbehaviour{"pilot hang within a line", ForfeitReason::hung, {"'drive 0'", "ending the line"}},
                     Misbehaviour{"pilot late", ForfeitReason::late, {"processor time", "0.4 s"}},
-                    Misbehaviour{"pilot work", ForfeitReason::late, {"not answered", "0.4 s", "--decision-limit"}},
+                    Misbehaviour{"pilot work", ForfeitReason::late, {"processor time", "0.4 s", "--decision-limit"}},
                     Misbehaviour{"pilot die", ForfeitReason::ended_early, {"exit code 3\none\ntwo\nthree: no way out"}},
                     Misbehaviour{"pilot crash", ForfeitReason::ended_early, {"signal 11 ", "\nabout to crash"}},
                     Misbehaviour{"pilot rubbish", ForfeitReason::invalid_answer, {"'what?'", "`drive`", "64"}},

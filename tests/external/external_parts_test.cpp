@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"part hang", ForfeitReason::hung, {"0.8 s", "--silence-limit"}},
                     Misbehaviour{"part hang within a line", ForfeitReason::hung, {"'drive 0'", "ending the line"}},
                     Misbehaviour{"part late", ForfeitReason::late, {"processor time", "0.4 s"}},
-                    Misbehaviour{"part work", ForfeitReason::late, {"not answered", "0.4 s", "--decision-limit"}},
+                    Misbehaviour{"part work", ForfeitReason::late, {"processor time", "0.4 s", "--decision-limit"}},
                     Misbehaviour{"part die", ForfeitReason::ended_early, {"exit code 3\none\ntwo\nthree: no way out"}},
                     Misbehaviour{"part crash", ForfeitReason::ended_early, {"signal 11 ", "\nabout to crash"}},
                     Misbehaviour{"part rubbish", ForfeitReason::invalid_answer, {"'what?'", "`drive`", "2 duties"}},

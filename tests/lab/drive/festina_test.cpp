@@ -37,15 +37,15 @@ FailureRates too_fast_beyond(double pace, std::initializer_list<Manoeuvre> manoe
 }
 
 TEST(Festina, SearchesMoreSlowlyAfterEachCrash) {
-  const PhysicalRecord record = driven("festina", too_fast_beyond(0.5, {Manoeuvre::turn}));
+  const PhysicalRecord record = driven("festina", too_fast_beyond(0.7, {Manoeuvre::turn}));
   const std::vector<double> paces = paces_of(record, DriveRun::Kind::search);
   ASSERT_GE(paces.size(), 2U);
   EXPECT_TRUE(std::is_sorted(paces.rbegin(), paces.rend()));
-  EXPECT_GT(paces.front(), 0.5);
-  EXPECT_LE(paces.back(), 0.5);
+  EXPECT_GT(paces.front(), 0.7);
+  EXPECT_LE(paces.back(), 0.7);
   EXPECT_EQ(record.drive.outcome, DriveOutcome::finished);
   // Others try again as fast as before.
-  EXPECT_NE(driven("ariadne", too_fast_beyond(0.5, {Manoeuvre::turn})).drive.outcome, DriveOutcome::finished);
+  EXPECT_NE(driven("ariadne", too_fast_beyond(0.7, {Manoeuvre::turn})).drive.outcome, DriveOutcome::finished);
 }
 
 TEST(Festina, RunsSlowerAfterACrashAndFasterAfterAnotherRun) {

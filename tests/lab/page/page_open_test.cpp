@@ -270,7 +270,7 @@ TEST(PageOpens, ResultsOfAnEarlierVersionWhereTheyHaveWhatIsNeeded) {
   json old = now;
   old.erase("groups");
   for (const char* key : {"budget", "mazes", "mice", "notes"}) old[key] = group[key];
-  for (const char* key : {"unit", "score", "failure_score", "limit_score", "columns"}) group.erase(key);
+  for (const char* key : {"unit", "score", "bound", "failure_score", "limit_score", "columns"}) group.erase(key);
   EXPECT_EQ(opened(old.dump())["results"], now);
   old["mice"][0].erase("runs");
   const json said = refused(old.dump(), "old.json");
