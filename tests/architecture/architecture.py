@@ -56,7 +56,8 @@ GLOBAL = re.compile(rf"^(?!(?:{WORDS_OF_NO_VARIABLE})\b|(?:inline )?{FIXED})"
 # Calls of one system: only in these files, which know that there are others, and in what a build without external mice leaves out.
 SYSTEM_HEADER = re.compile(r"(sys|linux|net|netinet|arpa)/|(unistd|fcntl|poll|netdb|signal|pthread|sched|spawn|dirent|termios|dlfcn|pwd"
                            r"|grp|glob|io|process|windows)\.h$")
-SYSTEM_FILES = ("labmouse/lab/system/calls.cpp", "labmouse/lab/system/live_source.cpp", "apps/cli/terminal.cpp")
+SYSTEM_FILES = ("labmouse/lab/system/calls.cpp", "labmouse/lab/system/live_source.cpp", "labmouse/lab/system/page_server.cpp",
+                "apps/cli/terminal.cpp")
 
 # Numbers are read in one file. The readers of the standard library differ by platform and by locale, and so do printf and
 # streams where they write numbers with a point; {fmt} does not.

@@ -1,6 +1,6 @@
-// System calls without an equivalent in the standard library. Only calls.cpp and live_source.cpp know the differences
-// between systems. On failure, a call that returns a descriptor or a count returns -1 and sets errno; a call that
-// returns an error number returns it, or 0 on success.
+// System calls without an equivalent in the standard library. Only calls.cpp, live_source.cpp and page_server.cpp
+// know the differences between systems. On failure, a call that returns a descriptor or a count returns -1 and sets
+// errno; a call that returns an error number returns it, or 0 on success.
 #pragma once
 
 #include <csignal>
