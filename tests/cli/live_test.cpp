@@ -1,13 +1,17 @@
 // The map of a real robot: from files, and from a simulated robot behind a pseudo-terminal, with what goes wrong there.
+#include <arpa/inet.h>
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <poll.h>
+#include <sys/socket.h>
 #include <termios.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -187,6 +191,48 @@ TEST_F(ARealRobot, IsHeardUntilTheUserHasEnough) {
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 128 + SIGINT) << ended.err;
   expect_the_whole_map(ended);
+}
+
+/// What a server on this computer answers to a request.
+std::string fetched(const std::string& port, const std::string& path) {
+  const int client = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(port)));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  std::string answer, request = "GET " + path + " HTTP/1.1\r\nHost: 127.0.0.1:" + port + "\r\n\r\n";
+  if (connect(client, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0 &&
+      write(client, request.data(), request.size()) == static_cast<ssize_t>(request.size())) {
+    std::array<char, 4096> bytes{};
+    for (ssize_t count = 1; count > 0;) {
+      count = read(client, bytes.data(), bytes.size());
+      if (count > 0) answer.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+  }
+  close(client);
+  return answer;
+}
+
+TEST_F(AUser, ServesThePageWithTheLinesOfARobot) {
+  const std::string page =
+      file("page.html", "<head><meta content=\"connect-src ws://127.0.0.1:*\" /></head><!-- labmouse:report -->\n");
+  file("robot.log", "0 0 N 101\n0 1 N 11");
+  const Program program(folder_, {"live", "robot.log", "--size", "3x2", "--robot", "classic", "--page", page});
+  const std::string begin = "Open http://127.0.0.1:";
+  ASSERT_TRUE(patiently([&] { return content(".err").find("#live") != std::string::npos; }));
+  const std::string link = content(".err").substr(begin.size());
+  const std::string port = link.substr(0, link.find('/'));
+  const std::string folder = link.substr(port.size(), link.find('#') - port.size());
+  EXPECT_EQ(folder.size(), 34U);
+  EXPECT_THAT(fetched(port, folder), HasSubstr("connect-src http://127.0.0.1:" + port + folder));
+  EXPECT_THAT(fetched(port, folder + "begin"), testing::EndsWith(R"({"width":3,"height":2,"robot":"classic"})"));
+  EXPECT_THAT(fetched(port, folder + "lines"), testing::EndsWith("\r\n\r\n0 0 N 101\n0 1 N 11\n"));
+  EXPECT_THAT(fetched(port, "/"), Not(HasSubstr("robot")));
+  program.interrupt();
+  EXPECT_EQ(program.wait().code, 128 + SIGINT);
+  is_refused({"live", "robot.log", "--page", "robot.log"}, "robot.log");
+  is_refused({"live", "robot.log", "--host", "127.0.0.1"}, "--page");
+  is_refused({"live", "robot.log", "--page", page, "--host", "0.0.0.0"}, "--host", "0.0.0.0");
 }
 
 TEST_F(AUser, SeesTheMapGrowOnATerminal) {
