@@ -2,7 +2,16 @@
 import type { Calls, LiveFinding, LiveState, MazeData } from '../core/types';
 import { errorText } from '../ui/format';
 import type { Page } from '../page/page';
-import { openFile, openSerial, openSocket, openText, type Listener, type Source, type SourceName } from './sources';
+import {
+  openFile,
+  openSerial,
+  openServed,
+  openSocket,
+  openText,
+  type Listener,
+  type Source,
+  type SourceName,
+} from './sources';
 import { createCurve, createStreamLog, endOfLine } from './stream-log';
 
 /** The newest findings that are listed. */
@@ -35,6 +44,7 @@ const beginOf = ({ robot, truth, width, height }: Wanted): Begin => ({
 function open(wanted: Wanted, listener: Listener): Promise<Source | null> {
   const { source, baud, address, text } = wanted;
   if (source === 'serial') return openSerial(baud, listener);
+  if (source === 'served') return openServed(listener);
   if (source === 'socket') return openSocket(address, listener);
   if (source === 'text') return Promise.resolve(openText(text, listener));
   openFile(listener);
@@ -171,6 +181,7 @@ export function createRealRobot(page: Page, changed: () => void) {
       }
     },
     disconnect: () => stop(),
+    fail,
     look: createLook(page, state, changed, fail),
     /** Waits until all that came is read. */
     settled: async () => void (await feeding),

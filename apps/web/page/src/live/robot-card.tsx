@@ -1,5 +1,5 @@
 // The card of a real robot in Live: its source, its map, and what is found in it.
-import { useLayoutEffect, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useState } from 'preact/hooks';
 import type { About, MazeData } from '../core/types';
 import { Button, Check, NumberInput, numberOf, Select } from '../ui/controls';
 import { Field } from '../ui/field';
@@ -8,7 +8,7 @@ import type { Page } from '../page/page';
 import { createRealRobot, type Wanted } from './real-robot';
 import { RobotCurves } from './robot-curves';
 import { createRobotMap, MapRoom } from './robot-map';
-import { bauds, sourceNames, type SourceName } from './sources';
+import { bauds, isServed, servedBegin, sourceNames, type SourceName } from './sources';
 
 export type RobotPart = ReturnType<typeof createRobotPart>;
 
@@ -37,7 +37,7 @@ const SourceFields = ({ form, set }: FormProps) => (
   <div class="field-row">
     <Field label="Source">
       <Select
-        options={Object.entries(sourceNames)}
+        options={Object.entries(sourceNames())}
         value={form.source}
         choose={(source) => set({ source: source as SourceName })}
       />
@@ -72,6 +72,13 @@ const MazeFields = ({ form, set, about }: FormProps) => (
     </Field>
   </div>
 );
+
+/** Connects to the robot of `labmouse live --page`, in the maze and for the robot that it was given. */
+async function connectServed(robot: RobotPart['robot'], form: Form) {
+  const { maze, width, height, robot: name } = await servedBegin();
+  const size = { width: width ?? numberOf(form.width), height: height ?? numberOf(form.height) };
+  return robot.connect({ ...form, source: 'served', robot: form.robot || (name ?? ''), truth: maze ?? null, ...size });
+}
 
 /** What came, and what is found in it. */
 function Seen({ part: { robot, map } }: { part: RobotPart }) {
@@ -117,19 +124,22 @@ function Seen({ part: { robot, map } }: { part: RobotPart }) {
 }
 
 export function RobotCard({ part, maze }: { part: RobotPart; maze: MazeData | null }) {
-  const [form, setForm] = useState<Form>({ ...usual, isKnown: false, width: '16', height: '16' });
+  const [form, setForm] = useState<Form>({ ...usual, ...(isServed() && { source: 'served' }), isKnown: false, width: '16', height: '16' });
   const set = (changes: Partial<Form>) => setForm((before) => ({ ...before, ...changes }));
   const { robot, about } = part;
   const connect = () => {
+    if (form.source === 'served') return connectServed(robot, form).catch((error) => robot.fail(error));
     const { isKnown, width, height, ...rest } = form;
     const truth = isKnown ? maze : null;
     return robot.connect({ ...rest, truth, width: numberOf(width), height: numberOf(height) });
   };
+  // Whoever opens the link of the program wants to see its robot.
+  useEffect(() => void (isServed() && connect()), []);
   return (
     <section class="card real-robot" aria-label="Real robot">
       <h2>Real robot</h2>
       <SourceFields {...{ form, set, about }} />
-      <MazeFields {...{ form, set, about }} />
+      {form.source !== 'served' && <MazeFields {...{ form, set, about }} />}
       <Button label={form.source === 'text' ? 'Read' : 'Connect'} act={connect} />
       <p role="alert">{robot.state.error}</p>
       <Seen part={part} />

@@ -1,8 +1,15 @@
 // Where the bytes of a real robot come from: a serial port, a WebSocket of this computer, a file, or text.
+import type { MazeData } from '../core/types';
 import { askForFiles } from '../ui/pick';
 
-export const sourceNames = { serial: 'serial port', socket: 'WebSocket', file: 'file', text: 'pasted text' } as const;
-export type SourceName = keyof typeof sourceNames;
+const servedName = { served: 'labmouse live' } as const;
+const everywhere = { serial: 'serial port', socket: 'WebSocket', file: 'file', text: 'pasted text' } as const;
+export type SourceName = keyof (typeof servedName & typeof everywhere);
+
+/** Whether `labmouse live --page` serves this page, with the lines of a robot beside it. */
+export const isServed = () => document.querySelector('meta[name="labmouse-robot"]') !== null;
+export const sourceNames = () => (isServed() ? { ...servedName, ...everywhere } : everywhere);
+
 export const bauds = [9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600];
 
 /** What hears a source. */
@@ -47,6 +54,41 @@ export async function openSerial(baudRate: number, listener: Listener, ports = n
   }
   void read();
   return { close: () => void reader.cancel().catch(() => undefined), send: null };
+}
+
+/** What `labmouse live --page` says of the robot. */
+export interface Served {
+  maze?: MazeData;
+  width?: number;
+  height?: number;
+  robot?: string;
+}
+
+/** Answers of the server that served the page. */
+async function served(name: string, signal?: AbortSignal): Promise<Response> {
+  const answer = await fetch(name, { signal }).catch(() => null);
+  if (!answer?.ok) throw new Error('labmouse live no longer answers. Start it again and open its new link.');
+  return answer;
+}
+
+export const servedBegin = async () => (await (await served('begin')).json()) as Served;
+
+/** The lines that `labmouse live --page` has read, and those that it reads from now on. */
+export async function openServed(listener: Listener): Promise<Source> {
+  const stop = new AbortController();
+  const { body } = await served('lines', stop.signal);
+  const reader = body!.getReader();
+  async function read() {
+    let error: string | undefined;
+    try {
+      for (let next = await reader.read(); !next.done; next = await reader.read()) listener.bytes(next.value);
+    } catch {
+      if (!stop.signal.aborted) error = 'The connection to labmouse live broke off.';
+    }
+    listener.ended(error);
+  }
+  void read();
+  return { close: () => stop.abort(), send: null };
 }
 
 /** Whether the policy of the page lets it connect there. */

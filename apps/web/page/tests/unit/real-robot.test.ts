@@ -3,7 +3,7 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import type { LiveState } from '../../src/core/types';
 import { createRealRobot, mostFindings, type Wanted } from '../../src/live/real-robot';
 import { unseenWalls } from '../../src/live/robot-map';
-import { isHere, openSerial, openSocket, openText, type Listener } from '../../src/live/sources';
+import { isHere, openSerial, openServed, openSocket, openText, type Listener } from '../../src/live/sources';
 import { createCurve, createStreamLog, endOfLine } from '../../src/live/stream-log';
 import type { Page } from '../../src/page/page';
 
@@ -51,6 +51,25 @@ class FakeSocket {
 afterEach(() => void vi.unstubAllGlobals());
 
 describe('a source', () => {
+  it('is the program that served the page, until it is closed', async () => {
+    const { listener, pieces, ended } = hearing();
+    vi.stubGlobal('fetch', async (name: string, { signal }: { signal: AbortSignal }) => {
+      expect(name).toBe('lines');
+      const body = new ReadableStream<Uint8Array>({
+        start(control) {
+          control.enqueue(bytes('0 0 N 101\n'));
+          signal.addEventListener('abort', () => control.error(signal.reason));
+        },
+      });
+      return { ok: true, body };
+    });
+    const source = await openServed(listener);
+    await vi.waitFor(() => expect(text(pieces)).toBe('0 0 N 101\n'));
+    source.close();
+    expect(await ended).toBeUndefined();
+    vi.stubGlobal('fetch', async () => ({ ok: false }));
+    await expect(openServed(listener)).rejects.toThrow('labmouse live');
+  });
   it('is a serial port at its baud, until it is closed', async () => {
     const { listener, pieces, ended } = hearing();
     const { calls, serial } = port(['0 0 N', ' 101\n']);
