@@ -235,6 +235,25 @@ TEST_F(AUser, ServesThePageWithTheLinesOfARobot) {
   is_refused({"live", "robot.log", "--page", page, "--host", "0.0.0.0"}, "--host", "0.0.0.0");
 }
 
+TEST_F(AUser, HearsAnHourWithoutGrowthOfMemory) {
+  const std::string page = file("page.html", "<head>connect-src ws://127.0.0.1:*</head><!-- labmouse:report -->\n");
+  const auto memory_after = [&](int lines) {
+    std::string log;
+    for (int i = 0; i < lines; ++i)
+      log += std::to_string(i % 16) + " " + std::to_string(i / 16 % 16) + " N 1??0 batt=7900 v=3\n";
+    file("robot.log", log);
+    const Program program(folder_, {"live", "robot.log", "--page", page});
+    EXPECT_TRUE(patiently([&] { return content(".out").find(std::to_string(lines) + " lines") != std::string::npos; }));
+    const long memory = program.most_memory();
+    program.interrupt();
+    EXPECT_EQ(program.wait().code, 128 + SIGINT);
+    return memory;
+  };
+  // The server keeps 4 MiB of the lines; a string that grows takes twice that.
+  constexpr long kept = 3 * 4096;  // kB
+  EXPECT_LE(memory_after(720'000), memory_after(1000) + kept);
+}
+
 TEST_F(AUser, SeesTheMapGrowOnATerminal) {
   const std::string log = folder_ / file("robot.log", "0 0 N 101\n0 1 N 110 route=E\n0 1 N 111\n");
   const auto printed = test::on_a_terminal({"live", log, "--size", "3x2"}, "NO_COLOR=1");

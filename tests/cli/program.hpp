@@ -73,6 +73,13 @@ class Program {
            (std::stoull(status.substr(caught + 7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
   }
 
+  /// The most memory that it has had so far, in kB; 0 where the system does not say.
+  long most_memory() const {
+    const std::string status = content_of("/proc/" + std::to_string(child_) + "/status");
+    const auto most = status.find("VmHWM:");
+    return most == std::string::npos ? 0 : std::stol(status.substr(most + 6));
+  }
+
   /// Whether it waits for something, such as the other end of a pipe.
   bool sleeps() const {
     return content_of("/proc/" + std::to_string(child_) + "/status").find("State:\tS") != std::string::npos;
