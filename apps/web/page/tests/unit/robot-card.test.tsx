@@ -59,3 +59,26 @@ it('shows what the lines say', async () => {
   // The robot is turned to its heading, and painted.
   await vi.waitFor(() => expect(painted).toContain('rotate'));
 });
+
+it('connects by itself where labmouse live serves the page', async () => {
+  paintedOn();
+  const mark = document.createElement('meta');
+  mark.name = 'labmouse-robot';
+  document.head.append(mark);
+  vi.stubGlobal('fetch', async (name: string) => ({
+    ok: true,
+    json: async () => ({ width: 2, height: 2, robot: 'classic' }),
+    body: new Response(name === 'lines' ? '0 0 N 101\n' : '').body,
+  }));
+  const asked: string[] = [];
+  const room = document.createElement('div');
+  document.body.append(room);
+  const draw = () => render(<RobotCard part={part} maze={null} />, room);
+  const part = createRobotPart(pageOf(asked), draw);
+  draw();
+  await vi.waitFor(() => expect(room.textContent).toContain('3 lines'));
+  expect(asked).toContain('live_feed');
+  expect(part.robot.state.wanted).toMatchObject({ source: 'served', robot: 'classic', width: 2, height: 2 });
+  mark.remove();
+  vi.unstubAllGlobals();
+});
