@@ -137,10 +137,9 @@ void Estimator::estimate_slip(double pulled, double turn, double seconds) {
   // The lateral acceleration gives the turn rate of the path, and any further turn of the mouse is slip.
   felt_slip_ += pulled / speed_ * seconds - turn;
   const double slope = gravity * hardware_.variation.floor_tilt;
-  slip_variance_ +=
-      (square(hardware_.noise.acceleration) * seconds +
-       (offset_variance_ + square(slope)) * std::max(turn_seconds, turn_length / speed_)) *
-      seconds / square(speed_);
+  slip_variance_ += (square(hardware_.noise.acceleration) * seconds +
+                     (offset_variance_ + square(slope)) * std::max(turn_seconds, turn_length / speed_)) *
+                    seconds / square(speed_);
   // The error of the nominal model is the same during a turn. The more it disagrees, beyond the error of what is felt,
   // the less it counts: tyres that slide follow no model.
   const double off = nominal_slip_ - felt_slip_, unexplained = std::max(0.0, square(off) - slip_variance_);
