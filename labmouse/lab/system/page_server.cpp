@@ -198,7 +198,7 @@ void PageServer::State::hear(Client& client) const {
   if (!client.answer.empty()) return;
   client.request.append(bytes.data(), static_cast<std::size_t>(count));
   const auto end = client.request.find("\r\n\r\n");
-  if (end != std::string::npos && end <= most_request) return answer(client);
+  if (end <= most_request) return answer(client);  // npos is larger
   if (client.request.size() > most_request) client.answer = head("431 Request Header Fields Too Large", "text/plain");
 }
 
